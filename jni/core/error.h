@@ -1,0 +1,18 @@
+// The three kinds of error, and when each is used:
+//   assert       a mistake of the programmer: cannot happen whatever the input
+//   vct::Error   everything that input, the driver or the machine can cause: one sentence that names what
+//                failed, why, and what to do about it; main() prints it and exits with 1
+//   return value what is expected to happen (two pictures differ)
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace vct {
+
+class Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace vct

@@ -1,0 +1,40 @@
+// What the current driver can do, asked once. A missing capability is reported together with all the others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vct::gl {
+
+// One row of what the pipeline needs.
+struct Requirement {
+    std::string name;      // "GL_OES_shader_image_atomic" or "GL_MAX_FRAGMENT_IMAGE_UNIFORMS >= 1"
+    std::string found;     // what the driver reports
+    std::string neededBy;  // which pass, and what would be lost without it
+    bool required = true;  // false: the pipeline works without it, with the loss that neededBy names
+    bool met = false;
+};
+
+struct Capabilities {
+    std::string vendor, renderer, version, shadingLanguage;
+    bool desktopContext = false;  // OSMesa: a desktop core context that compiles the ES sources
+    bool essl320 = false;         // "#version 320 es" is accepted; otherwise 310 es plus extensions
+    bool debugOutput = false;     // KHR_debug entry points are there
+    bool softwareDriver = false;  // textures live in main memory: llvmpipe, softpipe, lavapipe
+    int max3dTextureSize = 0;
+    int uniformBufferOffsetAlignment = 256;
+    std::vector<std::string> extensions;
+    std::vector<Requirement> requirements;
+
+    bool hasExtension(const std::string& name) const;
+    // Throws one vct::Error that names every required thing that is missing and what it is needed for.
+    void requireAll() const;
+};
+
+// Queries the current context (gl::load must have run).
+Capabilities queryCapabilities();
+
+// The table that `vct info` prints.
+std::string describe(const Capabilities& capabilities);
+
+}  // namespace vct::gl

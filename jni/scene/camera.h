@@ -1,0 +1,28 @@
+// Cameras and lights that a command line asks for.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+namespace vct {
+
+// A camera at `eye` that looks at `target`; +Y is up, or +Z where the view is straight up or down.
+// Throws vct::Error where eye == target or fov is not in (0, 180) degrees.
+Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg);
+
+// The scene's camera by name or by index ("" takes the first). Throws vct::Error listing the cameras there are;
+// where there is none, the message suggests a --camera that frames the scene.
+Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex);
+
+// A camera that sees the whole scene from the front and above.
+Camera frameScene(const Scene& scene);
+
+// The scene's first directional light, or a default one (from the upper front right, E = pi).
+DirectionalLight chooseLight(const Scene& scene);
+
+// Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene.
+// Returns clipFromWorld.
+glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect);
+
+}  // namespace vct

@@ -1,0 +1,98 @@
+// A scene as plain data. Knows nothing of GL and nothing of the file it came from.
+//
+// World space: right-handed, +Y up, metres (glTF 2.0). World positions are double: a scene may lie 10^6 units
+// from the origin. Vertices are float, relative to the centre of their mesh.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace vct {
+
+struct Vertex {
+    glm::vec3 position;  // object space, relative to Mesh::centre
+    glm::vec3 normal;    // object space, unit length
+    glm::vec2 uv;          // of the base-colour texture, KHR_texture_transform applied
+    glm::vec2 emissiveUv;  // of the emissive texture, likewise
+};
+
+struct Material {
+    enum class AlphaMode { opaque, mask };
+
+    std::string name;
+    glm::vec4 baseColor{1.0F};      // linear RGB and alpha; multiplies the texture
+    int baseColorTexture = -1;      // index into Scene::textures, or -1
+    glm::vec3 emissive{0.0F};       // radiance in W/(sr m^2) or nits, strength included; multiplies the texture
+    int emissiveTexture = -1;       // index into Scene::textures, or -1
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5F;
+    bool doubleSided = false;
+};
+
+// Triangles of one material. Counter-clockwise is front.
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;  // three per triangle, all below vertices.size()
+    int material = 0;                    // index into Scene::materials
+    glm::dvec3 centre{0.0};              // object space: file position = centre + Vertex::position
+};
+
+// A mesh placed in the world.
+struct Instance {
+    int mesh = 0;
+    glm::dmat4 worldFromObject{1.0};  // of the file's object space, so before Mesh::centre is subtracted
+};
+
+// 8-bit RGBA, sRGB-encoded colour (linear alpha), first row at the top (glTF: uv (0,0)).
+struct Texture {
+    enum class Wrap { repeat, clampToEdge, mirroredRepeat };
+
+    std::string name;
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+    Wrap wrapS = Wrap::repeat;
+    Wrap wrapT = Wrap::repeat;
+    bool linearFilter = true;  // magnification; minification is always trilinear
+};
+
+// glTF camera convention: looks along its -Z, +Y up.
+struct Camera {
+    std::string name;
+    glm::dmat4 worldFromCamera{1.0};  // rigid: rotation and translation only
+    double verticalFovRad = 0.8;
+};
+
+struct DirectionalLight {
+    glm::dvec3 towardsLight{0.0, 1.0, 0.0};  // world, unit length
+    glm::vec3 color{1.0F};                   // linear RGB, largest component 1 (0 when the light is off)
+    float intensity = 3.14159265F;           // E in lux: irradiance of a surface that faces the light
+};
+
+struct Bounds {
+    glm::dvec3 min{0.0};
+    glm::dvec3 max{0.0};
+};
+
+struct Scene {
+    std::string path;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Camera> cameras;
+    std::vector<DirectionalLight> lights;
+    Bounds boundsWorld;                 // of all instances' vertices that triangles use
+    std::vector<std::string> warnings;  // what the file asks for that is not honoured
+
+    std::size_t triangleCount() const {
+        std::size_t count = 0;
+        for (const Instance& instance : instances) count += meshes[instance.mesh].indices.size() / 3;
+        return count;
+    }
+};
+
+}  // namespace vct
