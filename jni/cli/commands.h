@@ -1,0 +1,14 @@
+// The commands of `vct`, one file each. A command declares its options on `app` and runs from its callback;
+// it throws vct::Error for what goes wrong and sets `exitCode` for what is expected (two pictures differ).
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace vct::cli {
+
+void addRender(CLI::App& app, int& exitCode);
+void addBench(CLI::App& app, int& exitCode);
+void addCompare(CLI::App& app, int& exitCode);
+void addInfo(CLI::App& app, int& exitCode);
+
+}  // namespace vct::cli

@@ -1,0 +1,44 @@
+// What a frame is asked to be. A preset is a set of settings, not a second renderer.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "shared/layout.h"
+
+namespace vct {
+
+// The thesis's five scenes (5.1.2); the numbers are those of shaders/shared/layout.h.
+enum class Mode {
+    phong = VCT_MODE_PHONG,                  // Phong, diffuse and specular, no shadow
+    shadowMap = VCT_MODE_SHADOW_MAP,         // and the shadow map
+    ao = VCT_MODE_AO,                        // and cone-traced ambient occlusion
+    gi = VCT_MODE_GI,                        // and a diffuse bounce
+    giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // the shadow cone in place of the shadow map
+};
+
+const std::vector<Mode>& allModes();
+const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone-shadow"
+// "all", or names and numbers separated by commas; throws vct::Error listing the names.
+std::vector<Mode> modesFromText(const std::string& text);
+
+struct Settings {
+    Mode mode = Mode::giConeShadow;
+    int grid = 256;                     // voxels along a side of the volume: 64, 128, 256 or 512
+    glm::ivec2 size{400, 400};          // pixels
+    int shadowMapSize = 512;            // texels along a side
+    float shadowConeAngleDeg = 5.0F;    // full opening angle of the cone towards the light
+    float aoDistance = 0.045F;          // of the volume's side
+    glm::vec3 skyRadiance{0.0F};        // seen by cones and pixels that leave the volume
+    std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid
+};
+
+// "thesis". Throws vct::Error listing the presets.
+Settings presetSettings(const std::string& name);
+
+// Throws vct::Error where a value is outside what the pipeline can do.
+void validate(const Settings& settings);
+
+}  // namespace vct
