@@ -1,0 +1,36 @@
+"""A box with a red wall, a ball and a ring, after the scene of Wahlen's thesis (2016): about 1,300 triangles."""
+import math
+
+from . import shapes
+from .glb import Glb, axis_angle
+
+WHITE, RED, YELLOW, GREEN = (0.64, 0.64, 0.64), (0.64, 0.04, 0.04), (0.64, 0.64, 0.08), (0.08, 0.64, 0.24)
+
+
+def build():
+    glb = Glb("tools/make_assets.py")
+    white, red, yellow, green = (glb.material(*m) for m in (
+        ("white", WHITE), ("red", RED), ("yellow", YELLOW), ("green", GREEN)))
+
+    # The inside is the front: floor, ceiling, back, right; then left. The front (+Z) is open.
+    rest, left = shapes.Shape(), shapes.Shape()
+    shapes.add_quad(rest, (-1, -1, 1), (2, 0, 0), (0, 0, -2))
+    shapes.add_quad(rest, (-1, 1, -1), (2, 0, 0), (0, 0, 2))
+    shapes.add_quad(rest, (-1, -1, -1), (2, 0, 0), (0, 2, 0))
+    shapes.add_quad(rest, (1, -1, -1), (0, 0, 2), (0, 2, 0))
+    shapes.add_quad(left, (-1, -1, 1), (0, 0, -2), (0, 2, 0))
+    glb.node("box", mesh=glb.mesh("box", glb.primitive(rest, white), glb.primitive(left, red)))
+
+    ball = glb.mesh("ball", glb.primitive(shapes.icosphere(0.4, 2), yellow))
+    glb.node("ball", mesh=ball, translation=[0.45, -0.6, 0.4])
+
+    # 22 x 22 quads = 968 triangles, as many as the thesis's second object; it floats at the left back.
+    ring = glb.mesh("ring", glb.primitive(shapes.torus(0.34, 0.14, 22, 22), green))
+    glb.node("ring", mesh=ring, translation=[-0.3, -0.1, -0.25], rotation=axis_angle((1, 0, 0.5), 55))
+
+    # At z = 1 the opening is 2 m high and 2.85 m away: 2 atan(1 / 2.85) = 38.7 degrees, and a margin.
+    glb.camera("front", (0, 0, 3.85), (0, 0, 0), 40)
+
+    # Through the open front from the upper right: lights the red wall, the floor and the corner between them.
+    glb.directional_light("sun", (-0.6, -0.55, -0.75), (1, 1, 1), round(math.pi, 6))
+    return glb
