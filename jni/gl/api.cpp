@@ -1,0 +1,59 @@
+#include "gl/api.h"
+
+#include <cstring>
+#include <string>
+
+#include "core/error.h"
+#include "gl/version.h"
+
+namespace vct::gl {
+
+#define VCT_GL_DEFINE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
+VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
+VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
+#undef VCT_GL_DEFINE
+
+namespace {
+
+std::string currentVersion() {
+    const GLubyte* text = GetString(GL_VERSION);
+    return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+bool hasExtension(const char* name) {
+    GLint count = 0;
+    GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte* extension = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user) {
+    std::string missing;
+#define VCT_GL_LOAD(TYPE, NAME)                                                   \
+    NAME = reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress("gl" #NAME, user)); \
+    if (!NAME) missing += missing.empty() ? "gl" #NAME : ", gl" #NAME;
+    VCT_GL_FUNCTIONS(VCT_GL_LOAD)
+#undef VCT_GL_LOAD
+    if (!missing.empty())
+        throw Error("the GL driver lacks " + missing + ": OpenGL ES 3.1 or desktop OpenGL 4.5 is needed");
+
+    // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
+    // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
+    const Version version = parseVersion(currentVersion());
+    const bool core = version.atLeast(3, 2, 4, 3);
+    const bool extension = !core && hasExtension("GL_KHR_debug");
+    const std::string suffix = extension && !version.desktop ? "KHR" : "";
+#define VCT_GL_LOAD_OPTIONAL(TYPE, NAME)                                                                  \
+    NAME = core || extension                                                                              \
+               ? reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress(("gl" #NAME + suffix).c_str(), user)) \
+               : nullptr;
+    VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_LOAD_OPTIONAL)
+#undef VCT_GL_LOAD_OPTIONAL
+}
+
+}  // namespace vct::gl

@@ -1,0 +1,111 @@
+#include "gl/debug.h"
+
+#include <mutex>
+#include <vector>
+
+#include "core/error.h"
+#include "gl/api.h"
+
+namespace vct::gl {
+namespace {
+
+// A driver may call from a thread of its own even where synchronous output was asked for.
+std::mutex keptMutex;
+std::vector<std::string> kept;
+
+// A shader in a loop can repeat one complaint without end; the first few say it all.
+constexpr size_t maxKept = 32;
+
+void keep(GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* message) {
+    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    std::string text = length < 0 ? std::string(message) : std::string(message, static_cast<size_t>(length));
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\0'))
+        text.pop_back();
+    const std::lock_guard<std::mutex> lock(keptMutex);
+    if (kept.size() < maxKept) kept.push_back(text + " (message " + std::to_string(id) + ")");
+}
+
+void GL_APIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                           const GLchar* message, const void* /*user*/) {
+    // The caller is the driver's C code: nothing may be thrown through it.
+    try {
+        keep(type, id, severity, length, message);
+    } catch (...) {
+    }
+}
+
+std::string errorName(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        case GL_CONTEXT_LOST:
+            return "GL_CONTEXT_LOST";
+        default:
+            return "GL error " + std::to_string(error);
+    }
+}
+
+std::vector<std::string> drainErrors() {
+    std::vector<std::string> errors;
+    // Bounded: after the loss of a context, or without one, some drivers return an error for ever.
+    for (GLenum error = GetError(); error != GL_NO_ERROR && errors.size() < 8; error = GetError())
+        errors.push_back(errorName(error));
+    return errors;
+}
+
+}  // namespace
+
+void installDebugCallback() {
+    {
+        // What an earlier context left behind is not this one's fault.
+        const std::lock_guard<std::mutex> lock(keptMutex);
+        kept.clear();
+    }
+    if (!DebugMessageCallback || !DebugMessageControl) return;
+    Enable(GL_DEBUG_OUTPUT);
+    Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
+    DebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+    DebugMessageCallback(onMessage, nullptr);
+}
+
+void checkErrors(const std::string& where) {
+    std::vector<std::string> messages;
+    {
+        const std::lock_guard<std::mutex> lock(keptMutex);
+        messages.swap(kept);
+    }
+    // Drained even when there are messages, or the next pass would be blamed for this one's error; reported
+    // only when there are none, because a message says the same and more.
+    const std::vector<std::string> errors = drainErrors();
+    if (messages.empty()) messages = errors;
+    if (messages.empty()) return;
+    std::string text = where + ": ";
+    for (size_t i = 0; i < messages.size(); ++i)
+        text += (i ? "; " : "") + messages[i];
+    throw Error(text);
+}
+
+DebugGroup::DebugGroup(const char* name) {
+    if (PushDebugGroup) PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
+}
+
+DebugGroup::~DebugGroup() {
+    if (PopDebugGroup) PopDebugGroup();
+}
+
+void label(unsigned identifier, unsigned name, const std::string& text) {
+    // GL_BUFFER, GL_PROGRAM, ... are namespaces here; a texture's is GL_TEXTURE, whatever its target.
+    if (ObjectLabel) ObjectLabel(identifier, name, static_cast<GLsizei>(text.size()), text.c_str());
+}
+
+}  // namespace vct::gl

@@ -1,0 +1,21 @@
+// The back ends behind createPlatform(). Internal to this folder.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "platform/platform.h"
+
+namespace vct::detail {
+
+std::unique_ptr<Platform> createEgl(const PlatformOptions& options);
+std::unique_ptr<Platform> createOsmesa(const PlatformOptions& options);
+std::unique_ptr<Platform> createZink(const PlatformOptions& options);
+
+// EGL gives the same display to everyone who asks, and its driver is chosen when the first one does.
+bool eglInUse();
+
+// GL_RENDERER of the current context.
+std::string rendererOf(const Platform& platform);
+
+}  // namespace vct::detail
