@@ -1,0 +1,183 @@
+#include "gl/objects.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.h"
+#include "gl/debug.h"
+
+namespace vct::gl {
+
+namespace {
+
+std::size_t texelBytes(GLenum format) {
+    switch (format) {
+        case GL_RGBA8:
+        case GL_SRGB8_ALPHA8:
+        case GL_RG16UI:
+        case GL_R32UI:
+        case GL_DEPTH_COMPONENT24:
+        case GL_DEPTH_COMPONENT32F:
+            return 4;
+        case GL_RGBA16F:
+            return 8;
+        case GL_RGBA32F:
+            return 16;
+        default:
+            throw Error("texelBytes: format " + std::to_string(format) + " is not in its table; add it there");
+    }
+}
+
+std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+
+// Storage calls report GL_OUT_OF_MEMORY and nothing else here: everything before is checked per pass.
+void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
+    if (GetError() == GL_OUT_OF_MEMORY)
+        throw Error("not enough memory for " + label + " (" + megabytes(bytes) +
+                    "); use a smaller --grid or --size, or free memory");
+}
+
+}  // namespace
+
+std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels) {
+    std::size_t texels = 0;
+    for (int level = 0; level < levels; ++level)
+        texels += static_cast<std::size_t>(std::max(width >> level, 1)) * std::max(height >> level, 1) *
+                  std::max(depth >> level, 1);
+    return texels * texelBytes(format);
+}
+
+void Texture::create(const std::string& label, GLenum target) {
+    GLuint name = 0;
+    GenTextures(1, &name);
+    handle_ = Handle<Traits>(name);
+    target_ = target;
+    label_ = label;
+    BindTexture(target, name);
+}
+
+Texture Texture::make2d(const std::string& label, GLenum format, int width, int height, int levels) {
+    Texture texture;
+    texture.create(label, GL_TEXTURE_2D);
+    texture.width_ = width;
+    texture.height_ = height;
+    texture.levels_ = levels;
+    texture.bytes_ = textureBytes(format, width, height, 1, levels);
+    TexStorage2D(GL_TEXTURE_2D, levels, format, width, height);
+    throwIfOutOfMemory(label, texture.bytes_);
+    texture.setFilter(GL_NEAREST, GL_NEAREST);
+    texture.setParameter(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    texture.setParameter(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl::label(GL_TEXTURE, texture.name(), label);
+    return texture;
+}
+
+Texture Texture::make3d(const std::string& label, GLenum format, int side, int levels) {
+    Texture texture;
+    texture.create(label, GL_TEXTURE_3D);
+    texture.width_ = texture.height_ = side;
+    texture.levels_ = levels;
+    texture.bytes_ = textureBytes(format, side, side, side, levels);
+    TexStorage3D(GL_TEXTURE_3D, levels, format, side, side, side);
+    throwIfOutOfMemory(label, texture.bytes_);
+    texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        texture.setParameter(wrap, GL_CLAMP_TO_EDGE);
+    gl::label(GL_TEXTURE, texture.name(), label);
+    return texture;
+}
+
+void Texture::bind(int unit) const {
+    ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    BindTexture(target_, name());
+}
+
+void Texture::setFilter(GLenum minFilter, GLenum magFilter) const {
+    setParameter(GL_TEXTURE_MIN_FILTER, minFilter);
+    setParameter(GL_TEXTURE_MAG_FILTER, magFilter);
+}
+
+void Texture::setParameter(GLenum parameter, GLenum value) const {
+    BindTexture(target_, name());
+    TexParameteri(target_, parameter, static_cast<GLint>(value));
+}
+
+Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage)
+    : bytes_(bytes), label_(label) {
+    GLuint name = 0;
+    GenBuffers(1, &name);
+    handle_ = Handle<Traits>(name);
+    BindBuffer(target, name);
+    BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
+    throwIfOutOfMemory(label, bytes);
+    gl::label(GL_BUFFER, name, label);
+}
+
+void Buffer::read(void* destination, std::size_t size) const {
+    MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    BindBuffer(GL_COPY_READ_BUFFER, name());
+    const void* mapped = MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
+    if (mapped == nullptr) throw Error("the driver could not map buffer '" + label_ + "' for reading");
+    std::memcpy(destination, mapped, size);
+    UnmapBuffer(GL_COPY_READ_BUFFER);
+}
+
+VertexArray::VertexArray() {
+    GLuint name = 0;
+    GenVertexArrays(1, &name);
+    handle_ = Handle<Traits>(name);
+}
+
+void Framebuffer::create(const std::string& label) {
+    GLuint name = 0;
+    GenFramebuffers(1, &name);
+    handle_ = Handle<Traits>(name);
+    BindFramebuffer(GL_FRAMEBUFFER, name);
+    gl::label(GL_FRAMEBUFFER, name, label);
+}
+
+void Framebuffer::check(const std::string& label) const {
+    const GLenum status = CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("the driver cannot draw into framebuffer '" + label + "' (status " + std::to_string(status) +
+                    "); `vct info` shows which format it lacks");
+}
+
+Framebuffer::Framebuffer(const std::string& label, std::initializer_list<const Texture*> colors,
+                         const Texture* depth) {
+    create(label);
+    GLenum drawBuffers[8];
+    GLsizei count = 0;
+    for (const Texture* color : colors) {
+        drawBuffers[count] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
+        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers[count], GL_TEXTURE_2D, color->name(), 0);
+        ++count;
+    }
+    if (depth != nullptr)
+        FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
+    if (count == 0) {
+        drawBuffers[0] = GL_NONE;
+        count = 1;
+    }
+    DrawBuffers(count, drawBuffers);
+    const Texture& any = depth != nullptr ? *depth : **colors.begin();
+    width_ = any.width();
+    height_ = any.height();
+    check(label);
+}
+
+Framebuffer::Framebuffer(const std::string& label, int width, int height) : width_(width), height_(height) {
+    create(label);
+    FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+    FramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    const GLenum none = GL_NONE;
+    DrawBuffers(1, &none);
+    check(label);
+}
+
+void Framebuffer::bind() const {
+    BindFramebuffer(GL_FRAMEBUFFER, handle_.get());
+    Viewport(0, 0, width_, height_);
+}
+
+}  // namespace vct::gl

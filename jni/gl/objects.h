@@ -1,0 +1,124 @@
+// Small owners of GL objects: the constructor acquires or throws, the destructor releases, move-only.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include "gl/api.h"
+
+namespace vct::gl {
+
+// An object's name. `Traits::destroy` deletes it.
+template <typename Traits>
+class Handle {
+  public:
+    Handle() = default;
+    explicit Handle(GLuint name) : name_(name) {}
+    ~Handle() {
+        if (name_ != 0) Traits::destroy(name_);
+    }
+    Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    GLuint get() const { return name_; }
+
+  private:
+    GLuint name_ = 0;
+};
+
+// An immutable-storage texture. Throws vct::Error naming `label`, the size and the remedy where there is no
+// memory for it.
+class Texture {
+  public:
+    Texture() = default;
+    // `format` is sized (GL_RGBA16F); filter NEAREST, wrap CLAMP_TO_EDGE.
+    static Texture make2d(const std::string& label, GLenum format, int width, int height, int levels = 1);
+    static Texture make3d(const std::string& label, GLenum format, int side, int levels);
+
+    GLuint name() const { return handle_.get(); }
+    GLenum target() const { return target_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int levels() const { return levels_; }
+    const std::string& label() const { return label_; }
+    std::size_t bytes() const { return bytes_; }
+
+    void bind(int unit) const;
+    void setFilter(GLenum minFilter, GLenum magFilter) const;
+    void setParameter(GLenum parameter, GLenum value) const;
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteTextures(1, &name); }
+    };
+    void create(const std::string& label, GLenum target);
+    Handle<Traits> handle_;
+    GLenum target_ = GL_TEXTURE_2D;
+    int width_ = 0, height_ = 0, levels_ = 0;
+    std::size_t bytes_ = 0;
+    std::string label_;
+};
+
+// Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.
+std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
+
+class Buffer {
+  public:
+    Buffer() = default;
+    Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage);
+
+    GLuint name() const { return handle_.get(); }
+    std::size_t bytes() const { return bytes_; }
+    const std::string& label() const { return label_; }
+    void bind(GLenum target) const { BindBuffer(target, name()); }
+    void bindBase(GLenum target, GLuint index) const { BindBufferBase(target, index, name()); }
+    // Reads bytes [0, size) after everything before has finished.
+    void read(void* destination, std::size_t size) const;
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteBuffers(1, &name); }
+    };
+    Handle<Traits> handle_;
+    std::size_t bytes_ = 0;
+    std::string label_;
+};
+
+class VertexArray {
+  public:
+    VertexArray();
+    void bind() const { BindVertexArray(handle_.get()); }
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteVertexArrays(1, &name); }
+    };
+    Handle<Traits> handle_;
+};
+
+// A framebuffer with the colour targets in order and a depth target (or null), level 0 of each.
+// Without targets, `width` and `height` give its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH).
+class Framebuffer {
+  public:
+    Framebuffer() = default;
+    Framebuffer(const std::string& label, std::initializer_list<const Texture*> colors, const Texture* depth);
+    Framebuffer(const std::string& label, int width, int height);
+
+    // Binds it for drawing and reading and sets the viewport to all of it.
+    void bind() const;
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteFramebuffers(1, &name); }
+    };
+    void create(const std::string& label);
+    void check(const std::string& label) const;
+    Handle<Traits> handle_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace vct::gl

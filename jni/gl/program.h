@@ -1,0 +1,39 @@
+// A linked program, from files below shaders/.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/shader_source.h"
+
+namespace vct::gl {
+
+// What a program is made of; the tests enumerate these to check every variant offline.
+struct ProgramDescription {
+    std::string name;                  // "cone_tracer gi": for debuggers and messages
+    std::vector<std::string> shaders;  // "full_screen.vert", "cone_tracer.frag"
+    std::vector<std::string> defines;  // "VCT_MODE 4"
+};
+
+// Where shaders come from and which language the context speaks.
+struct ShaderLibrary {
+    ReadShader read;
+    bool essl320 = false;
+};
+
+class Program {
+  public:
+    Program() = default;
+    // Compiles and links; throws vct::Error with the driver's messages pointed to file and line.
+    Program(const ShaderLibrary& library, const ProgramDescription& description);
+    void use() const { UseProgram(handle_.get()); }
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteProgram(name); }
+    };
+    Handle<Traits> handle_;
+};
+
+}  // namespace vct::gl

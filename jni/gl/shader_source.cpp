@@ -1,0 +1,136 @@
+#include "gl/shader_source.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace vct::gl {
+
+namespace {
+
+constexpr int maxIncludeDepth = 16;
+
+std::string extensionOf(const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos ? "" : path.substr(dot);
+}
+
+// The one place for #version and extension lines. highp is asked for throughout: image and 3D sampler types
+// have no useful default precision, and mediump is 16 bit on Mali.
+std::string header(const std::string& stage, bool essl320) {
+    std::string text = essl320 ? "#version 320 es\n" : "#version 310 es\n";
+    if (!essl320) {
+        if (stage == ".geom") text += "#extension GL_EXT_geometry_shader : require\n";
+        if (stage == ".frag" || stage == ".comp")
+            text += "#extension GL_OES_shader_image_atomic : require\n";
+    }
+    text += "precision highp float;\nprecision highp int;\n";
+    for (const char* type : {"sampler2D", "sampler2DShadow", "usampler2D", "usampler3D", "uimage3D"})
+        text += "precision highp " + std::string(type) + ";\n";
+    return text;
+}
+
+class Assembler {
+  public:
+    Assembler(const ReadShader& read, AssembledShader& source) : read_(read), source_(source) {}
+
+    void append(const std::string& path, int depth) {
+        if (depth > maxIncludeDepth)
+            throw Error("shaders/" + path + ": #include nests deeper than " + std::to_string(maxIncludeDepth) +
+                        " files; does a file include itself?");
+        const std::size_t fileNumber = source_.files.size();
+        source_.files.push_back(path);
+        std::istringstream lines(read_(path));
+        static const std::regex include(R"re(^\s*#\s*include\s+"([^"]+)"\s*$)re");
+        std::string line;
+        std::smatch match;
+        for (int number = 1; std::getline(lines, line); ++number) {
+            if (number == 1) setLine(1, fileNumber);
+            if (std::regex_match(line, match, include)) {
+                const std::string included = match[1];
+                // Each file once: headers hold declarations only.
+                if (std::find(source_.files.begin(), source_.files.end(), included) == source_.files.end())
+                    appendNested(included, path, number, depth);
+                setLine(number + 1, fileNumber);
+            } else {
+                source_.text += line + '\n';
+            }
+        }
+    }
+
+  private:
+    void appendNested(const std::string& included, const std::string& from, int line, int depth) {
+        try {
+            append(included, depth + 1);
+        } catch (const Error& error) {
+            throw Error("shaders/" + from + ":" + std::to_string(line) + ": " + error.what());
+        }
+    }
+    void setLine(int line, std::size_t file) {
+        source_.text += "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
+    }
+    const ReadShader& read_;
+    AssembledShader& source_;
+};
+
+}  // namespace
+
+ReadShader shadersFromFolder(const std::string& folder) {
+    return [folder](const std::string& path) {
+        std::ifstream file(folder + "/" + path, std::ios::binary);
+        if (!file)
+            throw Error("cannot read the shader " + folder + "/" + path +
+                        "; set VCT_SHADER_DIR to the project's shaders folder");
+        std::ostringstream text;
+        text << file.rdbuf();
+        return text.str();
+    };
+}
+
+std::string defaultShaderFolder() {
+    const char* folder = std::getenv("VCT_SHADER_DIR");
+    return folder != nullptr ? folder : VCT_DEFAULT_SHADER_DIR;
+}
+
+AssembledShader assembleShader(const ReadShader& read, const std::string& path,
+                            const std::vector<std::string>& defines, bool essl320) {
+    AssembledShader source;
+    source.text = header(extensionOf(path), essl320);
+    for (const std::string& define : defines) source.text += "#define " + define + "\n";
+    Assembler(read, source).append(path, 0);
+    return source;
+}
+
+GLenum shaderStage(const std::string& path) {
+    const std::string extension = extensionOf(path);
+    if (extension == ".vert") return GL_VERTEX_SHADER;
+    if (extension == ".geom") return GL_GEOMETRY_SHADER;
+    if (extension == ".frag") return GL_FRAGMENT_SHADER;
+    if (extension == ".comp") return GL_COMPUTE_SHADER;
+    throw Error("shaders/" + path + ": the extension names no stage (.vert .geom .frag .comp)");
+}
+
+std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files) {
+    // Mesa: "0:35(12): error", NVIDIA: "0(35) : error", Arm and glslang: "0:35: ..." after an optional "ERROR: ".
+    static const std::regex place(R"((^|\s)(\d+)(?:\((\d+)\)|:(\d+)(?:\(\d+\))?)\s*:)");
+    std::istringstream lines(driverLog);
+    std::string line, result;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, place)) {
+            const std::size_t file = std::stoul(match[2]);
+            const std::string number = match[3].matched ? match[3].str() : match[4].str();
+            if (file < files.size())
+                line = match.prefix().str() + match[1].str() + "shaders/" + files[file] + ":" + number + ":" +
+                       match.suffix().str();
+        }
+        result += line + '\n';
+    }
+    return result;
+}
+
+}  // namespace vct::gl

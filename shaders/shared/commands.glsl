@@ -1,0 +1,24 @@
+// The active-voxel list and its indirect commands. The counters are shared by all invocations: a voxel costs one
+// atomic, and every 64th one more for the size of the dispatch.
+#include "shared/layout.h"
+
+layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
+    LevelCommands commands[VCT_MAX_LEVELS];
+};
+layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
+    uint activeVoxels[];
+};
+
+// Appends a voxel that was empty until now to its level's list; past the capacity it is only counted.
+void appendVoxel(uint level, uvec3 voxel) {
+    uint index = atomicAdd(commands[level].instanceCount, 1u);
+    if (index >= commands[level].capacity) return;
+    activeVoxels[commands[level].firstEntry + index] = packEntry(voxel);
+    if (index % uint(VCT_LIST_GROUP) == 0u && index / uint(VCT_LIST_GROUP) < VCT_MAX_GROUPS)
+        atomicAdd(commands[level].groupsX, 1u);
+}
+
+// Entries of a level that can be visited.
+uint activeVoxelCount(uint level) {
+    return min(commands[level].instanceCount, commands[level].capacity);
+}

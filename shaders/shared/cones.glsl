@@ -1,0 +1,93 @@
+// The thesis's two cone traces (4.6), with the constants of the published program.
+#include "shared/voxel_sample.glsl"
+
+// A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding.
+const float opaque = 0.998;
+
+bool outsideVolume(vec3 p) {
+    return any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)));
+}
+
+// The pixel's right-handed frame around its normal (Duff et al. 2017, "Building an Orthonormal Basis,
+// Revisited"). Columns: tangent, normal, bitangent.
+mat3 frameAround(vec3 n) {
+    float s = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (s + n.z);
+    float b = n.x * n.y * a;
+    vec3 tangent = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+    return mat3(tangent, n, cross(tangent, n));
+}
+
+struct Gather {
+    vec3 radiance;   // weighted sum over the cones, relative to E/pi
+    float openness;  // 1 - ambient occlusion
+};
+
+const int diffuseConeCount = 6;
+// One cone along the normal and five around it at 60 degrees, 60 degrees wide each; y is the normal.
+const vec3 diffuseCones[diffuseConeCount] = vec3[diffuseConeCount](
+    vec3(0.0, 1.0, 0.0), vec3(0.0, 0.5, 0.866025), vec3(0.823639, 0.5, 0.267617),
+    vec3(0.509037, 0.5, -0.700629), vec3(-0.509037, 0.5, -0.700629), vec3(-0.823639, 0.5, 0.267617));
+// The cosine is in the weights: 1/4 and 3/20, their sum 1.
+const float normalConeWeight = 0.25;
+const float ringConeWeight = 0.15;
+
+// Distances in voxels of the finest level. The start clears the surface's own voxels; every step doubles the
+// distance and reads the next level, so each step needs one level only (figure 4.5).
+const float diffuseStart = 5.0;
+const float diffuseFirstSample = 2.5;
+
+// `reach` in volume sides: samples beyond it are not taken.
+Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
+    float voxel = 1.0 / float(frame.grid.x);
+    vec3 start = positionVolume + normal * (diffuseStart * voxel);
+    mat3 volumeFromCone = frameAround(normal);
+    Gather gather = Gather(vec3(0.0), 0.0);
+    for (int i = 0; i < diffuseConeCount; ++i) {
+        vec3 direction = volumeFromCone * diffuseCones[i];
+        vec3 radiance = vec3(0.0);
+        float opacity = 0.0;
+        float nearOpacity = 0.0;
+        float distance = diffuseFirstSample * voxel;
+        for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
+            vec3 p = start + direction * distance;
+            if (outsideVolume(p)) break;
+            vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
+            radiance += value.rgb;
+            opacity += value.a;
+            if (distance < frame.cone.y) nearOpacity = opacity;
+            distance *= 2.0;
+        }
+        float weight = i == 0 ? normalConeWeight : ringConeWeight;
+        gather.radiance += weight * (radiance + max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb);
+        gather.openness += weight * max(1.0 - nearOpacity, 0.0);
+    }
+    return gather;
+}
+
+// The general cone towards the light (eq. 4.6-4.8): 1 where nothing is in its way.
+float traceShadowCone(vec3 positionVolume, vec3 normal) {
+    const float startAlongNormal = 8.0;  // voxels
+    const float furthest = 1.7320508;    // the volume's diagonal, in sides
+    const float narrowestStep = 0.0178;  // ratio of a cone of 2 degrees: a needle must not take forever
+    float sine = frame.cone.x;
+    float ratio = sine / (1.0 - sine);  // eq. 4.8: radius over distance to the sphere's near side
+    float stepRatio = max(ratio, narrowestStep);
+    float side = float(frame.grid.x);
+    float voxel = 1.0 / side;
+    float lastLevel = float(frame.grid.y);
+    vec3 start = positionVolume + normal * (startAlongNormal * voxel);
+    float opacity = 0.0;
+    for (float distance = voxel; distance < furthest && opacity < opaque; distance += stepRatio * distance) {
+        float radius = ratio * distance;
+        vec3 p = start + frame.towardsLight.xyz * (distance + radius);
+        if (outsideVolume(p)) break;
+        float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
+        int fine = int(level);
+        float blend = level - float(fine);
+        float value = sampleOpacity(p, fine);
+        if (blend > 0.0) value = mix(value, sampleOpacity(p, fine + 1), blend);
+        opacity += value * (1.0 - opacity);
+    }
+    return clamp(1.0 - opacity, 0.0, 1.0);
+}

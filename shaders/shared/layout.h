@@ -1,0 +1,147 @@
+// Everything that C++ and the shaders share, written once: binding points, bit layouts, uniform blocks, mode
+// numbers. Included by both, so only what both languages understand stands here.
+#ifndef VCT_SHARED_LAYOUT_H
+#define VCT_SHARED_LAYOUT_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+#define VCT_FUNCTION inline
+namespace vct::shared {
+using uint = std::uint32_t;
+using glm::ivec4;
+using glm::mat4;
+using glm::uvec3;
+using glm::vec4;
+#else
+#define VCT_FUNCTION
+#endif
+
+// The five modes (thesis 5.1.2), and the intermediates that can be shown alone.
+#define VCT_MODE_PHONG 1
+#define VCT_MODE_SHADOW_MAP 2
+#define VCT_MODE_AO 3
+#define VCT_MODE_GI 4
+#define VCT_MODE_GI_CONE_SHADOW 5
+#define VCT_VIEW_AO 6
+#define VCT_VIEW_INDIRECT 7
+#define VCT_VIEW_CONE_SHADOW 8
+
+// What the stage view shows.
+#define VCT_STAGE_SHADOW_MAP 0
+#define VCT_STAGE_ALBEDO 1
+#define VCT_STAGE_NORMAL 2
+#define VCT_STAGE_DEPTH 3
+#define VCT_STAGE_EMISSIVE 4
+
+// Uniform blocks.
+#define VCT_UBO_FRAME 0
+#define VCT_UBO_DRAW 1
+
+// Shader storage blocks.
+#define VCT_SSBO_COMMANDS 0
+#define VCT_SSBO_ACTIVE_VOXELS 1
+
+// Texture units.
+#define VCT_TEX_BASE_COLOR 0
+#define VCT_TEX_EMISSIVE 1
+#define VCT_TEX_SHADOW_MAP 2
+#define VCT_TEX_VOXELS 3
+#define VCT_TEX_G_ALBEDO 4
+#define VCT_TEX_G_NORMAL 5
+#define VCT_TEX_G_DEPTH 6
+#define VCT_TEX_G_EMISSIVE 7
+
+// Image units.
+#define VCT_IMAGE_VOXELS 0
+#define VCT_IMAGE_VOXELS_NEXT 1
+
+// Vertex attributes.
+#define VCT_ATTRIBUTE_POSITION 0
+#define VCT_ATTRIBUTE_NORMAL 1
+#define VCT_ATTRIBUTE_UV 2
+#define VCT_ATTRIBUTE_EMISSIVE_UV 3
+#define VCT_ATTRIBUTE_VOXEL 0
+
+// Uniforms outside blocks: the mip level that a pass over the active-voxel list works on.
+#define VCT_UNIFORM_LEVEL 0
+
+#define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
+#define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
+#define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
+
+// Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to E/pi
+// (E: irradiance of a surface that faces the light), so that 8 bits serve any light.
+struct FrameUniforms {
+    mat4 clipFromVolume;
+    mat4 volumeFromClip;
+    mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
+    vec4 eye;               // xyz: volume space
+    vec4 towardsLight;      // xyz: unit length
+    vec4 lightColor;        // rgb: largest component 1
+    vec4 skyRadiance;       // rgb: relative to E/pi
+    vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side)
+    ivec4 grid;             // x: voxels along a side, y: last mip level
+};
+
+struct DrawUniforms {
+    mat4 volumeFromObject;
+    mat4 normalFromObject;  // upper 3x3: inverse transpose
+    vec4 baseColor;
+    vec4 emissive;  // rgb: relative to E/pi
+    vec4 surface;   // x: alpha cutoff, y: 1 if double-sided
+};
+
+// One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,
+// sparse clear), and where its entries are. `instanceCount` counts every active voxel, also those that
+// found no room in the list, so an overflow can be reported with the size that would be needed.
+struct LevelCommands {
+    uint indexCount;  // DrawElementsIndirectCommand
+    uint instanceCount;
+    uint firstIndex;
+    uint baseVertex;
+    uint baseInstance;  // reserved, must be 0 in ES 3.1: hence firstEntry
+    uint groupsX;       // DispatchIndirectCommand
+    uint groupsY;
+    uint groupsZ;
+    uint firstEntry;  // of this level, in entries of the list
+    uint capacity;    // of this level, in entries
+};
+
+// Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
+VCT_FUNCTION uint packEntry(uvec3 voxel) {
+    return (voxel.x << 21) | (voxel.y << 10) | voxel.z;
+}
+VCT_FUNCTION uvec3 unpackEntry(uint entry) {
+    return uvec3(entry >> 21, (entry >> 10) & 0x7FFu, entry & 0x3FFu);
+}
+
+// The voxel word (thesis figure 4.3), high to low: light counter 4 bits, count 4, R 8, G 8, B 8. Light comes
+// first so that imageAtomicMax lets lit fragments win over unlit ones.
+VCT_FUNCTION uint packVoxel(uint light, uint count, uvec3 color) {
+    return (light << 28) | (count << 24) | (color.x << 16) | (color.y << 8) | color.z;
+}
+VCT_FUNCTION uint voxelLight(uint word) {
+    return word >> 28;
+}
+VCT_FUNCTION uint voxelCount(uint word) {
+    return (word >> 24) & 0xFu;
+}
+VCT_FUNCTION uvec3 voxelColor(uint word) {
+    return uvec3((word >> 16) & 0xFFu, (word >> 8) & 0xFFu, word & 0xFFu);
+}
+#define VCT_BASE_COUNT 8u     // count of a base-level voxel, so that the first mip is no special case
+#define VCT_COLOR_STEPS 31u   // colour of one child in its parent: 0..31, eight of which fit 8 bits
+
+// What a voxel adds to its parent (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c), where c is its
+// colour normalised by its count, i.e. floor(colour / count).
+VCT_FUNCTION uint childContribution(uint word) {
+    uint count = voxelCount(word);
+    uint light = voxelLight(word) > (count >> 1) ? 1u : 0u;
+    return packVoxel(light, 1u, voxelColor(word) / count);
+}
+
+#ifdef __cplusplus
+}  // namespace vct::shared
+#endif
+#endif

@@ -1,0 +1,16 @@
+// The shadow map's answer: how much of the directional light reaches a point.
+#include "shared/blocks.glsl"
+
+layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
+
+// 0 in shadow, 1 in light; between them where the four taps of the hardware's percentage-closer filter differ.
+// Bias by the thesis's eq. 4.1-4.3, in units of the depth range, with tan(acos x) written as sqrt(1 - x^2) / x
+// so that it stays finite at grazing light.
+float shadowMapLight(vec3 positionVolume, float cosTheta) {
+    const float slopeBias = 0.005;   // thesis eq. 4.2
+    const float largestBias = 0.01;  // thesis eq. 4.3
+    float slope = sqrt(max(1.0 - cosTheta * cosTheta, 0.0)) / max(cosTheta, 1e-4);
+    float bias = min(slopeBias * slope, largestBias);
+    vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
+    return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
+}

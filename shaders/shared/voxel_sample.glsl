@@ -1,0 +1,68 @@
+// Reading the packed pyramid. Integer textures cannot be filtered, so the eight texels around a position are
+// fetched and weighted by hand.
+#include "shared/blocks.glsl"
+
+layout(binding = VCT_TEX_VOXELS) uniform usampler3D voxels;
+
+// The two texels per axis around a position, and their weights; what lies outside the volume is empty.
+struct Footprint {
+    ivec3 low, high;
+    vec3 lowWeight, highWeight;
+};
+
+Footprint footprint(vec3 positionVolume, int level) {
+    int last = (frame.grid.x >> level) - 1;
+    vec3 texel = positionVolume * float(last + 1) - 0.5;
+    vec3 whole = floor(texel);
+    vec3 part = texel - whole;
+    ivec3 low = ivec3(whole);
+    ivec3 high = low + 1;
+    Footprint f;
+    f.lowWeight = mix(vec3(0.0), 1.0 - part, greaterThanEqual(low, ivec3(0)));
+    f.highWeight = mix(vec3(0.0), part, lessThanEqual(high, ivec3(last)));
+    f.low = clamp(low, ivec3(0), ivec3(last));
+    f.high = clamp(high, ivec3(0), ivec3(last));
+    return f;
+}
+
+uint voxelWord(int x, int y, int z, int level) {
+    return texelFetch(voxels, ivec3(x, y, z), level).r;
+}
+
+// Radiance relative to E/pi, and opacity. A voxel is opaque as soon as one of its children is; its colour is
+// the mean of its children's where any is lit, and black otherwise (published program).
+vec4 unpackSample(uint word) {
+    float opacity = word != 0u ? 1.0 : 0.0;
+    float scale = voxelLight(word) != 0u ? 1.0 / (float(VCT_COLOR_STEPS) * float(voxelCount(word))) : 0.0;
+    return vec4(vec3(voxelColor(word)) * scale, opacity);
+}
+
+vec4 sampleVoxels(vec3 positionVolume, int level) {
+    Footprint f = footprint(positionVolume, level);
+    vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
+    vec4 ll = unpackSample(voxelWord(f.low.x, f.low.y, f.low.z, level)) * z.x +
+              unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
+    vec4 lh = unpackSample(voxelWord(f.low.x, f.high.y, f.low.z, level)) * z.x +
+              unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
+    vec4 hl = unpackSample(voxelWord(f.high.x, f.low.y, f.low.z, level)) * z.x +
+              unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
+    vec4 hh = unpackSample(voxelWord(f.high.x, f.high.y, f.low.z, level)) * z.x +
+              unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
+    return f.lowWeight.x * (f.lowWeight.y * ll + f.highWeight.y * lh) +
+           f.highWeight.x * (f.lowWeight.y * hl + f.highWeight.y * hh);
+}
+
+float occupied(int x, int y, int z, int level) {
+    return voxelWord(x, y, z, level) != 0u ? 1.0 : 0.0;
+}
+
+float sampleOpacity(vec3 positionVolume, int level) {
+    Footprint f = footprint(positionVolume, level);
+    vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
+    float ll = dot(z, vec2(occupied(f.low.x, f.low.y, f.low.z, level), occupied(f.low.x, f.low.y, f.high.z, level)));
+    float lh = dot(z, vec2(occupied(f.low.x, f.high.y, f.low.z, level), occupied(f.low.x, f.high.y, f.high.z, level)));
+    float hl = dot(z, vec2(occupied(f.high.x, f.low.y, f.low.z, level), occupied(f.high.x, f.low.y, f.high.z, level)));
+    float hh = dot(z, vec2(occupied(f.high.x, f.high.y, f.low.z, level), occupied(f.high.x, f.high.y, f.high.z, level)));
+    return f.lowWeight.x * (f.lowWeight.y * ll + f.highWeight.y * lh) +
+           f.highWeight.x * (f.lowWeight.y * hl + f.highWeight.y * hh);
+}

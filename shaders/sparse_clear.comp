@@ -1,0 +1,16 @@
+// Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
+// writing every voxel of the volume would cost more than voxelizing.
+#include "shared/commands.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
+
+void main() {
+    uint count = activeVoxelCount(level);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        uvec3 voxel = unpackEntry(activeVoxels[commands[level].firstEntry + i]);
+        imageStore(voxels, ivec3(voxel), uvec4(0u));
+    }
+}
