@@ -25,7 +25,7 @@ def build():
     glb.node("crate", court, mesh=parts["crate"], matrix=[c, 0, -s, 0, 0, 0.8, 0, 0, s, 0, c, 0, 1.9, 0, 2.6, 1])
 
     glb.camera("gate", (0.6, 1.9, 7.6), (-0.2, 1.2, 0), 52)
-    glb.camera("corner", (-3.2, 2.6, 3.4), (1.6, 0.5, -2.4), 60)
+    glb.camera("corner", (-2.0, 2.3, 3.5), (0.7, 0.4, -1.5), 62)
     glb.directional_light("sun", (-0.55, -1.0, -0.4), (1.0, 0.95, 0.85), round(math.pi, 6))
     return glb
 
