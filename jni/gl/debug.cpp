@@ -16,9 +16,11 @@ std::vector<std::string> kept;
 // A shader in a loop can repeat one complaint without end; the first few say it all.
 constexpr size_t maxKept = 32;
 
-void keep(GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* message) {
+void keep(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* message) {
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
     if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    // A shader that does not compile is reported by whoever compiled it, with its file and line.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     std::string text = length < 0 ? std::string(message) : std::string(message, static_cast<size_t>(length));
     while (!text.empty() && (text.back() == '\n' || text.back() == '\0'))
         text.pop_back();
@@ -26,11 +28,11 @@ void keep(GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar*
     if (kept.size() < maxKept) kept.push_back(text + " (message " + std::to_string(id) + ")");
 }
 
-void GL_APIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint id, GLenum severity, GLsizei length,
+void GL_APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                            const GLchar* message, const void* /*user*/) {
     // The caller is the driver's C code: nothing may be thrown through it.
     try {
-        keep(type, id, severity, length, message);
+        keep(source, type, id, severity, length, message);
     } catch (...) {
     }
 }

@@ -1,0 +1,119 @@
+#include "gl/capabilities.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.h"
+#include "gl/api.h"
+#include "gl/requirements.h"
+#include "gl/version.h"
+
+namespace vct::gl {
+namespace {
+
+std::string getString(GLenum name) {
+    const GLubyte* text = GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+GLint getInteger(GLenum name) {
+    GLint value = 0;  // stays where the driver does not know the name
+    GetIntegerv(name, &value);
+    return value;
+}
+
+// Versions and extensions say what a driver ought to do. What counts is whether it compiles: OSMesa's desktop
+// context takes ES shaders, and which versions is not to be read from any number.
+bool compiles(const char* version) {
+    const std::string text =
+        std::string("#version ") + version + "\nvoid main() { gl_Position = vec4(0.0); }\n";
+    const char* source = text.c_str();
+    const GLuint shader = CreateShader(GL_VERTEX_SHADER);
+    ShaderSource(shader, 1, &source, nullptr);
+    CompileShader(shader);
+    GLint status = GL_FALSE;
+    GetShaderiv(shader, GL_COMPILE_STATUS, &status);
+    DeleteShader(shader);
+    return status == GL_TRUE;
+}
+
+std::string lineOf(const Requirement& row) {
+    return row.name + " (found: " + row.found + ")";
+}
+
+}  // namespace
+
+bool Capabilities::hasExtension(const std::string& name) const {
+    return std::find(extensions.begin(), extensions.end(), name) != extensions.end();
+}
+
+void Capabilities::requireAll() const {
+    std::string missing;
+    for (const Requirement& row : requirements) {
+        if (row.required && !row.met) missing += "\n  " + lineOf(row) + ": " + row.neededBy;
+    }
+    if (missing.empty()) return;
+    throw Error("the GL driver (" + renderer + ", " + version + ") lacks what the pipeline needs:" + missing +
+                "\nA newer driver may have it, or another back end or device (`vct info --help`).");
+}
+
+Capabilities queryCapabilities() {
+    Capabilities result;
+    result.vendor = getString(GL_VENDOR);
+    result.renderer = getString(GL_RENDERER);
+    result.version = getString(GL_VERSION);
+    result.shadingLanguage = getString(GL_SHADING_LANGUAGE_VERSION);
+    const GLint extensionCount = getInteger(GL_NUM_EXTENSIONS);
+    for (GLint i = 0; i < extensionCount; ++i) {
+        const GLubyte* name = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (name) result.extensions.emplace_back(reinterpret_cast<const char*>(name));
+    }
+    result.desktopContext = parseVersion(result.version).desktop;
+    result.debugOutput = DebugMessageCallback != nullptr;
+    result.softwareDriver = isSoftwareRenderer(result.renderer);
+    result.max3dTextureSize = getInteger(GL_MAX_3D_TEXTURE_SIZE);
+    result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);
+
+    DriverReport report;
+    report.version = result.version;
+    report.extensions = result.extensions;
+    report.essl310 = compiles("310 es");
+    report.essl320 = result.essl320 = compiles("320 es");
+    report.limit = getInteger;
+    result.requirements = evaluateRequirements(report);
+    return result;
+}
+
+std::string describe(const Capabilities& capabilities) {
+    std::ostringstream out;
+    out << "vendor:    " << capabilities.vendor << "\n"
+        << "renderer:  " << capabilities.renderer
+        << (capabilities.softwareDriver ? "  (runs on the CPU)" : "") << "\n"
+        << "version:   " << capabilities.version << (capabilities.desktopContext ? "  (desktop context)" : "")
+        << "\n"
+        << "language:  " << capabilities.shadingLanguage << "; shaders are compiled as #version "
+        << (capabilities.essl320 ? "320 es" : "310 es with extensions") << "\n"
+        << "debugging: " << (capabilities.debugOutput ? "KHR_debug messages and groups" : "glGetError only")
+        << "\n\n";
+
+    size_t nameWidth = 0, foundWidth = 0;
+    for (const Requirement& row : capabilities.requirements) {
+        nameWidth = std::max(nameWidth, row.name.size());
+        foundWidth = std::max(foundWidth, row.found.size());
+    }
+    size_t lost = 0;
+    for (const Requirement& row : capabilities.requirements) {
+        const char* state = row.met ? "ok      " : row.required ? "MISSING " : "absent  ";
+        out << state << row.name << std::string(nameWidth - row.name.size() + 2, ' ') << row.found
+            << std::string(foundWidth - row.found.size() + 2, ' ') << (row.required ? "required" : "optional")
+            << "\n";
+        if (!row.met) ++lost;
+    }
+    out << "\n" << (lost == 0 ? "Nothing is missing.\n" : "Missing, and what would be lost:\n");
+    for (const Requirement& row : capabilities.requirements) {
+        if (!row.met) out << "  " << lineOf(row) << ": " << row.neededBy << "\n";
+    }
+    return out.str();
+}
+
+}  // namespace vct::gl

@@ -1,0 +1,167 @@
+#include "gl/requirements.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "gl/version.h"
+
+namespace vct::gl {
+namespace {
+
+// A feature that later versions have in core and earlier ones as one of several extensions.
+struct Feature {
+    std::vector<const char*> extensions;
+    int esMajor, esMinor, desktopMajor, desktopMinor;
+    bool required;
+    const char* neededBy;
+};
+
+const std::vector<Feature>& features() {
+    static const std::vector<Feature> table = {
+        {{"GL_OES_shader_image_atomic"},
+         3,
+         2,
+         4,
+         2,
+         true,
+         "voxelization and mipmap: fragments that meet in a voxel are merged with image atomics; no global "
+         "illumination without them"},
+        // GL_OES_geometry_shader alone does not do: the shaders enable the EXT one, which the Android
+        // Extension Pack asks for.
+        {{"GL_EXT_geometry_shader"},
+         3,
+         2,
+         3,
+         2,
+         true,
+         "voxelization: turns each triangle along its dominant axis; no global illumination without it"},
+        {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
+         3,
+         2,
+         3,
+         0,
+         true,
+         "G-buffer and output: normals and linear HDR light are drawn into half-float targets"},
+        {{"GL_KHR_debug"},
+         3,
+         2,
+         4,
+         3,
+         false,
+         "debugging: without it passes have no names in RenderDoc, and errors carry a code instead of the "
+         "driver's words"},
+    };
+    return table;
+}
+
+struct Limit {
+    GLenum name;
+    const char* text;
+    GLint minimum;
+    bool required;
+    const char* neededBy;
+};
+
+// Minima are what the passes use, not what a driver could give.
+constexpr Limit limits[] = {
+    {GL_MAX_FRAGMENT_IMAGE_UNIFORMS, "GL_MAX_FRAGMENT_IMAGE_UNIFORMS", 1, true,
+     "voxelization: the fragment shader writes the voxel image; no global illumination without it"},
+    {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 2, true,
+     "voxelization: the fragment shader appends to the active-voxel list and counts it in the indirect "
+     "commands"},
+    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 3, true,
+     "voxelization: one image and two storage buffers in one fragment shader"},
+    {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 2, true,
+     "mipmap and sparse clear: read and append the active-voxel list, and write the indirect commands"},
+    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,
+     "mipmap: one level is read and the next is written"},
+    {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS", 64, true,
+     "mipmap and sparse clear: work groups of 64"},
+    {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 256, true,
+     "the voxel grid of 256^3, the default of all measurements"},
+    {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 512, false,
+     "the voxel grid of 512^3 is lost without it"},
+    {GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", 2048, true,
+     "material textures, the shadow map and the picture"},
+    {GL_MAX_COLOR_ATTACHMENTS, "GL_MAX_COLOR_ATTACHMENTS", 4, true, "G-buffer: up to four colour targets"},
+    {GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, "GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS", 1, true,
+     "voxel view: the vertex shader reads its voxel from the 3D texture"},
+    {GL_MAX_FRAMEBUFFER_WIDTH, "GL_MAX_FRAMEBUFFER_WIDTH", 512, true,
+     "voxelization: draws into a framebuffer without attachments, as wide as the grid"},
+    {GL_MAX_SHADER_STORAGE_BLOCK_SIZE, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", 1 << 24, true,
+     "the active-voxel list: 4 bytes for each voxel that is not empty, four million of them"},
+};
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+Requirement evaluate(const Feature& feature, const Version& version, const DriverReport& driver) {
+    Requirement row;
+    for (const char* extension : feature.extensions) {
+        row.name += (row.name.empty() ? "" : " or ") + std::string(extension);
+        if (!row.met && contains(driver.extensions, extension)) {
+            row.met = true;
+            row.found = extension;
+        }
+    }
+    // Core wins: a driver of that version need not list the extension.
+    if (version.atLeast(feature.esMajor, feature.esMinor, feature.desktopMajor, feature.desktopMinor)) {
+        row.met = true;
+        row.found = version.desktop ? "core in OpenGL " + std::to_string(feature.desktopMajor) + "." +
+                                          std::to_string(feature.desktopMinor)
+                                    : "core in OpenGL ES " + std::to_string(feature.esMajor) + "." +
+                                          std::to_string(feature.esMinor);
+    }
+    if (!row.met) row.found = "missing";
+    row.required = feature.required;
+    row.neededBy = feature.neededBy;
+    return row;
+}
+
+Requirement evaluate(const Limit& limit, const DriverReport& driver) {
+    const GLint found = driver.limit(limit.name);
+    return {std::string(limit.text) + " >= " + std::to_string(limit.minimum), std::to_string(found),
+            limit.neededBy, limit.required, found >= limit.minimum};
+}
+
+Requirement evaluateVersion(const Version& version, const DriverReport& driver) {
+    return {"OpenGL ES 3.1 or OpenGL 4.5", driver.version,
+            "every pass: compute shaders, images, storage buffers", true, version.atLeast(3, 1, 4, 5)};
+}
+
+// The extensions that ESSL 3.10 leans on are those of an ES driver. A desktop context has them in its own
+// language only, so there it takes ESSL 3.20, where they are core.
+Requirement evaluateLanguage(const Version& version, const DriverReport& driver) {
+    const char* found = driver.essl320   ? "#version 320 es"
+                        : driver.essl310 ? "#version 310 es"
+                                         : "neither compiles";
+    return {version.desktop ? "GLSL ES 3.20" : "GLSL ES 3.10", found,
+            "every pass: the shaders are written in it", true,
+            driver.essl320 || (driver.essl310 && !version.desktop)};
+}
+
+}  // namespace
+
+std::vector<Requirement> evaluateRequirements(const DriverReport& driver) {
+    const Version version = parseVersion(driver.version);
+    std::vector<Requirement> rows = {evaluateVersion(version, driver), evaluateLanguage(version, driver)};
+    for (const Feature& feature : features())
+        rows.push_back(evaluate(feature, version, driver));
+    for (const Limit& limit : limits)
+        rows.push_back(evaluate(limit, driver));
+    return rows;
+}
+
+bool isSoftwareRenderer(const std::string& renderer) {
+    std::string lower;
+    for (const char c : renderer)
+        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char* name :
+         {"llvmpipe", "softpipe", "lavapipe", "swrast", "software rasterizer", "swiftshader"}) {
+        if (lower.find(name) != std::string::npos) return true;
+    }
+    return false;
+}
+
+}  // namespace vct::gl
