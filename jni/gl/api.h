@@ -25,6 +25,7 @@ namespace vct::gl {
     X(CLEARBUFFERUIV, ClearBufferuiv)                                                                    \
     X(COLORMASK, ColorMask)                                                                              \
     X(COMPILESHADER, CompileShader)                                                                      \
+    X(COPYBUFFERSUBDATA, CopyBufferSubData)                                                              \
     X(CREATEPROGRAM, CreateProgram)                                                                      \
     X(CREATESHADER, CreateShader)                                                                        \
     X(CULLFACE, CullFace)                                                                                \

@@ -1,0 +1,40 @@
+#include "render/cone_tracer.h"
+
+#include "gl/debug.h"
+#include "render/programs.h"
+#include "shared/layout.h"
+
+namespace vct {
+
+ConeTracer::ConeTracer(gl::ShaderLibrary shaders, glm::ivec2 size)
+    : shaders_(std::move(shaders)),
+      radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, size.x, size.y)),
+      framebuffer_("radiance", {&radiance_}, nullptr) {}
+
+const gl::Program& ConeTracer::program(int mode, bool emissiveTarget) {
+    const auto key = std::make_pair(mode, emissiveTarget);
+    auto found = programs_.find(key);
+    if (found == programs_.end())
+        found = programs_.emplace(key, gl::Program(shaders_, coneTracerProgram(mode, emissiveTarget))).first;
+    return found->second;
+}
+
+const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
+                                    const gl::Texture* voxels) {
+    const gl::DebugGroup group("cone trace");
+    program(mode, surface.emissive != nullptr).use();
+    framebuffer_.bind();
+    gl::Disable(GL_DEPTH_TEST);
+    gl::Disable(GL_CULL_FACE);
+    surface.albedo->bind(VCT_TEX_G_ALBEDO);
+    surface.normal->bind(VCT_TEX_G_NORMAL);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
+    if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
+    if (shadowMap != nullptr) shadowMap->bind(VCT_TEX_SHADOW_MAP);
+    if (voxels != nullptr) voxels->bind(VCT_TEX_VOXELS);
+    noVertices_.bind();
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    return radiance_;
+}
+
+}  // namespace vct

@@ -1,0 +1,33 @@
+// Every pixel's cones through the voxels, and the five modes (thesis 4.6).
+#pragma once
+
+#include <map>
+
+#include "gl/program.h"
+#include "render/g_buffer.h"
+#include "render/voxel_pyramid.h"
+
+namespace vct {
+
+class ConeTracer {
+  public:
+    ConeTracer(gl::ShaderLibrary shaders, glm::ivec2 size);
+
+    // `mode`: one of VCT_MODE_* and VCT_VIEW_*. What a mode does not use may be null. Returns RGBA16F: rgb
+    // relative to E/pi, a 1 on surfaces.
+    const gl::Texture& draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
+                            const gl::Texture* voxels);
+
+    const gl::Texture& texture() const { return radiance_; }
+
+  private:
+    const gl::Program& program(int mode, bool emissiveTarget);
+
+    gl::ShaderLibrary shaders_;
+    std::map<std::pair<int, bool>, gl::Program> programs_;  // compiled when first asked for
+    gl::Texture radiance_;
+    gl::Framebuffer framebuffer_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace vct

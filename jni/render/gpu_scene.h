@@ -1,0 +1,67 @@
+// The scene in GL: one vertex and one index buffer, the textures, and the draw calls sorted so that programs
+// change as rarely as possible.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "render/volume.h"
+#include "scene/scene.h"
+
+namespace vct {
+
+class MaterialPrograms;
+
+class GpuScene {
+  public:
+    // `radianceUnit`: E/pi of the light, to which emission is made relative.
+    GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment);
+
+    enum class Culling { none, backFaces };
+
+    // Draws every instance, each with the program for its material features; back faces of single-sided
+    // materials are skipped with Culling::backFaces.
+    void draw(Culling culling, const MaterialPrograms& programs) const;
+
+    // The material features of each draw, without duplicates.
+    std::vector<unsigned> featuresThatOccur() const;
+    bool hasEmission() const;
+    std::vector<const gl::Texture*> textures() const;
+    const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
+
+  private:
+    struct Draw {
+        unsigned features = 0;
+        int baseColorTexture = -1;
+        int emissiveTexture = -1;
+        bool doubleSided = false;
+        bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
+        std::size_t firstIndex = 0;
+        int indexCount = 0;
+        std::size_t uniformOffset = 0;
+    };
+
+    void uploadGeometry(const Scene& scene);
+    void uploadTextures(const Scene& scene);
+
+    std::vector<Draw> draws_;
+    std::vector<gl::Texture> textures_;
+    gl::Buffer vertices_, indices_, uniforms_;
+    gl::VertexArray vertexArray_;
+};
+
+// The programs of one pass, one per material features that occur in the scene.
+class MaterialPrograms {
+  public:
+    MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                     const std::function<gl::ProgramDescription(unsigned features)>& describe);
+    const gl::Program& operator()(unsigned features) const { return programs_.at(features); }
+
+  private:
+    std::map<unsigned, gl::Program> programs_;
+};
+
+}  // namespace vct

@@ -1,0 +1,19 @@
+// Every level of the voxels from the one below, over the active voxels only (thesis 4.5).
+#pragma once
+
+#include "render/voxel_pyramid.h"
+
+namespace vct {
+
+class Mipmapper {
+  public:
+    explicit Mipmapper(const gl::ShaderLibrary& shaders);
+
+    // Afterwards the pyramid is ready to be fetched as a texture, and the lists to be drawn.
+    void run(VoxelPyramid& voxels);
+
+  private:
+    gl::Program program_;
+};
+
+}  // namespace vct

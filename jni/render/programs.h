@@ -1,0 +1,35 @@
+// Every program of the renderer and every variant that can be asked for, in one list: passes take their
+// descriptions from here, and the tests compile all of them offline.
+#pragma once
+
+#include "gl/program.h"
+#include "render/settings.h"
+#include "scene/scene.h"
+
+namespace vct {
+
+// What occurs in a material; a draw call pays for nothing else. Bits.
+enum MaterialFeature : unsigned {
+    featureBaseColorTexture = 1,
+    featureAlphaMask = 2,
+    featureEmissive = 4,
+    featureEmissiveTexture = 8,
+    materialFeatureCombinations = 16,
+};
+unsigned materialFeatures(const Material& material);
+
+gl::ProgramDescription shadowMapProgram(unsigned features);
+// `emissiveTarget`: the G-buffer has a third target because something in the scene emits.
+gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget);
+gl::ProgramDescription voxelizerProgram(unsigned features);
+gl::ProgramDescription mipmapperProgram();
+gl::ProgramDescription sparseClearProgram();
+// `mode` is one of VCT_MODE_* and VCT_VIEW_*.
+gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget);
+gl::ProgramDescription voxelViewProgram();
+// `stage` is one of VCT_STAGE_*.
+gl::ProgramDescription stageViewProgram(int stage);
+
+std::vector<gl::ProgramDescription> everyProgram();
+
+}  // namespace vct

@@ -1,0 +1,150 @@
+#include "render/renderer.h"
+
+#include "gl/debug.h"
+#include "render/frame_uniforms.h"
+#include "render/read_back.h"
+#include "render/stage_view.h"
+#include "render/voxel_view.h"
+
+namespace vct {
+
+namespace {
+
+const Settings& validated(const Settings& settings) {
+    validate(settings);
+    return settings;
+}
+
+bool needsShadowMap(Mode mode) { return mode != Mode::phong; }
+bool needsVoxels(Mode mode) { return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow; }
+
+}  // namespace
+
+Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
+                   const gl::Capabilities& capabilities, gl::ReadShader readShader)
+    : settings_(validated(settings)),
+      shaders_{std::move(readShader), capabilities.essl320},
+      light_(light),
+      boundsWorld_(scene.boundsWorld),
+      volume_(volumeAround(scene.boundsWorld, settings.grid)),
+      scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment),
+      frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr, GL_DYNAMIC_DRAW),
+      gBuffer_(shaders_, scene_, settings.size),
+      coneTracer_(shaders_, settings.size) {
+    gl::checkErrors("setting up the renderer");
+}
+
+void Renderer::frame(Mode mode, const Camera& camera) {
+    uploadFrameUniforms(camera);
+    ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
+    VoxelPasses* const voxelPass = needsVoxels(mode) ? &voxelPasses() : nullptr;
+
+    timer_.beginFrame();
+    const gl::Texture* shadow = nullptr;
+    if (shadowPass) shadow = timer_.time(Step::shadowMap, [&] { return &shadowPass->draw(scene_); });
+    const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
+    const gl::Texture* voxels = nullptr;
+    if (voxelPass) {
+        VoxelPyramid& pyramid = voxelPass->pyramid;
+        timer_.time(Step::voxelize, [&] { voxelPass->voxelizer.run(scene_, *shadow, pyramid); });
+        timer_.time(Step::mipmap, [&] { voxelPass->mipmapper.run(pyramid); });
+        voxels = &pyramid.texture();
+    }
+    timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, voxels); });
+    timer_.endFrame();
+    gl::checkErrors(std::string("frame, mode ") + modeName(mode));
+}
+
+ShadowMap& Renderer::shadowMap() {
+    if (!shadowMap_) shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize);
+    return *shadowMap_;
+}
+
+Renderer::VoxelPasses& Renderer::voxelPasses() {
+    if (!voxelPasses_)
+        voxelPasses_.emplace(VoxelPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                                         Voxelizer(shaders_, scene_, settings_.grid), Mipmapper(shaders_)});
+    return *voxelPasses_;
+}
+
+void Renderer::uploadFrameUniforms(const Camera& camera) {
+    const shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
+    frameUniforms_.bind(GL_UNIFORM_BUFFER);
+    gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
+    frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+}
+
+Image Renderer::radiance() const { return readImage(coneTracer_.texture(), radianceUnit(light_)); }
+
+Image Renderer::tracedView(int view) {
+    const gl::Texture& shadow = shadowMap().texture();
+    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadow, &voxelPasses().pyramid.texture()));
+}
+
+std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
+    frame(Mode::giConeShadow, camera);
+    const GBuffer::Targets surface = gBuffer_.targets();
+    const float unit = radianceUnit(light_);
+    std::vector<Stage> stages;
+
+    surface.albedo->bind(VCT_TEX_G_ALBEDO);
+    surface.normal->bind(VCT_TEX_G_NORMAL);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
+    const gl::Texture& shadow = shadowMap().texture();
+    shadow.bind(VCT_TEX_SHADOW_MAP);
+    // Read as a picture, not compared.
+    shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    const glm::ivec2 shadowSize(settings_.shadowMapSize);
+    stages.push_back({"shadow_map", stretchDepth(drawStage(shaders_, VCT_STAGE_SHADOW_MAP, shadowSize)), false});
+    shadow.bind(VCT_TEX_SHADOW_MAP);
+    shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+
+    stages.push_back({"g_buffer_albedo", drawStage(shaders_, VCT_STAGE_ALBEDO, settings_.size), true});
+    stages.push_back({"g_buffer_normal", drawStage(shaders_, VCT_STAGE_NORMAL, settings_.size), false});
+    stages.push_back({"g_buffer_depth", stretchDepth(drawStage(shaders_, VCT_STAGE_DEPTH, settings_.size)), false});
+    if (surface.emissive != nullptr) {
+        surface.emissive->bind(VCT_TEX_G_EMISSIVE);
+        stages.push_back({"g_buffer_emissive", drawStage(shaders_, VCT_STAGE_EMISSIVE, settings_.size), false});
+    }
+
+    VoxelView voxelView(shaders_, settings_.size);
+    const VoxelPyramid& pyramid = voxelPasses().pyramid;
+    for (int level = 0; level < pyramid.levels(); ++level)
+        stages.push_back({"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
+
+    stages.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
+    Image indirect = tracedView(VCT_VIEW_INDIRECT);
+    for (glm::vec3& p : indirect.pixels) p *= unit;
+    stages.push_back({"indirect_light", std::move(indirect), true});
+    stages.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
+    gl::checkErrors("stage pictures");
+    return stages;
+}
+
+std::vector<std::uint32_t> Renderer::activeVoxels() const {
+    if (!voxelPasses_) return {};
+    return voxelPasses_->pyramid.readActiveCounts();
+}
+
+std::vector<Renderer::Resource> Renderer::resources() const {
+    std::vector<Resource> resources;
+    const auto add = [&](const auto& object) { resources.push_back({object.label(), object.bytes()}); };
+    for (const gl::Buffer* buffer : scene_.buffers()) add(*buffer);
+    std::size_t textureBytes = 0;
+    for (const gl::Texture* texture : scene_.textures()) textureBytes += texture->bytes();
+    if (textureBytes > 0) resources.push_back({"scene textures", textureBytes});
+    add(frameUniforms_);
+    if (shadowMap_) add(shadowMap_->texture());
+    const GBuffer::Targets surface = gBuffer_.targets();
+    for (const gl::Texture* target : {surface.albedo, surface.normal, surface.emissive, surface.depth})
+        if (target != nullptr) add(*target);
+    if (voxelPasses_) {
+        add(voxelPasses_->pyramid.texture());
+        add(voxelPasses_->pyramid.activeVoxels());
+        add(voxelPasses_->pyramid.commands());
+    }
+    add(coneTracer_.texture());
+    return resources;
+}
+
+}  // namespace vct

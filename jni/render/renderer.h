@@ -1,0 +1,83 @@
+// The frame: shadow map, G-buffer, voxels, mip levels, cones. Read frame() in renderer.cpp first.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/capabilities.h"
+#include "gl/program.h"
+#include "image/image.h"
+#include "render/cone_tracer.h"
+#include "render/g_buffer.h"
+#include "render/gpu_scene.h"
+#include "render/mipmapper.h"
+#include "render/settings.h"
+#include "render/shadow_map.h"
+#include "render/step_timer.h"
+#include "render/voxelizer.h"
+
+namespace vct {
+
+class Renderer {
+  public:
+    // Throws vct::Error where the settings are out of range or the driver has not the memory. Passes that no
+    // mode asks for are never made.
+    Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
+             const gl::Capabilities& capabilities, gl::ReadShader readShader);
+
+    // Draws one frame; everything is made anew, the voxels too. Throws vct::Error on any GL error.
+    void frame(Mode mode, const Camera& camera);
+
+    // The last frame, linear RGB in the scene's radiance unit, row 0 at the top.
+    Image radiance() const;
+
+    struct Stage {
+        std::string name;  // "g_buffer_albedo": a file name without its ending
+        Image image;       // linear RGB, scaled for the eye
+        bool hasUnits;     // false: made for the eye only, no use as data
+    };
+    // Every intermediate, drawn anew from `camera`.
+    std::vector<Stage> stages(const Camera& camera);
+
+    // Active voxels per level of the last frame that voxelized; empty if none did. Throws vct::Error where
+    // the list overflowed.
+    std::vector<std::uint32_t> activeVoxels() const;
+
+    struct Resource {
+        std::string name;
+        std::size_t bytes;
+    };
+    std::vector<Resource> resources() const;
+
+    StepTimer& timer() { return timer_; }
+    const Volume& volume() const { return volume_; }
+    // Null until a mode needed voxels.
+    VoxelPyramid* voxels() { return voxelPasses_ ? &voxelPasses_->pyramid : nullptr; }
+
+  private:
+    struct VoxelPasses {
+        VoxelPyramid pyramid;
+        Voxelizer voxelizer;
+        Mipmapper mipmapper;
+    };
+    ShadowMap& shadowMap();
+    VoxelPasses& voxelPasses();
+    void uploadFrameUniforms(const Camera& camera);
+    Image tracedView(int view);
+
+    Settings settings_;
+    gl::ShaderLibrary shaders_;
+    DirectionalLight light_;
+    Bounds boundsWorld_;
+    Volume volume_;
+    GpuScene scene_;
+    gl::Buffer frameUniforms_;
+    GBuffer gBuffer_;
+    ConeTracer coneTracer_;
+    std::optional<ShadowMap> shadowMap_;
+    std::optional<VoxelPasses> voxelPasses_;
+    StepTimer timer_;
+};
+
+}  // namespace vct

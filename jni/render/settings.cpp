@@ -1,0 +1,68 @@
+#include "render/settings.h"
+
+#include <sstream>
+
+#include "core/error.h"
+
+namespace vct {
+
+namespace {
+constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5, or all)";
+}
+
+const std::vector<Mode>& allModes() {
+    static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi, Mode::giConeShadow};
+    return modes;
+}
+
+const char* modeName(Mode mode) {
+    switch (mode) {
+        case Mode::phong: return "phong";
+        case Mode::shadowMap: return "shadow-map";
+        case Mode::ao: return "ao";
+        case Mode::gi: return "gi";
+        case Mode::giConeShadow: return "gi-cone-shadow";
+    }
+    return "";
+}
+
+std::vector<Mode> modesFromText(const std::string& text) {
+    if (text == "all") return allModes();
+    std::vector<Mode> modes;
+    std::istringstream parts(text);
+    std::string part;
+    while (std::getline(parts, part, ',')) {
+        const std::size_t before = modes.size();
+        for (Mode mode : allModes())
+            if (part == modeName(mode) || part == std::to_string(static_cast<int>(mode))) modes.push_back(mode);
+        if (modes.size() == before)
+            throw Error("--mode '" + part + "' is not a mode; use " + modeNames + ", separated by commas");
+    }
+    if (modes.empty()) throw Error(std::string("--mode is empty; use ") + modeNames);
+    return modes;
+}
+
+Settings presetSettings(const std::string& name) {
+    // The thesis's settings are the defaults of every member: it is the yardstick.
+    if (name == "thesis") return {};
+    throw Error("--preset '" + name + "' does not exist; the presets are: thesis");
+}
+
+void validate(const Settings& settings) {
+    const auto require = [](bool ok, const std::string& message) {
+        if (!ok) throw Error(message);
+    };
+    const int grid = settings.grid;
+    require(grid == 64 || grid == 128 || grid == 256 || grid == 512,
+            "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512");
+    require(settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
+            "--size must be between 1x1 and 8192x8192 pixels");
+    require(settings.shadowMapSize >= 16 && settings.shadowMapSize <= 8192,
+            "--shadow-map must be between 16 and 8192 texels");
+    require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
+            "--cone-angle must be between 0.1 and 170 degrees");
+    require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
+            "--ao-distance must be above 0 and at most 1 (the volume's side)");
+}
+
+}  // namespace vct

@@ -1,0 +1,121 @@
+#include "render/voxel_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/error.h"
+#include "gl/debug.h"
+#include "render/programs.h"
+#include "render/voxel_view.h"
+
+namespace vct {
+
+namespace {
+
+std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint32_t baseCapacity) {
+    const auto cube = [grid](int level) {
+        const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
+        return side * side * side;
+    };
+    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid;
+    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS, shared::LevelCommands{});
+    std::uint32_t firstEntry = 0;
+    for (int level = 0; level < levels; ++level) {
+        shared::LevelCommands& c = commands[level];
+        c.indexCount = VoxelView::indexCount;
+        c.groupsY = c.groupsZ = 1;
+        c.firstEntry = firstEntry;
+        c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(level)));
+        firstEntry += c.capacity;
+    }
+    return commands;
+}
+
+std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
+    std::size_t entries = 0;
+    for (const shared::LevelCommands& c : commands) entries += c.capacity;
+    return entries * sizeof(std::uint32_t);
+}
+
+}  // namespace
+
+VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
+    : grid_(grid),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, static_cast<int>(std::log2(grid)) + 1)),
+      initialCommands_(emptyCommands(grid, texture_.levels(), baseCapacity)),
+      sparseClear_(shaders, sparseClearProgram()) {
+    const std::size_t commandBytes = initialCommands_.size() * sizeof initialCommands_[0];
+    resetCommands_ = gl::Buffer("voxel commands, empty", GL_COPY_READ_BUFFER, commandBytes,
+                                initialCommands_.data(), GL_STATIC_COPY);
+    commands_ = gl::Buffer("voxel commands", GL_SHADER_STORAGE_BUFFER, commandBytes, initialCommands_.data(),
+                           GL_DYNAMIC_COPY);
+    activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
+                               GL_DYNAMIC_COPY);
+    zeroTexture();
+}
+
+// ES has no clear for textures, but each slice can be a colour target.
+void VoxelPyramid::zeroTexture() const {
+    const gl::Framebuffer framebuffer("voxels, to be emptied", 1, 1);
+    framebuffer.bind();
+    const GLenum target = GL_COLOR_ATTACHMENT0;
+    gl::DrawBuffers(1, &target);
+    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const GLuint zero[4] = {0, 0, 0, 0};
+    for (int level = 0; level < levels(); ++level)
+        for (int slice = 0; slice < (grid_ >> level); ++slice) {
+            gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_.name(), level, slice);
+            gl::ClearBufferuiv(GL_COLOR, 0, zero);
+        }
+}
+
+void VoxelPyramid::clear() {
+    const gl::DebugGroup group("sparse clear");
+    // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    sparseClear_.use();
+    bindLists();
+    for (int level = 0; level < levels(); ++level) {
+        bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
+        dispatchOverLevel(level);
+    }
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    resetCommands_.bind(GL_COPY_READ_BUFFER);
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                          static_cast<GLsizeiptr>(commands_.bytes()));
+}
+
+void VoxelPyramid::bindLevel(int unit, int level, GLenum access) const {
+    gl::BindImageTexture(static_cast<GLuint>(unit), texture_.name(), level, GL_TRUE, 0, access, GL_R32UI);
+}
+
+void VoxelPyramid::bindLists() const {
+    commands_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COMMANDS);
+    activeVoxels_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_ACTIVE_VOXELS);
+}
+
+void VoxelPyramid::dispatchOverLevel(int level) const {
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
+                                                      offsetof(shared::LevelCommands, groupsX)));
+}
+
+std::vector<std::uint32_t> VoxelPyramid::readActiveCounts() const {
+    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS);
+    commands_.read(commands.data(), commands.size() * sizeof commands[0]);
+    std::vector<std::uint32_t> counts;
+    for (int level = 0; level < levels(); ++level) {
+        const shared::LevelCommands& c = commands[level];
+        if (c.instanceCount > c.capacity)
+            throw Error("the scene has " + std::to_string(c.instanceCount) + " active voxels at " +
+                        std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +
+                        "; use --active-voxels " + std::to_string(c.instanceCount) + " or a smaller --grid");
+        counts.push_back(c.instanceCount);
+    }
+    return counts;
+}
+
+}  // namespace vct

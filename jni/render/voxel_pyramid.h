@@ -1,0 +1,52 @@
+// The voxels: an R32UI 3D texture with all its mip levels, and the list of those that are not empty.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "shared/layout.h"
+
+namespace vct {
+
+class VoxelPyramid {
+  public:
+    // `baseCapacity`: entries of the base level's list, or 0 for 16 grid^2 (a closed surface that fills the
+    // volume has about 6 grid^2). A parent has at least one active child, so no other level needs more.
+    VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity);
+
+    int grid() const { return grid_; }
+    int levels() const { return texture_.levels(); }  // log2(grid) + 1
+    const gl::Texture& texture() const { return texture_; }
+    const gl::Buffer& commands() const { return commands_; }
+    const gl::Buffer& activeVoxels() const { return activeVoxels_; }
+
+    // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;
+    // afterwards the image and the buffers are ready for shaders.
+    void clear();
+
+    // Binds one level for image access, and the list and its commands for shaders.
+    void bindLevel(int unit, int level, GLenum access) const;
+    void bindLists() const;
+
+    // Dispatches the current compute program over the active voxels of a level.
+    void dispatchOverLevel(int level) const;
+
+    // Reads the commands back and returns the active voxels of each level. Throws vct::Error where there were
+    // more than the list can hold, with the number that is needed.
+    std::vector<std::uint32_t> readActiveCounts() const;
+
+    std::uint32_t firstEntry(int level) const { return initialCommands_[level].firstEntry; }
+
+  private:
+    void zeroTexture() const;
+
+    int grid_;
+    gl::Texture texture_;
+    std::vector<shared::LevelCommands> initialCommands_;
+    gl::Buffer resetCommands_, commands_, activeVoxels_;
+    gl::Program sparseClear_;
+};
+
+}  // namespace vct

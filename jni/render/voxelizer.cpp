@@ -1,0 +1,25 @@
+#include "render/voxelizer.h"
+
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct {
+
+Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid)
+    : programs_(shaders, scene, voxelizerProgram), framebuffer_("voxelizer", grid, grid) {}
+
+void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
+    const gl::DebugGroup group("voxelize");
+    voxels.clear();
+    framebuffer_.bind();
+    gl::Disable(GL_DEPTH_TEST);
+    gl::DepthMask(GL_FALSE);
+    shadowMap.bind(VCT_TEX_SHADOW_MAP);
+    voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    voxels.bindLists();
+    scene.draw(GpuScene::Culling::none, programs_);
+    // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+}  // namespace vct

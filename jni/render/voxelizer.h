@@ -1,0 +1,21 @@
+// The scene into the base level of the voxels, lit by the shadow map (thesis 4.4).
+#pragma once
+
+#include "render/gpu_scene.h"
+#include "render/voxel_pyramid.h"
+
+namespace vct {
+
+class Voxelizer {
+  public:
+    Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid);
+
+    // Empties `voxels`, then writes its base level and the base level's list.
+    void run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels);
+
+  private:
+    MaterialPrograms programs_;
+    gl::Framebuffer framebuffer_;  // no attachments: the rasterizer only makes fragments
+};
+
+}  // namespace vct
