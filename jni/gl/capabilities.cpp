@@ -68,7 +68,8 @@ Capabilities queryCapabilities() {
         const GLubyte* name = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
         if (name) result.extensions.emplace_back(reinterpret_cast<const char*>(name));
     }
-    result.desktopContext = parseVersion(result.version).desktop;
+    const Version version = parseVersion(result.version);
+    result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;
     result.softwareDriver = isSoftwareRenderer(result.renderer);
     result.max3dTextureSize = getInteger(GL_MAX_3D_TEXTURE_SIZE);
@@ -78,7 +79,8 @@ Capabilities queryCapabilities() {
     report.version = result.version;
     report.extensions = result.extensions;
     report.essl310 = compiles("310 es");
-    report.essl320 = result.essl320 = compiles("320 es");
+    // An ES 3.1 context that takes it all the same (Mesa's does) does not promise what 3.20 has in core.
+    report.essl320 = result.essl320 = version.atLeast(3, 2, 0, 0) && compiles("320 es");
     report.limit = getInteger;
     result.requirements = evaluateRequirements(report);
     return result;

@@ -77,6 +77,8 @@ void installDebugCallback() {
     Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
     DebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+    // Messages of low severity are off at first, and an error may be one.
+    DebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
     DebugMessageCallback(onMessage, nullptr);
 }
 

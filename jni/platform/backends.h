@@ -8,7 +8,8 @@
 
 namespace vct::detail {
 
-std::unique_ptr<Platform> createEgl(const PlatformOptions& options);
+// `remedy` ends the message of the error where nothing works.
+std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::string& remedy);
 std::unique_ptr<Platform> createOsmesa(const PlatformOptions& options);
 std::unique_ptr<Platform> createZink(const PlatformOptions& options);
 

@@ -56,9 +56,11 @@ class EglPlatform : public Platform {
             surface_ = eglCreatePbufferSurface(display_, config, pbufferAttribs.data());
             if (surface_ == EGL_NO_SURFACE) throw Error("no 1x1 pbuffer, " + eglError());
         }
-        // Some drivers give the version that is asked for and no more.
+        // Some drivers give the version that is asked for and no more, and some have no debug contexts.
         for (const EGLint minor : {2, 1}) {
-            if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, minor, debug);
+            for (const bool askDebug : {debug, false}) {
+                if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, minor, askDebug);
+            }
         }
         if (context_ == EGL_NO_CONTEXT) throw Error("no OpenGL ES 3.1 context, " + eglError());
         if (!eglMakeCurrent(display_, surface_, surface_, context_))
@@ -115,7 +117,7 @@ bool eglInUse() {
     return !displayUsers().empty();
 }
 
-std::unique_ptr<Platform> createEgl(const PlatformOptions& options) {
+std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::string& remedy) {
     std::string failures;
     for (const EglSource& source : eglSources(options.device)) {
         try {
@@ -124,8 +126,7 @@ std::unique_ptr<Platform> createEgl(const PlatformOptions& options) {
             failures += (failures.empty() ? "" : "; ") + source.name + ": " + error.what();
         }
     }
-    throw Error("EGL gives no OpenGL ES 3.1 context (" + failures +
-                "); install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
+    throw Error("EGL gives no OpenGL ES 3.1 context (" + failures + ")" + remedy);
 }
 
 }  // namespace vct::detail

@@ -34,7 +34,7 @@ Backend backendFromName(const std::string& name) {
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
     switch (options.backend) {
         case Backend::egl:
-            return detail::createEgl(options);
+            return detail::createEgl(options, "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
         case Backend::osmesa:
             return detail::createOsmesa(options);
         case Backend::zink:

@@ -83,7 +83,7 @@ std::unique_ptr<Platform> tryZink(const PlatformOptions& options, bool software,
     }
     const std::string attempt = software ? "on lavapipe: " : "on the GPU's Vulkan driver: ";
     try {
-        std::unique_ptr<Platform> platform = createEgl(options);
+        std::unique_ptr<Platform> platform = createEgl(options, "");
         const std::string renderer = rendererOf(*platform);
         if (renderer.find("zink") != std::string::npos) return platform;
         failures += (failures.empty() ? "" : "; ") + attempt + "EGL gave '" + renderer + "' instead";

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "platform/contexts.h"
+
+namespace vct {
+namespace {
+
+struct Outcome {
+    int exitCode = -1;
+    std::string output;
+};
+
+// Mesa can be told through the environment to have less than it has; it reads that once in a process.
+Outcome info(const std::string& environment, const std::string& arguments) {
+    const std::string command = environment + " " + VCT_PROGRAM + " info " + arguments + " 2>&1";
+    Outcome outcome;
+    FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return outcome;
+    std::array<char, 4096> buffer;
+    for (size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        outcome.output.append(buffer.data(), count);
+    const int status = pclose(pipe);
+    outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+bool has(const Outcome& outcome, const std::string& text) {
+    return outcome.output.find(text) != std::string::npos;
+}
+
+TEST(Info, SaysWhatTheDriverIsAndThatNothingIsMissing) {
+    const Outcome outcome = info("", "");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_TRUE(has(outcome, "OpenGL ES 3.")) << outcome.output;
+    EXPECT_FALSE(has(outcome, "MISSING")) << outcome.output;
+}
+
+TEST(Info, NamesWhatIsMissingAndExitsWithOne) {
+    if (!has(info("", ""), "Mesa")) GTEST_SKIP() << "only Mesa can be told to lack an extension";
+    const Outcome outcome = info(
+        "MESA_GLES_VERSION_OVERRIDE=3.1 "
+        "MESA_EXTENSION_OVERRIDE='-GL_OES_shader_image_atomic -GL_EXT_geometry_shader'",
+        "");
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
+    EXPECT_TRUE(has(outcome, "MISSING GL_OES_shader_image_atomic")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "MISSING GL_EXT_geometry_shader")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "no global illumination without")) << outcome.output;
+}
+
+TEST(Info, TakesEssl310WithExtensionsWhereTheContextIsEs31) {
+    if (!has(info("", ""), "Mesa")) GTEST_SKIP() << "only Mesa can be told to be an older version";
+    const Outcome outcome = info("MESA_GLES_VERSION_OVERRIDE=3.1", "");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_TRUE(has(outcome, "310 es with extensions")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "KHR_debug messages and groups")) << outcome.output;
+}
+
+TEST(Info, RefusesAnUnknownBackEnd) {
+    const Outcome outcome = info("", "--backend direct3d");
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
+    EXPECT_TRUE(has(outcome, "egl, osmesa, zink")) << outcome.output;
+}
+
+TEST(Info, PrintsNothingButItsReportOnZink) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    const Outcome outcome = info("env -u XDG_RUNTIME_DIR", "--backend zink");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.compare(0, 9, "back end:"), 0) << outcome.output;
+    EXPECT_FALSE(has(outcome, "XDG_RUNTIME_DIR")) << outcome.output;
+}
+
+}  // namespace
+}  // namespace vct

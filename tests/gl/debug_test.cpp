@@ -1,0 +1,140 @@
+#include "gl/debug.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/error.h"
+#include "gl/api.h"
+#include "platform/contexts.h"
+
+namespace vct::gl {
+namespace {
+
+std::string messageOf(const std::string& where) {
+    try {
+        checkErrors(where);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void makeAnError() {
+    Enable(0x1234);
+}
+
+class DebugOn : public testing::TestWithParam<Backend> {};
+
+TEST_P(DebugOn, AnErrorNamesThePassAndIsReportedOnce) {
+    VCT_SKIP_IF_ABSENT(GetParam());
+    const auto platform = test::createContext(GetParam());
+    installDebugCallback();
+    EXPECT_EQ(messageOf("nothing"), "");
+    makeAnError();
+    const std::string text = messageOf("voxelization");
+    EXPECT_EQ(text.compare(0, 14, "voxelization: "), 0) << text;
+    EXPECT_NE(text.find("GL_INVALID_ENUM"), std::string::npos) << text;
+    EXPECT_NE(text.find("glEnable"), std::string::npos) << text;  // the driver's words, not only the code
+    EXPECT_EQ(messageOf("the next pass"), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Debug, DebugOn, testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
+                         [](const auto& test) { return std::string(backendName(test.param)); });
+
+class Debug : public testing::Test {
+  protected:
+    std::unique_ptr<Platform> platform = test::createContext(Backend::egl);
+
+    void insert(GLenum type, GLenum severity, const char* text) const {
+        const auto insertMessage =
+            reinterpret_cast<PFNGLDEBUGMESSAGEINSERTPROC>(platform->getProcAddress("glDebugMessageInsert"));
+        ASSERT_NE(insertMessage, nullptr);
+        insertMessage(GL_DEBUG_SOURCE_APPLICATION, type, 7, severity, -1, text);
+    }
+    // As on a driver that has no KHR_debug.
+    static void dropDebugEntryPoints() {
+        DebugMessageCallback = nullptr;
+        DebugMessageControl = nullptr;
+        PushDebugGroup = nullptr;
+        PopDebugGroup = nullptr;
+        ObjectLabel = nullptr;
+    }
+};
+
+TEST_F(Debug, WithoutKhrDebugTheErrorCodeIsReported) {
+    dropDebugEntryPoints();
+    installDebugCallback();
+    {
+        const DebugGroup group("voxelization");
+        makeAnError();
+    }
+    label(GL_TEXTURE, 1, "albedo");
+    EXPECT_EQ(messageOf("voxelization"), "voxelization: GL_INVALID_ENUM");
+    EXPECT_EQ(messageOf("the next pass"), "");
+}
+
+TEST_F(Debug, KeepsErrorsAndHighSeverityAndDropsTheRest) {
+    installDebugCallback();
+    insert(GL_DEBUG_TYPE_ERROR, GL_DEBUG_SEVERITY_LOW, "an error");
+    insert(GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, GL_DEBUG_SEVERITY_HIGH, "undefined");
+    insert(GL_DEBUG_TYPE_PERFORMANCE, GL_DEBUG_SEVERITY_HIGH, "slow");
+    insert(GL_DEBUG_TYPE_OTHER, GL_DEBUG_SEVERITY_NOTIFICATION, "by the way");
+    insert(GL_DEBUG_TYPE_OTHER, GL_DEBUG_SEVERITY_MEDIUM, "hm");
+    EXPECT_EQ(messageOf("pass"), "pass: an error (message 7); undefined (message 7)");
+}
+
+TEST_F(Debug, MessagesDoNotOutliveTheirContext) {
+    installDebugCallback();
+    insert(GL_DEBUG_TYPE_ERROR, GL_DEBUG_SEVERITY_HIGH, "old");
+    platform.reset();
+    platform = test::createContext(Backend::egl);
+    installDebugCallback();
+    EXPECT_EQ(messageOf("pass"), "");
+}
+
+TEST_F(Debug, AFloodOfErrorsIsCutShort) {
+    installDebugCallback();
+    for (int i = 0; i < 1000; ++i)
+        makeAnError();
+    EXPECT_LT(messageOf("pass").size(), 10000u);
+    EXPECT_EQ(messageOf("the next pass"), "");
+}
+
+TEST_F(Debug, AShaderThatDoesNotCompileIsLeftToWhoeverCompiledIt) {
+    installDebugCallback();
+    const char* source = "#version 310 es\nnonsense";
+    const GLuint shader = CreateShader(GL_VERTEX_SHADER);
+    ShaderSource(shader, 1, &source, nullptr);
+    CompileShader(shader);
+    EXPECT_EQ(messageOf("pass"), "");
+    DeleteShader(shader);
+}
+
+TEST_F(Debug, GroupsNestAndLabelsStick) {
+    installDebugCallback();
+    GLint depthBefore = 0, depth = 0;
+    GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depthBefore);
+    {
+        const DebugGroup frame("frame");
+        const DebugGroup pass("mipmap");
+        GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
+        EXPECT_EQ(depth, depthBefore + 2);
+    }
+    GetIntegerv(GL_DEBUG_GROUP_STACK_DEPTH, &depth);
+    EXPECT_EQ(depth, depthBefore);
+
+    GLuint texture = 0;
+    GenTextures(1, &texture);
+    BindTexture(GL_TEXTURE_2D, texture);
+    label(GL_TEXTURE, texture, "albedo");
+    const auto getLabel =
+        reinterpret_cast<PFNGLGETOBJECTLABELPROC>(platform->getProcAddress("glGetObjectLabel"));
+    GLchar text[16] = "";
+    getLabel(GL_TEXTURE, texture, sizeof text, nullptr, text);
+    EXPECT_STREQ(text, "albedo");
+    EXPECT_EQ(messageOf("pass"), "");
+}
+
+}  // namespace
+}  // namespace vct::gl

@@ -1,0 +1,61 @@
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/error.h"
+#include "platform/contexts.h"
+
+namespace vct {
+namespace {
+
+using test::createContext;
+
+TEST(Egl, DestructionLeavesNoContextBehind) {
+    auto platform = createContext(Backend::egl);
+    EXPECT_NE(eglGetCurrentContext(), EGL_NO_CONTEXT);
+    platform.reset();
+    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
+}
+
+TEST(Zink, LeavesTheEnvironmentAsItWas) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    unsetenv("MESA_LOADER_DRIVER_OVERRIDE");
+    const auto platform = createContext(Backend::zink);
+    EXPECT_STREQ(std::getenv("GALLIUM_DRIVER"), "llvmpipe");
+    EXPECT_EQ(std::getenv("MESA_LOADER_DRIVER_OVERRIDE"), nullptr);
+}
+
+TEST(Zink, RefusesToStandBesideAnotherEglContext) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    auto egl = createContext(Backend::egl);
+    EXPECT_THROW(createContext(Backend::zink), Error);
+    egl.reset();
+    EXPECT_NO_THROW(createContext(Backend::zink));
+}
+
+TEST(Zink, NamesThePackageWhereThereIsNoVulkanAndWorksAgainOnceThereIs) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    const char* chosen = std::getenv("VK_ICD_FILENAMES");
+    const std::string before = chosen ? chosen : "";
+    setenv("VK_ICD_FILENAMES", "/nonexistent/icd.json", 1);
+    unsetenv("VK_DRIVER_FILES");
+    try {
+        createContext(Backend::zink);
+        ADD_FAILURE() << "made a zink context without a Vulkan driver";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("mesa-vulkan-drivers"), std::string::npos) << error.what();
+    }
+    if (chosen)
+        setenv("VK_ICD_FILENAMES", before.c_str(), 1);
+    else
+        unsetenv("VK_ICD_FILENAMES");
+    createContext(Backend::zink);
+    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
+}
+
+}  // namespace
+}  // namespace vct
