@@ -1,0 +1,136 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.h"
+
+namespace vct {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double framingFovDeg = 40.0;
+
+struct View {
+    glm::dvec3 eye;
+    glm::dvec3 target;
+};
+
+// Whole multiples of a step: what is printed in a --camera option is what was used, with few digits.
+glm::dvec3 rounded(const glm::dvec3& v, double step) {
+    return glm::round(v / step) * step + 0.0;
+}
+
+// From the front, a little to the right and above, as far away as the bounding sphere needs.
+View framingView(const Bounds& bounds) {
+    const double diagonal = glm::length(bounds.max - bounds.min);
+    const glm::dvec3 centre = 0.5 * (bounds.min + bounds.max);
+    const double size = diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
+    const double distance = 0.5 * size / std::sin(glm::radians(framingFovDeg) / 2.0);
+    const double step = std::pow(10.0, std::floor(std::log10(size)) - 3.0);
+    const glm::dvec3 towardsEye = glm::normalize(glm::dvec3(0.3, 0.5, 1.0));
+    // The rounding may bring the eye nearer by less than two steps, a few thousandths of the size.
+    return {rounded(centre + (distance + 2.0 * step) * towardsEye, step), rounded(centre, step)};
+}
+
+std::string printed(const glm::dvec3& v) {
+    char text[128];
+    std::snprintf(text, sizeof text, "%.12g,%.12g,%.12g", v.x, v.y, v.z);
+    return text;
+}
+
+std::string cameraList(const Scene& scene) {
+    std::string list;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        list += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + scene.cameras[i].name + "\"";
+    return list;
+}
+
+double distanceTo(const Bounds& bounds, const glm::dvec3& p) {
+    return glm::length(glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0.0)));
+}
+
+}  // namespace
+
+Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg) {
+    if (!(verticalFovDeg > 0.0 && verticalFovDeg < 180.0))
+        throw Error("the camera's field of view is " + std::to_string(verticalFovDeg) +
+                    " degrees; give one between 0 and 180");
+    const glm::dvec3 back = eye - target;
+    const double distance = glm::length(back);
+    if (!(distance > 0.0) || !std::isfinite(distance))
+        throw Error("the camera's eye and target (" + printed(eye) + " and " + printed(target) +
+                    ") give no direction; give two different points");
+    const glm::dvec3 z = back / distance;
+    const bool vertical = std::abs(z.y) > 1.0 - 1e-12;  // within a millionth of a radian
+    const glm::dvec3 up = vertical ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 x = glm::normalize(glm::cross(up, z));
+
+    Camera camera;
+    camera.worldFromCamera = glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0),
+                                        glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0));
+    camera.verticalFovRad = glm::radians(verticalFovDeg);
+    return camera;
+}
+
+Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex) {
+    if (scene.cameras.empty()) {
+        const View view = framingView(scene.boundsWorld);
+        char fov[32];
+        std::snprintf(fov, sizeof fov, "%g", framingFovDeg);
+        throw Error("the scene " + scene.path + " has no perspective camera; add --camera eye=" +
+                    printed(view.eye) + ",target=" + printed(view.target) + ",fov=" + fov);
+    }
+    if (nameOrIndex.empty()) return scene.cameras.front();
+    for (const Camera& camera : scene.cameras) {
+        if (camera.name == nameOrIndex) return camera;
+    }
+    const bool isNumber = nameOrIndex.size() <= 9 && std::all_of(nameOrIndex.begin(), nameOrIndex.end(),
+                                                                 [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t index = isNumber ? std::stoul(nameOrIndex) : scene.cameras.size();
+    if (index >= scene.cameras.size())
+        throw Error("the scene " + scene.path + " has no camera \"" + nameOrIndex + "\"; choose one of " +
+                    cameraList(scene));
+    return scene.cameras[index];
+}
+
+Camera frameScene(const Scene& scene) {
+    const View view = framingView(scene.boundsWorld);
+    return lookAt(view.eye, view.target, framingFovDeg);
+}
+
+DirectionalLight chooseLight(const Scene& scene) {
+    if (!scene.lights.empty()) return scene.lights.front();
+    DirectionalLight light;
+    light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
+    light.intensity = static_cast<float>(pi);
+    return light;
+}
+
+glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect) {
+    const glm::dmat3 worldFromCameraAxes(camera.worldFromCamera);
+    const glm::dvec3 eye(camera.worldFromCamera[3]);
+    const glm::dmat3 cameraFromWorldAxes = glm::transpose(worldFromCameraAxes);
+    const glm::dmat4 cameraFromWorld =
+        glm::dmat4(cameraFromWorldAxes) * glm::translate(glm::dmat4(1.0), -eye);
+
+    const double diagonal = std::max(glm::length(bounds.max - bounds.min), 1e-30);
+    double farthest = 0.0;  // along the view axis
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 world((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                               (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                               (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+        farthest = std::max(farthest, -(cameraFromWorldAxes * (world - eye)).z);
+    }
+
+    // A point at distance d in the corner of the picture is only d cos(corner angle) deep.
+    const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
+    const double cosCorner = 1.0 / std::sqrt(1.0 + tanHalf * tanHalf * (1.0 + aspect * aspect));
+    const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(bounds, eye), 1e-3 * diagonal);
+    const double far = std::max(1.001 * farthest + 1e-3 * diagonal, 2.0 * near);  // also when it looks away
+    return glm::perspectiveRH_NO(camera.verticalFovRad, aspect, near, far) * cameraFromWorld;
+}
+
+}  // namespace vct

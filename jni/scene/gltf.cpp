@@ -1,0 +1,120 @@
+#include "scene/gltf.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <new>
+
+#include "core/error.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_materials.h"
+#include "scene/gltf_nodes.h"
+#include "scene/gltf_primitive.h"
+
+namespace vct {
+namespace {
+
+// A thousand times what a phone draws at ten frames a second.
+constexpr std::size_t maxTriangles = std::size_t{1} << 30;
+constexpr std::size_t maxInstances = std::size_t{1} << 22;
+
+// True where no inverse exists: an object squeezed into a plane, a line or a point.
+bool isFlattened(const glm::dmat4& matrix) {
+    const glm::dvec3 x(matrix[0]);
+    const glm::dvec3 y(matrix[1]);
+    const glm::dvec3 z(matrix[2]);
+    const double volume = std::abs(glm::dot(glm::cross(x, y), z));
+    return !(volume > 1e-12 * glm::length(x) * glm::length(y) * glm::length(z));
+}
+
+// Meshes by index in the file, one per primitive with triangles; each is loaded when a node first asks.
+class MeshLoader {
+  public:
+    MeshLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene), materials_(file, scene) {}
+
+    const std::vector<int>& get(int index) {
+        const auto found = meshes_.find(index);
+        if (found != meshes_.end()) return found->second;
+        const tinygltf::Mesh& source = file_.at(file_.model.meshes, index, "mesh");
+        std::vector<int>& loaded = meshes_[index];
+        for (const tinygltf::Primitive& primitive : source.primitives) {
+            std::optional<Mesh> mesh = loadPrimitive(file_, primitive, materials_, source.name);
+            if (!mesh) continue;
+            loaded.push_back(static_cast<int>(scene_.meshes.size()));
+            scene_.meshes.push_back(std::move(*mesh));
+        }
+        return loaded;
+    }
+
+  private:
+    GltfFile& file_;
+    Scene& scene_;
+    MaterialLoader materials_;
+    std::map<int, std::vector<int>> meshes_;
+};
+
+Scene buildScene(GltfFile& file) {
+    Scene scene;
+    scene.path = file.path;
+    MeshLoader meshes(file, scene);
+    std::size_t triangles = 0;
+    for (const PlacedNode& placed : placeNodes(file)) {
+        addCamera(file, placed, scene);
+        addLight(file, placed, scene);
+        if (placed.node->mesh == -1) continue;
+        const std::vector<int>& parts = meshes.get(placed.node->mesh);
+        if (isFlattened(placed.worldFromNode)) {
+            file.warn("nodes scaled to zero are left out");
+            continue;
+        }
+        for (const int mesh : parts) {
+            scene.instances.push_back({mesh, placed.worldFromNode});
+            triangles += scene.meshes[static_cast<std::size_t>(mesh)].indices.size() / 3;
+            if (triangles > maxTriangles || scene.instances.size() > maxInstances)
+                file.fail("it places more triangles than this program can draw", "simplify the scene");
+        }
+    }
+    if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
+    scene.warnings = std::move(file.warnings);
+    computeBounds(scene);
+    return scene;
+}
+
+}  // namespace
+
+std::vector<unsigned char> readFileFromDisk(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
+        throw Error("cannot read " + oneLine(path) + ": there is no such file; check the path");
+    // A directory or a device has no size to go by, and reading it may never end.
+    if (!fs::is_regular_file(status))
+        throw Error("cannot read " + oneLine(path) + ": it is not a file; check the path");
+    const std::uintmax_t size = fs::file_size(path, error);
+    std::ifstream stream(path, std::ios::binary);
+    if (error || !stream)
+        throw Error("cannot read " + oneLine(path) + ": access is denied; check its permissions");
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<std::uintmax_t>(stream.gcount()) != size)
+        throw Error("cannot read " + oneLine(path) + ": the disk returns only a part of it; copy it again");
+    return bytes;
+}
+
+Scene loadGltf(const std::string& path, const ReadFile& readFile) {
+    try {
+        GltfFile file = openGltf(path, readFile);
+        return buildScene(file);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw Error("cannot load " + oneLine(path) +
+                    ": it needs more memory than there is; simplify the scene");
+    } catch (const std::exception& error) {
+        throw Error("cannot load " + oneLine(path) + ": " + oneLine(error.what()) + "; " + reexportRemedy);
+    }
+}
+
+}  // namespace vct

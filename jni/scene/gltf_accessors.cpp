@@ -1,0 +1,192 @@
+#include "scene/gltf_accessors.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace vct {
+namespace {
+
+std::string named(int accessor) {
+    return "accessor " + std::to_string(accessor);
+}
+
+std::size_t componentBytes(int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+// The first of `count` elements, all of which lie inside the view.
+const unsigned char* checkedElements(const GltfFile& file, ByteRange view, std::size_t offset,
+                                     std::size_t stride, std::size_t elementSize, std::size_t count,
+                                     const std::string& what) {
+    const bool fits = count == 0 || (offset <= view.size && elementSize <= view.size - offset &&
+                                     count - 1 <= (view.size - offset - elementSize) / stride);
+    if (!fits)
+        file.fail(what + " (" + std::to_string(count) + " elements) reaches beyond its buffer view of " +
+                  std::to_string(view.size) + " bytes");
+    return count == 0 ? nullptr : view.data + offset;
+}
+
+template <class T>
+T load(const unsigned char* bytes) {
+    T value;
+    std::memcpy(&value, bytes, sizeof value);  // the file's alignment is not ours; both are little-endian
+    return value;
+}
+
+std::uint32_t loadUnsigned(const unsigned char* bytes, std::size_t size) {
+    if (size == 1) return bytes[0];
+    return size == 2 ? load<std::uint16_t>(bytes) : load<std::uint32_t>(bytes);
+}
+
+// glTF 2.0 section 3.6.2.2 (normalized integers).
+float loadFloat(const unsigned char* bytes, int type, bool normalized) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE: {
+            const float value = load<std::int8_t>(bytes);
+            return normalized ? std::max(value / 127.0F, -1.0F) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
+            const float value = bytes[0];
+            return normalized ? value / 255.0F : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_SHORT: {
+            const float value = load<std::int16_t>(bytes);
+            return normalized ? std::max(value / 32767.0F, -1.0F) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+            const float value = load<std::uint16_t>(bytes);
+            return normalized ? value / 65535.0F : value;
+        }
+        default:
+            return load<float>(bytes);
+    }
+}
+
+void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::size_t elementSize,
+                 std::vector<unsigned char>& elements, const std::string& name) {
+    const auto& sparse = accessor.sparse;
+    const int indexType = sparse.indices.componentType;
+    if (indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+        indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+        indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+        file.fail("the sparse part of " + name + " has indices of type " + std::to_string(indexType));
+    if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+        file.fail("the sparse part of " + name + " has a negative count or offset");
+
+    const auto count = static_cast<std::size_t>(sparse.count);
+    const std::size_t indexSize = componentBytes(indexType);
+    const unsigned char* indices = checkedElements(
+        file, viewBytes(file, sparse.indices.bufferView), static_cast<std::size_t>(sparse.indices.byteOffset),
+        indexSize, indexSize, count, "the sparse indices of " + name);
+    const unsigned char* values = checkedElements(
+        file, viewBytes(file, sparse.values.bufferView), static_cast<std::size_t>(sparse.values.byteOffset),
+        elementSize, elementSize, count, "the sparse values of " + name);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t target = loadUnsigned(indices + i * indexSize, indexSize);
+        if (target >= accessor.count)
+            file.fail("the sparse part of " + name + " writes element " + std::to_string(target) + " of " +
+                      std::to_string(accessor.count));
+        std::memcpy(&elements[target * elementSize], values + i * elementSize, elementSize);
+    }
+}
+
+// The elements without gaps.
+std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Accessor& accessor,
+                                          std::size_t elementSize, const std::string& name) {
+    if (accessor.bufferView < 0) {  // all zeros, usually under sparse values; nothing bounds the count
+        file.reserveGeometry(accessor.count, elementSize);
+        std::vector<unsigned char> elements(accessor.count * elementSize);
+        if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, elements, name);
+        return elements;
+    }
+    const ByteRange view = viewBytes(file, accessor.bufferView);
+    const std::size_t declared =
+        file.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+    const std::size_t stride = declared == 0 ? elementSize : declared;
+    if (stride < elementSize)
+        file.fail(name + " has a stride of " + std::to_string(stride) + " bytes for elements of " +
+                  std::to_string(elementSize));
+    const unsigned char* first =
+        checkedElements(file, view, accessor.byteOffset, stride, elementSize, accessor.count, name);
+    file.reserveGeometry(accessor.count, elementSize);
+    std::vector<unsigned char> elements(accessor.count * elementSize);
+    for (std::size_t i = 0; i < accessor.count; ++i)
+        std::memcpy(&elements[i * elementSize], first + i * stride, elementSize);
+    if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, elements, name);
+    return elements;
+}
+
+}  // namespace
+
+ByteRange viewBytes(const GltfFile& file, int bufferView) {
+    const tinygltf::BufferView& view = file.at(file.model.bufferViews, bufferView, "buffer view");
+    const std::vector<unsigned char>& buffer = file.at(file.model.buffers, view.buffer, "buffer").data;
+    if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
+        file.fail("buffer view " + std::to_string(bufferView) + " reaches beyond its buffer of " +
+                  std::to_string(buffer.size()) + " bytes");
+    return {buffer.data() + view.byteOffset, view.byteLength};
+}
+
+std::vector<float> readFloats(GltfFile& file, int index, int width, Components components,
+                              const std::string& attribute) {
+    const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
+    const std::string name = named(index) + " (" + attribute + ")";
+    const int expected = width == 2 ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3;
+    if (accessor.type != expected) file.fail(name + " is not a VEC" + std::to_string(width));
+
+    const int type = accessor.componentType;
+    const std::size_t componentSize = componentBytes(type);
+    const bool isUnsigned =
+        type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    const bool allowed =
+        type == TINYGLTF_COMPONENT_TYPE_FLOAT ||
+        (components == Components::floatOrNormalizedUnsigned && isUnsigned && accessor.normalized) ||
+        (components == Components::anySmallInteger && (componentSize == 1 || componentSize == 2));
+    if (!allowed)
+        file.fail(name + " has component type " + std::to_string(type) + ", which is not allowed there");
+
+    const auto scalars = static_cast<std::size_t>(width);
+    const std::vector<unsigned char> bytes = packedElements(file, accessor, scalars * componentSize, name);
+    file.reserveGeometry(accessor.count, scalars * sizeof(float));
+    std::vector<float> values(accessor.count * scalars);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = loadFloat(&bytes[i * componentSize], type, accessor.normalized);
+    return values;
+}
+
+std::vector<std::uint32_t> readIndices(GltfFile& file, int index, std::size_t vertexCount) {
+    const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
+    const std::string name = named(index) + " (indices)";
+    const int type = accessor.componentType;
+    const bool isUnsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    if (accessor.type != TINYGLTF_TYPE_SCALAR || !isUnsigned)
+        file.fail(name + " is not a list of unsigned integers (component type " + std::to_string(type) + ")");
+
+    const std::size_t size = componentBytes(type);
+    const std::vector<unsigned char> bytes = packedElements(file, accessor, size, name);
+    file.reserveGeometry(accessor.count, sizeof(std::uint32_t));
+    std::vector<std::uint32_t> indices(accessor.count);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        indices[i] = loadUnsigned(&bytes[i * size], size);
+        if (indices[i] >= vertexCount)
+            file.fail(name + " points at vertex " + std::to_string(indices[i]) + " of " +
+                      std::to_string(vertexCount));
+    }
+    return indices;
+}
+
+}  // namespace vct

@@ -1,0 +1,255 @@
+#include "scene/gltf_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace vct {
+namespace {
+
+using nlohmann::json;
+using Bytes = std::vector<unsigned char>;
+
+// tinygltf and the JSON writer recurse once per level; glTF itself needs about ten.
+constexpr int maxJsonDepth = 64;
+
+// Several times the largest public scenes; keeps a small malicious file from asking for all of the memory.
+constexpr std::size_t maxGeometryBytes = std::size_t{2} << 30;
+constexpr std::size_t maxTextureBytes = std::size_t{4} << 30;
+
+const char* const supportedExtensions[] = {"KHR_lights_punctual", "KHR_texture_transform",
+                                           "KHR_materials_emissive_strength", "KHR_mesh_quantization"};
+
+struct Chunks {
+    const unsigned char* json = nullptr;
+    std::size_t jsonSize = 0;
+    const unsigned char* binary = nullptr;
+    std::size_t binarySize = 0;
+};
+
+std::uint32_t littleEndian32(const unsigned char* bytes) {
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+           static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+// glTF 2.0 section 4.4: header of 12 bytes, then chunks of length, type and content.
+Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
+    constexpr std::uint32_t jsonChunk = 0x4E4F534A;
+    constexpr std::uint32_t binaryChunk = 0x004E4942;
+    const char* const copyRemedy = "copy or export it again";
+    if (bytes.size() < 12) file.fail("the file ends inside its header", copyRemedy);
+    const std::uint32_t version = littleEndian32(&bytes[4]);
+    if (version != 2)
+        file.fail("it is binary glTF version " + std::to_string(version) + " and only version 2 is read",
+                  "export it as glTF 2.0");
+    const std::size_t length = littleEndian32(&bytes[8]);
+    if (length > bytes.size())
+        file.fail("the file is cut short: it holds " + std::to_string(bytes.size()) + " of " +
+                      std::to_string(length) + " bytes",
+                  copyRemedy);
+
+    Chunks chunks;
+    std::size_t offset = 12;
+    while (offset + 8 <= length) {
+        const std::size_t size = littleEndian32(&bytes[offset]);
+        const std::uint32_t type = littleEndian32(&bytes[offset + 4]);
+        offset += 8;
+        if (size > length - offset) file.fail("a chunk reaches beyond the end of the file", copyRemedy);
+        const unsigned char* content = bytes.data() + offset;
+        if (type == jsonChunk && chunks.json == nullptr) {
+            chunks.json = content;
+            chunks.jsonSize = size;
+        } else if (type == binaryChunk && chunks.binary == nullptr) {
+            chunks.binary = content;
+            chunks.binarySize = size;
+        }
+        offset += (size + 3) / 4 * 4;
+    }
+    if (chunks.json == nullptr) file.fail("it has no JSON chunk", copyRemedy);
+    return chunks;
+}
+
+json parseJson(const GltfFile& file, const Chunks& chunks) {
+    const auto checkDepth = [&file](int depth, json::parse_event_t, json&) {
+        if (depth > maxJsonDepth)
+            file.fail("its JSON is nested more than " + std::to_string(maxJsonDepth) + " levels deep");
+        return true;
+    };
+    try {
+        json document = json::parse(chunks.json, chunks.json + chunks.jsonSize, checkDepth);
+        if (!document.is_object()) file.fail("its JSON is not an object");
+        return document;
+    } catch (const json::exception& error) {
+        file.fail("its JSON is damaged (" + oneLine(error.what()) + ")");
+    }
+}
+
+std::string text(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+void checkAsset(const GltfFile& file, const json& document) {
+    const auto asset = document.find("asset");
+    const std::string version = asset == document.end() ? std::string() : text(*asset, "version");
+    if (version.empty()) file.fail("its JSON has no asset.version, so it is not glTF 2.0");
+    const std::string minVersion = text(*asset, "minVersion");
+    if (version.compare(0, 2, "2.") != 0 || (!minVersion.empty() && minVersion != "2.0"))
+        file.fail(
+            "it needs glTF " + oneLine(minVersion.empty() ? version : minVersion) + " and only 2.0 is read",
+            "export it as glTF 2.0");
+}
+
+void checkExtensions(GltfFile& file, const json& document) {
+    const auto names = [&](const char* key) {
+        std::vector<std::string> result;
+        const auto found = document.find(key);
+        if (found == document.end() || !found->is_array()) return result;
+        for (const json& name : *found) {
+            if (!name.is_string()) continue;
+            const std::string extension = name.get<std::string>();
+            const bool supported = std::find(std::begin(supportedExtensions), std::end(supportedExtensions),
+                                             extension) != std::end(supportedExtensions);
+            if (!supported) result.push_back(oneLine(extension));
+        }
+        return result;
+    };
+    std::string missing;
+    for (const std::string& name : names("extensionsRequired"))
+        missing += (missing.empty() ? "" : ", ") + name;
+    if (!missing.empty())
+        file.fail("it requires an extension that is not supported: " + missing, "export it without that");
+    for (const std::string& name : names("extensionsUsed"))
+        file.warn("extension " + name + " is ignored");
+}
+
+// Takes an array out of the document. What is taken, tinygltf does not see.
+json take(const GltfFile& file, json& document, const char* key) {
+    const auto found = document.find(key);
+    if (found == document.end()) return json::array();
+    json array = std::move(*found);
+    document.erase(found);
+    const auto isObject = [](const json& element) { return element.is_object(); };
+    if (!array.is_array() || !std::all_of(array.begin(), array.end(), isObject))
+        file.fail(std::string("its ") + key + " are not a list of objects");
+    return array;
+}
+
+void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const json& source = buffers[i];
+        const std::string what = "buffer " + std::to_string(i);
+        const auto length = source.find("byteLength");
+        if (length == source.end() || !length->is_number_unsigned()) file.fail(what + " has no byteLength");
+        const auto byteLength = length->get<std::uint64_t>();
+
+        tinygltf::Buffer buffer;
+        const std::string uri = text(source, "uri");
+        std::size_t available = chunks.binarySize;
+        if (!uri.empty()) {
+            buffer.data = readUri(file, uri, what);
+            available = buffer.data.size();
+        } else if (i != 0 || chunks.binary == nullptr) {
+            file.fail(what + " has neither a uri nor a binary chunk");
+        }
+        if (byteLength > available)
+            file.fail(what + " is cut short: it holds " + std::to_string(available) + " of " +
+                      std::to_string(byteLength) + " bytes");
+        if (uri.empty()) buffer.data.assign(chunks.binary, chunks.binary + byteLength);
+        buffer.data.resize(static_cast<std::size_t>(byteLength));
+        file.model.buffers.push_back(std::move(buffer));
+    }
+}
+
+void readImageSources(GltfFile& file, const json& images) {
+    for (const json& source : images) {
+        tinygltf::Image image;
+        image.name = text(source, "name");
+        image.uri = text(source, "uri");
+        const auto view = source.find("bufferView");
+        if (view != source.end() && view->is_number_unsigned())
+            image.bufferView =
+                static_cast<int>(std::min<std::uint64_t>(view->get<std::uint64_t>(), INT32_MAX));
+        file.model.images.push_back(std::move(image));
+    }
+}
+
+}  // namespace
+
+void GltfFile::fail(const std::string& cause, const std::string& remedy) const {
+    throw Error("cannot load " + oneLine(path) + ": " + cause + "; " + remedy);
+}
+
+void GltfFile::warn(const std::string& what) {
+    if (std::find(warnings.begin(), warnings.end(), what) == warnings.end()) warnings.push_back(what);
+}
+
+void GltfFile::reserveGeometry(std::size_t count, std::size_t bytesEach) {
+    if (count > (maxGeometryBytes - geometryBytes) / bytesEach)
+        fail("its meshes ask for more than " + std::to_string(maxGeometryBytes >> 20) + " MiB of vertices",
+             "simplify the scene");
+    geometryBytes += count * bytesEach;
+}
+
+void GltfFile::reserveTexture(std::size_t bytes) {
+    if (bytes > maxTextureBytes - textureBytes)
+        fail("its textures ask for more than " + std::to_string(maxTextureBytes >> 20) + " MiB",
+             "scale them down");
+    textureBytes += bytes;
+}
+
+bool GltfFile::uses(const std::string& extension) const {
+    return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) !=
+           model.extensionsUsed.end();
+}
+
+std::string oneLine(std::string text) {
+    constexpr std::size_t maxLength = 300;
+    if (text.size() > maxLength) text = text.substr(0, maxLength) + "...";
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+    }
+    while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
+        text.pop_back();
+    return text;
+}
+
+GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
+    GltfFile file;
+    file.path = path;
+    file.readFile = readFile;
+
+    const Bytes bytes = readFile(path);
+    if (bytes.empty()) file.fail("the file is empty", "copy or export it again");
+    Chunks chunks{bytes.data(), bytes.size(), nullptr, 0};
+    if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) chunks = splitGlb(file, bytes);
+
+    json document = parseJson(file, chunks);
+    checkAsset(file, document);
+    checkExtensions(file, document);
+    const json buffers = take(file, document, "buffers");
+    const json images = take(file, document, "images");
+    if (!take(file, document, "animations").empty())
+        file.warn("animations are ignored: nodes stay where the file puts them");
+    if (!take(file, document, "skins").empty())
+        file.warn("skins are ignored: meshes stay as they are modelled");
+
+    tinygltf::TinyGLTF parser;
+    std::string errors;
+    std::string ignored;
+    const std::string structure = document.dump();
+    const bool parsed = parser.LoadASCIIFromString(&file.model, &errors, &ignored, structure.c_str(),
+                                                   static_cast<unsigned>(structure.size()), "");
+    // tinygltf drops an object with a missing property and goes on; a scene with holes would surprise more.
+    if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + oneLine(errors) + ")");
+
+    readBuffers(file, buffers, chunks);
+    readImageSources(file, images);
+    return file;
+}
+
+}  // namespace vct

@@ -1,0 +1,116 @@
+#include "scene/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vct {
+namespace {
+
+// The number `key` of an extension object, or `fallback` where there is none.
+double number(const tinygltf::Value& object, const std::string& key, double fallback) {
+    const tinygltf::Value& value = object.IsObject() ? object.Get(key) : object;
+    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
+}
+
+glm::dvec2 vector2(const tinygltf::Value& object, const std::string& key, const glm::dvec2& fallback) {
+    if (!object.Has(key)) return fallback;
+    const tinygltf::Value& value = object.Get(key);
+    if (value.ArrayLen() != 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber()) return fallback;
+    return {value.Get(0).GetNumberAsDouble(), value.Get(1).GetNumberAsDouble()};
+}
+
+float inFloatRange(const GltfFile& file, double value, const std::string& what) {
+    if (!(std::abs(value) <= 1e30)) file.fail("the " + what + " of a material is not a usable number");
+    return static_cast<float>(value);
+}
+
+// KHR_texture_transform: scale, then rotate, then move. The sign of the rotation is that of the extension's
+// example ("lower left quadrant, rotated clockwise") and of the Khronos sample viewer; read as columns, the
+// matrix in the extension's text turns the other way.
+void applyTransform(const GltfFile& file, const tinygltf::TextureInfo& info, UvSource& uv) {
+    const auto found = info.extensions.find("KHR_texture_transform");
+    if (found == info.extensions.end()) return;
+    const tinygltf::Value& transform = found->second;
+    const glm::dvec2 scale = vector2(transform, "scale", glm::dvec2(1.0));
+    const double angleRad = number(transform, "rotation", 0.0);
+    const double c = std::cos(angleRad);
+    const double s = std::sin(angleRad);
+    uv.offset = vector2(transform, "offset", glm::dvec2(0.0));
+    uv.rotationScale = glm::dmat2(c, -s, s, c) * glm::dmat2(scale.x, 0.0, 0.0, scale.y);
+    if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
+        uv.texCoord = transform.Get("texCoord").GetNumberAsInt();
+    // 1e9 keeps the result within float for any coordinate that survives the check on loading.
+    for (const double value : {scale.x, scale.y, angleRad, uv.offset.x, uv.offset.y}) {
+        if (!(std::abs(value) <= 1e9)) file.fail("a KHR_texture_transform is not usable");
+    }
+}
+
+}  // namespace
+
+const MaterialUse& MaterialLoader::get(int index) {
+    const auto found = materials_.find(index);
+    if (found != materials_.end()) return found->second;
+    static const tinygltf::Material defaultMaterial;
+    const MaterialUse use =
+        load(index == -1 ? defaultMaterial : file_.at(file_.model.materials, index, "material"));
+    return materials_.emplace(index, use).first->second;
+}
+
+MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
+    Material material;
+    MaterialUse use;
+    material.name = source.name;
+    material.doubleSided = source.doubleSided;
+
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    for (int i = 0; i < 4 && i < static_cast<int>(pbr.baseColorFactor.size()); ++i)
+        material.baseColor[i] =
+            static_cast<float>(std::clamp(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0.0, 1.0));
+    material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
+
+    double strength = 1.0;
+    const auto extension = source.extensions.find("KHR_materials_emissive_strength");
+    if (extension != source.extensions.end())
+        strength = std::max(number(extension->second, "emissiveStrength", 1.0), 0.0);
+    for (int i = 0; i < 3 && i < static_cast<int>(source.emissiveFactor.size()); ++i) {
+        const double factor = std::clamp(source.emissiveFactor[static_cast<std::size_t>(i)], 0.0, 1.0);
+        material.emissive[i] = inFloatRange(file_, factor * strength, "emission");
+    }
+    material.emissiveTexture = texture(source.emissiveTexture, use.emissive);
+
+    material.alphaCutoff = inFloatRange(file_, source.alphaCutoff, "alpha cutoff");
+    if (source.alphaMode == "MASK") {
+        material.alphaMode = Material::AlphaMode::mask;
+    } else if (source.alphaMode == "BLEND") {
+        // The alpha that divides leaf from gap, and glass from wall.
+        material.alphaMode = Material::AlphaMode::mask;
+        material.alphaCutoff = 0.5F;
+        file_.warn("blended materials are drawn as masks: opaque where alpha is 0.5 or more, else absent");
+    } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
+        file_.fail("a material has the unknown alpha mode " + oneLine(source.alphaMode));
+    }
+    if (source.normalTexture.index >= 0) file_.warn("normal maps are ignored");
+    if (pbr.metallicRoughnessTexture.index >= 0) file_.warn("metallic-roughness textures are ignored");
+
+    use.material = static_cast<int>(scene_.materials.size());
+    scene_.materials.push_back(std::move(material));
+    return use;
+}
+
+int MaterialLoader::texture(const tinygltf::TextureInfo& info, UvSource& uv) {
+    if (info.index == -1) return -1;
+    uv.hasTexture = true;
+    uv.texCoord = info.texCoord;
+    applyTransform(file_, info, uv);
+    if (uv.texCoord < 0) file_.fail("a material refers to a negative texture coordinate set");
+
+    const auto found = textures_.find(info.index);
+    if (found != textures_.end()) return found->second;
+    Texture loaded = loadTexture(file_, info.index);
+    const int index = static_cast<int>(scene_.textures.size());
+    scene_.textures.push_back(std::move(loaded));
+    textures_[info.index] = index;
+    return index;
+}
+
+}  // namespace vct

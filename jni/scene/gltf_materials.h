@@ -1,0 +1,50 @@
+// Materials and textures of a glTF file. Only those that a mesh uses are made, and each once.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scene/gltf_file.h"
+
+namespace vct {
+
+// Where a texture's coordinates come from: a TEXCOORD set and KHR_texture_transform.
+struct UvSource {
+    int texCoord = 0;
+    bool hasTexture = false;
+    glm::dmat2 rotationScale{1.0};
+    glm::dvec2 offset{0.0};
+
+    glm::vec2 operator()(const glm::vec2& uv) const {
+        return glm::vec2(rotationScale * glm::dvec2(uv) + offset);
+    }
+};
+
+struct MaterialUse {
+    int material = 0;  // index into Scene::materials
+    UvSource baseColor;
+    UvSource emissive;
+};
+
+class MaterialLoader {
+  public:
+    MaterialLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+
+    // The material `index` of the file; -1 is glTF's default material.
+    const MaterialUse& get(int index);
+
+  private:
+    MaterialUse load(const tinygltf::Material& source);
+    // Index into Scene::textures, or -1 where `info` names none.
+    int texture(const tinygltf::TextureInfo& info, UvSource& uv);
+
+    GltfFile& file_;
+    Scene& scene_;
+    std::map<int, MaterialUse> materials_;  // by index in the file
+    std::map<int, int> textures_;           // index in the file to index in the scene
+};
+
+// Decodes the texture `index` of the file: 8-bit RGBA from PNG or JPEG.
+Texture loadTexture(GltfFile& file, int index);
+
+}  // namespace vct

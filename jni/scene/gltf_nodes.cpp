@@ -1,0 +1,199 @@
+#include "scene/gltf_nodes.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace vct {
+namespace {
+
+constexpr int maxDepth = 1000;  // of nodes; real hierarchies have less than a hundred levels
+
+std::string named(const GltfFile& file, const tinygltf::Node& node) {
+    return "node " + std::to_string(&node - file.model.nodes.data()) +
+           (node.name.empty() ? "" : " (" + oneLine(node.name) + ")");
+}
+
+void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(matrix[column][row]) <= 1e30))
+                file.fail(named(file, node) + " has a transformation that is not a usable number");
+        }
+    }
+}
+
+glm::dmat4 localTransform(const GltfFile& file, const tinygltf::Node& node) {
+    const auto wrongSize = [](const std::vector<double>& values, std::size_t size) {
+        return !values.empty() && values.size() != size;
+    };
+    if (wrongSize(node.matrix, 16) || wrongSize(node.translation, 3) || wrongSize(node.rotation, 4) ||
+        wrongSize(node.scale, 3))
+        file.fail(named(file, node) + " has a transformation with a wrong number of elements");
+
+    glm::dmat4 matrix(1.0);
+    if (!node.matrix.empty()) {
+        for (int i = 0; i < 16; ++i)
+            matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+        if (matrix[0][3] != 0.0 || matrix[1][3] != 0.0 || matrix[2][3] != 0.0 || matrix[3][3] != 1.0)
+            file.fail(named(file, node) + " has a matrix whose last row is not 0 0 0 1");
+        return matrix;
+    }
+    if (!node.translation.empty())
+        matrix = glm::translate(matrix, {node.translation[0], node.translation[1], node.translation[2]});
+    if (!node.rotation.empty()) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = glm::length(rotation);
+        if (!(length > 1e-6) || !std::isfinite(length))
+            file.fail(named(file, node) + " has a rotation that is not a unit quaternion");
+        matrix *= glm::mat4_cast(rotation / length);
+    }
+    if (!node.scale.empty()) matrix = glm::scale(matrix, {node.scale[0], node.scale[1], node.scale[2]});
+    return matrix;
+}
+
+// Every node has one parent at most: else the walk below might not end.
+std::vector<bool> findChildren(const GltfFile& file) {
+    const std::vector<tinygltf::Node>& nodes = file.model.nodes;
+    std::vector<bool> isChild(nodes.size());
+    for (const tinygltf::Node& node : nodes) {
+        for (const int child : node.children) {
+            file.at(nodes, child, "node");
+            const auto index = static_cast<std::size_t>(child);
+            if (isChild[index]) file.fail(named(file, nodes[index]) + " is a child twice");
+            isChild[index] = true;
+        }
+    }
+    return isChild;
+}
+
+std::vector<int> findRoots(const GltfFile& file, const std::vector<bool>& isChild) {
+    const tinygltf::Model& model = file.model;
+    if (!model.scenes.empty()) {
+        const int scene = model.defaultScene == -1 ? 0 : model.defaultScene;
+        return file.at(model.scenes, scene, "scene").nodes;
+    }
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < isChild.size(); ++i) {
+        if (!isChild[i]) roots.push_back(static_cast<int>(i));
+    }
+    return roots;
+}
+
+// With one parent each, nodes that no root reaches go round in a circle.
+void checkCycles(const GltfFile& file, const std::vector<bool>& isChild) {
+    const std::vector<tinygltf::Node>& nodes = file.model.nodes;
+    std::vector<int> reached;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!isChild[i]) reached.push_back(static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const tinygltf::Node& node = nodes[static_cast<std::size_t>(reached[i])];
+        reached.insert(reached.end(), node.children.begin(), node.children.end());
+    }
+    if (reached.size() != nodes.size()) file.fail("its nodes form a cycle: one is its own ancestor");
+}
+
+}  // namespace
+
+std::vector<PlacedNode> placeNodes(const GltfFile& file) {
+    struct Pending {
+        int node;
+        int depth;
+        glm::dmat4 worldFromParent;
+    };
+    const std::vector<bool> isChild = findChildren(file);
+    checkCycles(file, isChild);
+
+    std::vector<Pending> pending;
+    const std::vector<int> roots = findRoots(file, isChild);
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+        pending.push_back({*root, 1, glm::dmat4(1.0)});
+
+    std::vector<PlacedNode> placed;
+    std::vector<bool> visited(file.model.nodes.size());
+    while (!pending.empty()) {
+        const Pending next = pending.back();
+        pending.pop_back();
+        const tinygltf::Node& node = file.at(file.model.nodes, next.node, "node");
+        const auto index = static_cast<std::size_t>(next.node);
+        if (visited[index]) file.fail(named(file, node) + " is in the scene twice");
+        visited[index] = true;
+        if (next.depth > maxDepth)
+            file.fail("its nodes are nested more than " + std::to_string(maxDepth) + " levels deep");
+        const glm::dmat4 worldFromNode = next.worldFromParent * localTransform(file, node);
+        checkFinite(file, worldFromNode, node);
+        placed.push_back({&node, worldFromNode});
+        for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+            pending.push_back({*child, next.depth + 1, worldFromNode});
+    }
+    return placed;
+}
+
+void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
+    if (placed.node->camera == -1) return;
+    const tinygltf::Camera& source = file.at(file.model.cameras, placed.node->camera, "camera");
+    if (source.type != "perspective") {
+        file.warn("orthographic cameras are left out");
+        return;
+    }
+    Camera camera;
+    camera.name = source.name.empty() ? placed.node->name : source.name;
+    camera.verticalFovRad = source.perspective.yfov;
+    if (!(camera.verticalFovRad > 0.0 && camera.verticalFovRad < 3.14159265358979))
+        file.fail("camera \"" + oneLine(camera.name) +
+                  "\" has a field of view that is not between 0 and 180 degrees");
+
+    // The axes that matter are where it looks (-Z) and which way is up (+Y); scale and mirroring are dropped.
+    const glm::dmat4& world = placed.worldFromNode;
+    const glm::dvec3 back(world[2]);
+    const glm::dvec3 right = glm::cross(glm::dvec3(world[1]), back);
+    const double backLength = glm::length(back);
+    const double rightLength = glm::length(right);
+    if (!(backLength > 0.0 && rightLength > 0.0 && std::isfinite(rightLength))) {
+        file.warn("a camera without an orientation (zero scale) is left out");
+        return;
+    }
+    const glm::dvec3 z = back / backLength;
+    const glm::dvec3 x = right / rightLength;
+    camera.worldFromCamera =
+        glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0), glm::dvec4(z, 0.0), world[3]);
+    scene.cameras.push_back(std::move(camera));
+}
+
+void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
+    const auto extension = placed.node->extensions.find("KHR_lights_punctual");
+    if (extension == placed.node->extensions.end()) return;
+    const bool hasIndex = extension->second.Has("light") && extension->second.Get("light").IsInt();
+    const int index = hasIndex ? extension->second.Get("light").GetNumberAsInt() : -1;
+    const tinygltf::Light& source = file.at(file.model.lights, index, "light");
+    if (source.type != "directional") {
+        file.warn("lights of type " + oneLine(source.type) + " are ignored; only directional ones shine");
+        return;
+    }
+    const glm::dvec3 back(placed.worldFromNode[2]);  // light travels along -Z
+    const double length = glm::length(back);
+    if (!(length > 0.0)) {
+        file.warn("a light without a direction (zero scale) is left out");
+        return;
+    }
+    glm::dvec3 color(1.0);
+    if (!source.color.empty()) {
+        if (source.color.size() != 3) file.fail("a light has a colour that is not three numbers");
+        color = {source.color[0], source.color[1], source.color[2]};
+    }
+    color = glm::max(color, glm::dvec3(0.0));
+    const double largest = std::max(color.x, std::max(color.y, color.z));
+    const double intensity = std::max(source.intensity, 0.0) * largest;
+    if (!(intensity <= 1e30)) file.fail("a light has an intensity that is not a usable number");
+
+    DirectionalLight light;
+    light.towardsLight = back / length;
+    const bool shines = intensity > 0.0;
+    light.color = shines ? glm::vec3(color / largest) : glm::vec3(0.0F);
+    light.intensity = shines ? static_cast<float>(intensity) : 0.0F;
+    scene.lights.push_back(light);
+    if (scene.lights.size() > 1) file.warn("of several directional lights only the first one shines");
+}
+
+}  // namespace vct

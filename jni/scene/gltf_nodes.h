@@ -1,0 +1,22 @@
+// The node hierarchy of a glTF file, flattened.
+#pragma once
+
+#include <vector>
+
+#include "scene/gltf_file.h"
+
+namespace vct {
+
+struct PlacedNode {
+    const tinygltf::Node* node = nullptr;
+    glm::dmat4 worldFromNode{1.0};
+};
+
+// The nodes of the default scene, parents first. Throws where the nodes are not a forest.
+std::vector<PlacedNode> placeNodes(const GltfFile& file);
+
+// The camera or the directional light of a node, added to the scene; what is not supported is warned of.
+void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene);
+void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene);
+
+}  // namespace vct

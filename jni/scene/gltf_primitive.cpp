@@ -1,0 +1,225 @@
+#include "scene/gltf_primitive.h"
+
+#include <cmath>
+#include <limits>
+
+#include "scene/gltf_accessors.h"
+
+namespace vct {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+// Differences of positions up to here can be squared and multiplied in float shaders' range reductions;
+// beyond it a scene cannot be told from a damaged file.
+constexpr double maxExtent = 1e30;
+
+// glTF 2.0 section 3.7.2.1: strips and fans as lists, the winding kept.
+Indices triangleList(GltfFile& file, int mode, Indices corners) {
+    const std::size_t count = corners.size();
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        if (count % 3 != 0) file.warn("a list of triangles ends with an incomplete one, which is left out");
+        corners.resize(count / 3 * 3);
+        return corners;
+    }
+    Indices list;
+    if (count < 3) return list;
+    file.reserveGeometry((count - 2) * 3, sizeof(std::uint32_t));
+    list.reserve((count - 2) * 3);
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+        const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+        const std::size_t odd = i % 2;
+        list.push_back(strip ? corners[i] : corners[0]);
+        list.push_back(strip ? corners[i + 1 + odd] : corners[i + 1]);
+        list.push_back(strip ? corners[i + 2 - odd] : corners[i + 2]);
+    }
+    return list;
+}
+
+glm::dvec3 position(const std::vector<float>& values, std::uint32_t vertex) {
+    const float* p = &values[std::size_t{3} * vertex];
+    return {p[0], p[1], p[2]};
+}
+
+Bounds usedBounds(const GltfFile& file, const std::vector<float>& positions, const Indices& indices,
+                  const std::string& meshName) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    for (const std::uint32_t index : indices) {
+        const glm::dvec3 p = position(positions, index);
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            file.fail("mesh \"" + oneLine(meshName) + "\" has a position that is not a finite number");
+        bounds.min = glm::min(bounds.min, p);
+        bounds.max = glm::max(bounds.max, p);
+    }
+    const glm::dvec3 extent = bounds.max - bounds.min;
+    if (!(extent.x <= maxExtent && extent.y <= maxExtent && extent.z <= maxExtent))
+        file.fail("mesh \"" + oneLine(meshName) + "\" has positions further apart than 1e30",
+                  "scale it down");
+    return bounds;
+}
+
+// Unit length, or `fallback` where there is no direction.
+glm::vec3 unitOr(const glm::dvec3& v, const glm::vec3& fallback) {
+    const double length = std::sqrt(glm::dot(v, v));
+    return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : fallback;
+}
+
+// Twice the area times the normal. Double: products of float differences neither overflow nor vanish.
+glm::dvec3 areaNormal(const Mesh& mesh, std::size_t firstIndex) {
+    const auto corner = [&](std::size_t i) {
+        return glm::dvec3(mesh.vertices[mesh.indices[firstIndex + i]].position);
+    };
+    return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+}
+
+const glm::vec3 degenerateNormal{0.0F, 1.0F, 0.0F};  // of a triangle without area, which is never seen
+
+// glTF 2.0 section 3.7.2.1: without normals, flat ones; each triangle gets vertices of its own.
+void makeFlat(GltfFile& file, Mesh& mesh) {
+    file.reserveGeometry(mesh.indices.size(), sizeof(Vertex));
+    std::vector<Vertex> vertices;
+    vertices.reserve(mesh.indices.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::vec3 normal = unitOr(areaNormal(mesh, i), degenerateNormal);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            vertices.push_back(mesh.vertices[mesh.indices[i + corner]]);
+            vertices.back().normal = normal;
+        }
+    }
+    mesh.vertices = std::move(vertices);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+        mesh.indices[i] = static_cast<std::uint32_t>(i);
+}
+
+// Unit normals; where the file's have no direction, that of the faces around the vertex.
+void setNormals(GltfFile& file, Mesh& mesh, const std::vector<float>& normals) {
+    std::vector<bool> bad(mesh.vertices.size());
+    bool anyBad = false;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const float* n = &normals[i * 3];
+        const glm::dvec3 normal(n[0], n[1], n[2]);
+        const double length2 = glm::dot(normal, normal);
+        // Exporters write unit length; a thousandth of that is rounding noise, not a direction.
+        bad[i] = !(length2 > 1e-6 && std::isfinite(length2));
+        anyBad = anyBad || bad[i];
+        mesh.vertices[i].normal = bad[i] ? degenerateNormal : unitOr(normal, degenerateNormal);
+    }
+    if (!anyBad) return;
+
+    std::vector<glm::dvec3> sums(mesh.vertices.size(), glm::dvec3(0.0));
+    bool usedBad = false;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 normal = areaNormal(mesh, i);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            sums[mesh.indices[i + corner]] += normal;
+            usedBad = usedBad || bad[mesh.indices[i + corner]];
+        }
+    }
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        if (bad[i]) mesh.vertices[i].normal = unitOr(sums[i], degenerateNormal);
+    }
+    if (usedBad) file.warn("normals without a direction are replaced by those of their faces");
+}
+
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, const UvSource& source,
+           glm::vec2 Vertex::*member) {
+    const std::string name = "TEXCOORD_" + std::to_string(source.texCoord);
+    const int accessor = attribute(primitive, name);
+    if (accessor == -1) {
+        if (source.hasTexture)
+            file.warn("a textured mesh has no " + name + "; its texture is a single texel");
+        return;
+    }
+    const Components components = file.uses("KHR_mesh_quantization") ? Components::anySmallInteger
+                                                                     : Components::floatOrNormalizedUnsigned;
+    const std::vector<float> values = readFloats(file, accessor, 2, components, name);
+    if (values.size() != mesh.vertices.size() * 2)
+        file.fail(name + " has " + std::to_string(values.size() / 2) + " elements for " +
+                  std::to_string(mesh.vertices.size()) + " vertices");
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const glm::vec2 uv(values[i * 2], values[i * 2 + 1]);
+        const bool usable = std::abs(uv.x) <= 1e9F && std::abs(uv.y) <= 1e9F;  // false for NaN
+        if (!usable) file.warn("texture coordinates that are not usable numbers are taken as 0");
+        mesh.vertices[i].*member = source(usable ? uv : glm::vec2(0.0F));
+    }
+}
+
+void warnOfIgnored(GltfFile& file, const tinygltf::Primitive& primitive) {
+    if (primitive.attributes.count("COLOR_0") != 0) file.warn("vertex colours (COLOR_0) are ignored");
+    if (!primitive.targets.empty()) file.warn("morph targets are ignored");
+}
+
+}  // namespace
+
+std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
+                                  MaterialLoader& materials, const std::string& meshName) {
+    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        file.fail("mesh \"" + oneLine(meshName) + "\" has the unknown mode " +
+                  std::to_string(primitive.mode));
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+        file.warn("points and lines are left out");
+        return std::nullopt;
+    }
+    warnOfIgnored(file, primitive);
+
+    const int positionAccessor = attribute(primitive, "POSITION");
+    if (positionAccessor == -1) {
+        file.warn("a mesh without positions is left out");
+        return std::nullopt;
+    }
+    const Components components =
+        file.uses("KHR_mesh_quantization") ? Components::anySmallInteger : Components::floatOnly;
+    const std::vector<float> positions = readFloats(file, positionAccessor, 3, components, "POSITION");
+    const std::size_t vertexCount = positions.size() / 3;
+    if (vertexCount > std::numeric_limits<std::uint32_t>::max())
+        file.fail("a mesh has more than 2^32 vertices");
+
+    Indices corners;
+    if (primitive.indices != -1) {
+        corners = readIndices(file, primitive.indices, vertexCount);
+    } else {
+        file.reserveGeometry(vertexCount, sizeof(std::uint32_t));
+        corners.resize(vertexCount);
+        for (std::size_t i = 0; i < vertexCount; ++i)
+            corners[i] = static_cast<std::uint32_t>(i);
+    }
+
+    Mesh mesh;
+    mesh.name = meshName;
+    mesh.indices = triangleList(file, primitive.mode, std::move(corners));
+    if (mesh.indices.empty()) return std::nullopt;
+
+    const MaterialUse& material = materials.get(primitive.material);
+    mesh.material = material.material;
+    const Bounds bounds = usedBounds(file, positions, mesh.indices, meshName);
+    mesh.centre = 0.5 * (bounds.min + bounds.max);
+    file.reserveGeometry(vertexCount, sizeof(Vertex));
+    mesh.vertices.assign(vertexCount,
+                         Vertex{glm::vec3(0.0F), degenerateNormal, glm::vec2(0.0F), glm::vec2(0.0F)});
+    // Only vertices in use: others may hold anything, and stay at the centre.
+    for (const std::uint32_t index : mesh.indices)
+        mesh.vertices[index].position = glm::vec3(position(positions, index) - mesh.centre);
+
+    setUv(file, mesh, primitive, material.baseColor, &Vertex::uv);
+    setUv(file, mesh, primitive, material.emissive, &Vertex::emissiveUv);
+
+    const int normalAccessor = attribute(primitive, "NORMAL");
+    if (normalAccessor == -1) {
+        makeFlat(file, mesh);
+    } else {
+        const std::vector<float> normals = readFloats(file, normalAccessor, 3, components, "NORMAL");
+        if (normals.size() != positions.size())
+            file.fail("NORMAL has " + std::to_string(normals.size() / 3) + " elements for " +
+                      std::to_string(vertexCount) + " vertices");
+        setNormals(file, mesh, normals);
+    }
+    return mesh;
+}
+
+}  // namespace vct

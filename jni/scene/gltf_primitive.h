@@ -1,0 +1,15 @@
+// One glTF primitive as a Mesh.
+#pragma once
+
+#include <optional>
+
+#include "scene/gltf_file.h"
+#include "scene/gltf_materials.h"
+
+namespace vct {
+
+// Nothing where the primitive has no triangles (points and lines are left out with a warning).
+std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
+                                  MaterialLoader& materials, const std::string& meshName);
+
+}  // namespace vct
