@@ -1,0 +1,92 @@
+// `vct compare` as a script sees it: exit status and message.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "image/image.h"
+#include "image/temporary_folder.h"
+
+namespace vct {
+namespace {
+
+class CompareCommand : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        Image image(10, 10, glm::vec3(srgbDecode(100.0F / 255.0F)));
+        writePng(folder.file("a.png"), image);
+        image.at(4, 5).g = srgbDecode(107.0F / 255.0F);
+        writePng(folder.file("b.png"), image);
+        writePng(folder.file("small.png"), Image(9, 10));
+        Image bright(10, 10, glm::vec3(2.0F));
+        writeExr(folder.file("a.exr"), bright);
+        bright.at(0, 0).b = 2.5F;
+        writeExr(folder.file("b.exr"), bright);
+        bright.at(7, 3).r = std::nanf("");
+        writeExr(folder.file("nan.exr"), bright);
+    }
+
+    int run(const std::string& arguments) {
+        const std::string command = "cd '" + folder.path() + "' && '" + std::string(VCT_PROGRAM) +
+                                    "' compare " + arguments + " > text 2>&1";
+        const int status = std::system(command.c_str());
+        text = readBytes(folder.file("text"));
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    bool says(const std::string& words) const { return text.find(words) != std::string::npos; }
+
+    TemporaryFolder folder;
+    std::string text;
+};
+
+TEST_F(CompareCommand, ExitStatusFollowsBothNumbers) {
+    EXPECT_EQ(run("a.png a.png --max-difference 0 --max-fraction 0"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 7/255 --max-fraction 0"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 6/255 --max-fraction 0.01"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 6/255 --max-fraction 0.0099"), 1);
+    EXPECT_TRUE(says("largest difference 0.027451 (7/255)")) << text;
+    EXPECT_TRUE(says(": 0.01 (")) << text;
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
+TEST_F(CompareCommand, ExrsAreComparedInLinearUnits) {
+    EXPECT_EQ(run("a.exr b.exr --max-difference 0.5 --max-fraction 0"), 0) << text;
+    EXPECT_EQ(run("a.exr b.exr --max-difference 0.49 --max-fraction 0"), 1);
+    EXPECT_EQ(run("a.exr b.exr --max-difference 2 --max-fraction 0"), 0) << text;
+}
+
+TEST_F(CompareCommand, WhatCannotBeComparedFails) {
+    const std::string loose = " --max-difference 1 --max-fraction 1";
+    EXPECT_EQ(run("a.png none.png" + loose), 1);
+    EXPECT_TRUE(says("none.png': No such file")) << text;
+    EXPECT_EQ(run("a.png small.png" + loose), 1);
+    EXPECT_TRUE(says("9 x 10")) << text;
+    EXPECT_EQ(run("a.exr nan.exr" + loose), 1);
+    EXPECT_TRUE(says("second picture has a NaN or an infinity at pixel (7, 3)")) << text;
+    EXPECT_EQ(run("nan.exr nan.exr" + loose), 1);
+    EXPECT_EQ(run("a.png a.exr" + loose), 1);
+    EXPECT_TRUE(says("one is a PNG, the other an EXR")) << text;
+}
+
+TEST_F(CompareCommand, RefusesBadTolerances) {
+    for (const char* difference : {"x", "5/", "5/0", "-1", "nan", "inf", "5/255x", "256/255"}) {
+        EXPECT_NE(run("a.png a.png --max-fraction 0 --max-difference=" + std::string(difference)), 0)
+            << difference;
+        EXPECT_FALSE(text.empty()) << difference;
+    }
+    EXPECT_NE(run("a.png a.png --max-difference 0 --max-fraction 1.5"), 0);
+    EXPECT_NE(run("a.png a.png"), 0);
+}
+
+TEST_F(CompareCommand, WritesTheDifferencePicture) {
+    EXPECT_EQ(run("a.png b.png --max-difference 6/255 --max-fraction 0 --diff diff.png"), 1) << text;
+    const Image difference = readImage(folder.file("diff.png"));
+    EXPECT_EQ(difference.at(0, 0), glm::vec3(0.0F));
+    EXPECT_GT(difference.at(4, 5).g, srgbDecode(0.5F));
+    EXPECT_EQ(run("a.exr nan.exr --max-difference 1 --max-fraction 0 --diff nan.png"), 1) << text;
+    EXPECT_EQ(readImage(folder.file("nan.png")).at(7, 3), glm::vec3(1.0F, 0.0F, 1.0F));
+}
+
+}  // namespace
+}  // namespace vct

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "image/image.h"
+
+namespace vct {
+namespace {
+
+const glm::vec3 red(0.8F, 0.1F, 0.1F);
+const glm::vec3 blue(0.1F, 0.1F, 0.8F);
+const glm::vec3 paper(1.0F);
+
+int darkPixels(const Image& sheet, int left, int top, int right, int bottom) {
+    int count = 0;
+    for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x)
+            count += sheet.at(x, y).g < 0.05F ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(ContactSheet, PlacesPicturesInReadingOrderWithGaps) {
+    const Image a(100, 60, red);
+    const Image b(100, 60, blue);
+    const Image sheet = contactSheet({{"one", a}, {"two", b}, {"three", b}}, 2);
+    // 8 around and between, 4 and 24 for the label below.
+    ASSERT_EQ(sheet.width, 8 + 2 * 108);
+    ASSERT_EQ(sheet.height, 8 + 2 * (60 + 28 + 8));
+    EXPECT_EQ(sheet.at(7, 7), paper);
+    EXPECT_EQ(sheet.at(8, 8), red);
+    EXPECT_EQ(sheet.at(107, 67), red);
+    EXPECT_EQ(sheet.at(108, 67), paper);
+    EXPECT_EQ(sheet.at(116, 8), blue);
+    EXPECT_EQ(sheet.at(8, 104), blue);
+    EXPECT_EQ(sheet.at(116, 104), paper);  // no fourth picture
+}
+
+TEST(ContactSheet, WritesEachLabelBelowItsPicture) {
+    const Image white(200, 60, paper);
+    const Image sheet = contactSheet({{"mode 4: gi", white}, {"", white}}, 2);
+    EXPECT_GT(darkPixels(sheet, 8, 68, 208, 100), 100);
+    EXPECT_EQ(darkPixels(sheet, 0, 0, sheet.width, 68), 0);
+    EXPECT_EQ(darkPixels(sheet, 210, 0, sheet.width, sheet.height), 0);
+    const Image other = contactSheet({{"mode 5: ao", white}, {"", white}}, 2);
+    EXPECT_NE(sheet.pixels, other.pixels);
+}
+
+TEST(ContactSheet, MakesRoomForALongLabelAndForPicturesOfDifferentSizes) {
+    const std::string label(40, 'W');
+    const Image sheet = contactSheet({{label, Image(10, 10, red)}, {"x", Image(30, 50, blue)}}, 5);
+    EXPECT_GT(sheet.width, 2 * 40 * 8);
+    EXPECT_EQ(sheet.height, 8 + 50 + 28 + 8);
+    EXPECT_EQ(sheet.at(8, 18), paper);
+    EXPECT_EQ(sheet.at(sheet.width / 2 + 4, 57), blue);
+}
+
+TEST(ContactSheet, TakesAnyBytesAsALabel) {
+    const Image sheet = contactSheet({{"\xC3\xA9\n\t\x7F", Image(100, 10, paper)}}, 1);
+    const Image marks = contactSheet({{"?????", Image(100, 10, paper)}}, 1);
+    EXPECT_EQ(sheet.pixels, marks.pixels);
+    EXPECT_GT(darkPixels(marks, 0, 0, marks.width, marks.height), 0);
+}
+
+TEST(ContactSheet, RefusesNothing) {
+    EXPECT_THROW(contactSheet({}, 3), Error);
+    EXPECT_THROW(contactSheet({{"a", Image(2, 2)}}, 0), Error);
+}
+
+}  // namespace
+}  // namespace vct

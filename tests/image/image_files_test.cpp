@@ -1,0 +1,264 @@
+// Pictures on disk: what is written is what is read, and what cannot be is refused without a trace.
+#include <gtest/gtest.h>
+#include <tinyexr.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/error.h"
+#include "image/image.h"
+#include "image/temporary_folder.h"
+
+namespace vct {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string messageOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Image gradient(int width, int height) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int step = (x + 7 * y) % 256;
+            image.at(x, y) = {srgbDecode(float(step) / 255.0F), srgbDecode(float(255 - step) / 255.0F),
+                              srgbDecode(float(x % 256) / 255.0F)};
+        }
+    }
+    return image;
+}
+
+// Planes in the order given, which writeExr() does not offer.
+void writeExrPlanes(const std::string& path, const std::vector<std::pair<std::string, int>>& channels,
+                    int size) {
+    std::vector<std::vector<float>> planes;
+    std::vector<unsigned char*> pointers;
+    std::vector<EXRChannelInfo> infos(channels.size());
+    std::vector<int> given;
+    std::vector<int> stored;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        std::memset(&infos[i], 0, sizeof infos[i]);
+        std::strcpy(infos[i].name, channels[i].first.c_str());
+        // Distinct for each name, and exact in half precision.
+        planes.emplace_back(static_cast<std::size_t>(size * size), float(channels[i].first.back()) + 0.5F);
+        given.push_back(TINYEXR_PIXELTYPE_FLOAT);
+        stored.push_back(channels[i].second);
+    }
+    for (auto& plane : planes)
+        pointers.push_back(reinterpret_cast<unsigned char*>(plane.data()));
+    EXRHeader header;
+    InitEXRHeader(&header);
+    header.num_channels = static_cast<int>(channels.size());
+    header.channels = infos.data();
+    header.pixel_types = given.data();
+    header.requested_pixel_types = stored.data();
+    EXRImage image;
+    InitEXRImage(&image);
+    image.num_channels = header.num_channels;
+    image.images = pointers.data();
+    image.width = image.height = size;
+    const char* message = nullptr;
+    ASSERT_EQ(SaveEXRImageToFile(&image, &header, path.c_str(), &message), TINYEXR_SUCCESS);
+}
+
+TEST(Srgb, MatchesTheStandardAtKnownPoints) {
+    EXPECT_NEAR(srgbEncode(0.5F), 0.735357F, 1e-5F);
+    EXPECT_NEAR(srgbEncode(0.18F), 0.461356F, 1e-5F);
+    EXPECT_NEAR(srgbEncode(0.002F), 12.92F * 0.002F, 1e-7F);
+    EXPECT_NEAR(srgbDecode(0.5F), 0.214041F, 1e-5F);
+}
+
+TEST(Srgb, RoundTripsEveryEightBitStep) {
+    for (int i = 0; i < 256; ++i) {
+        const float step = float(i) / 255.0F;
+        EXPECT_EQ(std::lround(srgbEncode(srgbDecode(step)) * 255.0F), i);
+        EXPECT_NEAR(srgbEncode(srgbDecode(step)), step, 2e-6F);
+    }
+}
+
+TEST(Srgb, ClampsAndTurnsNanIntoBlack) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(srgbEncode(-0.1F), 0.0F);
+    EXPECT_EQ(srgbEncode(1.5F), 1.0F);
+    EXPECT_EQ(srgbEncode(infinity), 1.0F);
+    EXPECT_EQ(srgbEncode(-infinity), 0.0F);
+    EXPECT_EQ(srgbEncode(std::nanf("")), 0.0F);
+    EXPECT_EQ(srgbDecode(std::nanf("")), 0.0F);
+}
+
+TEST(Png, RoundTripsWithRowZeroAtTheTop) {
+    const TemporaryFolder folder;
+    const Image written = gradient(37, 19);
+    writePng(folder.file("a.png"), written);
+    const Image read = readImage(folder.file("a.png"));
+    ASSERT_EQ(read.width, 37);
+    ASSERT_EQ(read.height, 19);
+    for (std::size_t i = 0; i < written.pixels.size(); ++i)
+        EXPECT_EQ(read.pixels[i], written.pixels[i]) << i;
+    EXPECT_EQ(folder.list(), Names{"a.png"});
+}
+
+TEST(Png, WritesNanAsBlackAndClampsTheRest) {
+    const TemporaryFolder folder;
+    Image image(2, 1, {std::nanf(""), 7.0F, -3.0F});
+    image.at(1, 0) = glm::vec3(srgbDecode(0.4F));
+    writePng(folder.file("a.png"), image);
+    const Image read = readImage(folder.file("a.png"));
+    EXPECT_EQ(read.at(0, 0), glm::vec3(0.0F, 1.0F, 0.0F));
+    EXPECT_EQ(read.at(1, 0), glm::vec3(srgbDecode(102.0F / 255.0F)));
+}
+
+TEST(Exr, RoundTripsUnclampedValuesBitForBit) {
+    const TemporaryFolder folder;
+    for (const int side : {1, 40}) {  // tinyexr and OpenEXR pack small and large pictures differently
+        Image written(side, side, {1e-6F, 1000.0F, -2.5F});
+        written.at(side - 1, side - 1) = {1e30F, 0.1F, -0.0F};
+        written.at(0, side - 1) = {std::nanf(""), std::numeric_limits<float>::infinity(), 3.0F};
+        writeExr(folder.file("a.exr"), written);
+        const Image read = readImage(folder.file("a.exr"));
+        ASSERT_EQ(read.width, side);
+        ASSERT_EQ(read.height, side);
+        EXPECT_EQ(
+            std::memcmp(read.pixels.data(), written.pixels.data(), written.pixels.size() * sizeof(glm::vec3)),
+            0);
+    }
+    EXPECT_EQ(folder.list(), Names{"a.exr"});
+}
+
+TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.exr");
+    const glm::vec3 expected('R' + 0.5F, 'G' + 0.5F, 'B' + 0.5F);
+    for (const int type : {TINYEXR_PIXELTYPE_HALF, TINYEXR_PIXELTYPE_FLOAT}) {
+        writeExrPlanes(path, {{"R", type}, {"A", type}, {"G", type}, {"B", TINYEXR_PIXELTYPE_FLOAT}}, 20);
+        const Image read = readImage(path);
+        ASSERT_EQ(read.pixels.size(), 400U);
+        for (const glm::vec3& pixel : read.pixels)
+            ASSERT_EQ(pixel, expected);
+    }
+}
+
+TEST(Exr, ReplicatesYAndRefusesOtherChannels) {
+    const TemporaryFolder folder;
+    writeExrPlanes(folder.file("y.exr"), {{"Y", TINYEXR_PIXELTYPE_HALF}}, 3);
+    EXPECT_EQ(readImage(folder.file("y.exr")).at(2, 1), glm::vec3('Y' + 0.5F));
+    writeExrPlanes(folder.file("z.exr"), {{"R", TINYEXR_PIXELTYPE_HALF}, {"Z", TINYEXR_PIXELTYPE_FLOAT}}, 3);
+    EXPECT_NE(messageOf([&] { readImage(folder.file("z.exr")); }).find("channels R, G and B"),
+              std::string::npos);
+}
+
+TEST(ReadImage, RefusesEveryTruncation) {
+    const TemporaryFolder folder;
+    writePng(folder.file("a.png"), gradient(20, 40));
+    writeExr(folder.file("a.exr"), gradient(20, 40));
+    writeExrPlanes(folder.file("b.exr"), {{"Y", TINYEXR_PIXELTYPE_FLOAT}}, 5);
+    for (const char* name : {"a.png", "a.exr", "b.exr"}) {
+        const std::string whole = readBytes(folder.file(name));
+        ASSERT_GT(whole.size(), 100U);
+        for (std::size_t size = 0; size < whole.size(); size += size < 600 ? 1 : 97) {
+            writeBytes(folder.file("cut"), whole.substr(0, size));
+            const std::string message = messageOf([&] { readImage(folder.file("cut")); });
+            ASSERT_NE(message.find("cut'"), std::string::npos)
+                << name << " cut to " << size << ": " << message;
+        }
+    }
+}
+
+TEST(ReadImage, SurvivesChangedBytes) {
+    const TemporaryFolder folder;
+    writePng(folder.file("a.png"), gradient(20, 20));
+    writeExr(folder.file("a.exr"), gradient(20, 20));
+    for (const char* name : {"a.png", "a.exr"}) {
+        const std::string whole = readBytes(folder.file(name));
+        int refused = 0;
+        for (std::size_t at = 0; at < whole.size(); ++at) {
+            for (const char value : {'\x00', '\x7F', '\xFF'}) {
+                std::string changed = whole;
+                changed[at] = value;
+                writeBytes(folder.file("changed"), changed);
+                if (!messageOf([&] { readImage(folder.file("changed")); }).empty()) ++refused;
+            }
+        }
+        EXPECT_GT(refused, 0) << name;
+    }
+}
+
+TEST(ReadImage, NamesTheFileAndTheCause) {
+    const TemporaryFolder folder;
+    const auto message = [&](const std::string& name) {
+        return messageOf([&] { readImage(folder.file(name)); });
+    };
+    EXPECT_NE(message("none.png").find("none.png': No such file"), std::string::npos);
+    writeBytes(folder.file("text.png"), "not a picture at all");
+    EXPECT_NE(message("text.png").find("neither a PNG nor an EXR"), std::string::npos);
+    writeBytes(folder.file("empty.exr"), "");
+    EXPECT_NE(message("empty.exr").find("empty"), std::string::npos);
+    EXPECT_NE(message("").find("Is a directory"), std::string::npos);
+}
+
+TEST(ReadImage, RefusesEnormousPictures) {
+    const TemporaryFolder folder;
+    writePng(folder.file("a.png"), Image(8, 8));
+    std::string png = readBytes(folder.file("a.png"));
+    png.replace(16, 4, std::string("\x00\x00\x40\x01", 4));  // the width, big-endian: 16385
+    png.replace(29, 4, std::string("\x61\x30\x1B\xF9", 4));  // and the checksum of that header
+    writeBytes(folder.file("a.png"), png);
+    EXPECT_NE(messageOf([&] { readImage(folder.file("a.png")); }).find("16385 x 8"), std::string::npos);
+
+    writeExr(folder.file("a.exr"), Image(8, 8));
+    std::string exr = readBytes(folder.file("a.exr"));
+    const std::size_t window = exr.find("dataWindow");
+    ASSERT_NE(window, std::string::npos);
+    exr.replace(window + 21 + 8, 4, std::string("\x00\x40\x00\x00", 4));  // maxX, little-endian: 16384
+    writeBytes(folder.file("a.exr"), exr);
+    EXPECT_NE(messageOf([&] { readImage(folder.file("a.exr")); }).find("16385 x 8"), std::string::npos);
+}
+
+TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    const Image image(4, 4);
+    using Write = void (*)(const std::string&, const Image&);
+    for (const Write write : {Write(writePng), Write(writeExr)}) {
+        const std::string missing = folder.file("no/such/folder/a.png");
+        EXPECT_NE(messageOf([&] { write(missing, image); }).find("a.png': No such file"), std::string::npos);
+
+        // The rename fails, after the temporary file was written.
+        std::filesystem::create_directory(folder.file("taken"));
+        EXPECT_NE(messageOf([&] { write(folder.file("taken"), image); }).find("Is a directory"),
+                  std::string::npos);
+        EXPECT_EQ(folder.list(), Names{"taken"});
+        std::filesystem::remove(folder.file("taken"));
+
+        // A full disk: the temporary file leads to /dev/full.
+        writeBytes(folder.file("a.png"), "the picture of yesterday");
+        std::filesystem::create_symlink("/dev/full", folder.file("a.png.tmp"));
+        EXPECT_NE(messageOf([&] { write(folder.file("a.png"), image); }).find("No space left"),
+                  std::string::npos);
+        EXPECT_EQ(folder.list(), Names{"a.png"});
+        EXPECT_EQ(readBytes(folder.file("a.png")), "the picture of yesterday");
+        std::filesystem::remove(folder.file("a.png"));
+    }
+}
+
+TEST(WriteImage, RefusesEmptyEnormousAndInconsistentPictures) {
+    const TemporaryFolder folder;
+    EXPECT_NE(messageOf([&] { writePng(folder.file("a"), Image()); }).find("0 x 0"), std::string::npos);
+    EXPECT_NE(messageOf([&] { writeExr(folder.file("a"), Image(16385, 1)); }).find("16385 x 1"),
+              std::string::npos);
+    Image image(3, 3);
+    image.pixels.pop_back();
+    EXPECT_NE(messageOf([&] { writePng(folder.file("a"), image); }).find("holds 8 pixels"),
+              std::string::npos);
+    EXPECT_TRUE(folder.list().empty());
+}
+
+}  // namespace
+}  // namespace vct
