@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include "core/memory.h"
 #include "gl/debug.h"
 #include "render/frame_uniforms.h"
 #include "render/read_back.h"
@@ -23,6 +24,7 @@ bool needsVoxels(Mode mode) { return mode == Mode::ao || mode == Mode::gi || mod
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings)),
+      softwareDriver_(capabilities.softwareDriver),
       shaders_{std::move(readShader), capabilities.essl320},
       light_(light),
       boundsWorld_(scene.boundsWorld),
@@ -61,9 +63,13 @@ ShadowMap& Renderer::shadowMap() {
 }
 
 Renderer::VoxelPasses& Renderer::voxelPasses() {
-    if (!voxelPasses_)
+    if (!voxelPasses_) {
+        if (softwareDriver_)
+            requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
+                          "the voxels at " + std::to_string(settings_.grid) + "^3");
         voxelPasses_.emplace(VoxelPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
                                          Voxelizer(shaders_, scene_, settings_.grid), Mipmapper(shaders_)});
+    }
     return *voxelPasses_;
 }
 

@@ -67,6 +67,7 @@ class Renderer {
     Image tracedView(int view);
 
     Settings settings_;
+    bool softwareDriver_;
     gl::ShaderLibrary shaders_;
     DirectionalLight light_;
     Bounds boundsWorld_;

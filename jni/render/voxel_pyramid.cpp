@@ -32,6 +32,8 @@ std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint
     return commands;
 }
 
+int levelsOf(int grid) { return static_cast<int>(std::log2(grid)) + 1; }
+
 std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
     std::size_t entries = 0;
     for (const shared::LevelCommands& c : commands) entries += c.capacity;
@@ -42,7 +44,7 @@ std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
 
 VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
     : grid_(grid),
-      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, static_cast<int>(std::log2(grid)) + 1)),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, levelsOf(grid))),
       initialCommands_(emptyCommands(grid, texture_.levels(), baseCapacity)),
       sparseClear_(shaders, sparseClearProgram()) {
     const std::size_t commandBytes = initialCommands_.size() * sizeof initialCommands_[0];
@@ -53,6 +55,11 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
     activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
                                GL_DYNAMIC_COPY);
     zeroTexture();
+}
+
+std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
+    const int levels = levelsOf(grid);
+    return gl::textureBytes(GL_R32UI, grid, grid, grid, levels) + listBytes(emptyCommands(grid, levels, baseCapacity));
 }
 
 // ES has no clear for textures, but each slice can be a colour target.

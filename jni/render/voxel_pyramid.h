@@ -16,6 +16,9 @@ class VoxelPyramid {
     // volume has about 6 grid^2). A parent has at least one active child, so no other level needs more.
     VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity);
 
+    // What the texture and the list take.
+    static std::size_t bytesFor(int grid, std::uint32_t baseCapacity);
+
     int grid() const { return grid_; }
     int levels() const { return texture_.levels(); }  // log2(grid) + 1
     const gl::Texture& texture() const { return texture_; }

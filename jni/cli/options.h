@@ -1,0 +1,24 @@
+// Values that several commands parse from text.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace vct::cli {
+
+// "400x300" -> (400, 300).
+glm::ivec2 sizeFromText(const std::string& text);
+
+// "eye=X,Y,Z,target=X,Y,Z,fov=DEG", or the name or index of one of the scene's cameras ("" takes the first).
+Camera cameraFromText(const std::string& text, const Scene& scene);
+
+// "direction=X,Y,Z,color=R,G,B,intensity=LUX" over the scene's first light; each part may be left out.
+// `direction` is the way the light travels, as a glTF light's -Z.
+DirectionalLight lightFromText(const std::string& text, const Scene& scene);
+
+// "R,G,B" -> linear RGB.
+glm::vec3 colorFromText(const std::string& option, const std::string& text);
+
+}  // namespace vct::cli

@@ -1,0 +1,188 @@
+// vct render: a scene in; pictures, stages and step timings out.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/timings.h"
+#include "core/error.h"
+#include "image/image.h"
+#include "platform/context.h"
+#include "render/renderer.h"
+#include "scene/gltf.h"
+
+namespace vct::cli {
+
+namespace {
+
+struct RenderOptions {
+    std::string scene, out, timings;
+    std::string mode = "gi-cone-shadow";
+    std::string preset = "thesis";
+    std::string size = "400x400";
+    std::string camera, light;
+    std::string sky = "0,0,0";
+    std::string backend = "egl";
+    int device = -1;
+    int grid = 256;
+    int shadowMap = 512;
+    float coneAngleDeg = 5.0F;
+    float aoDistance = 0.045F;
+    float exposure = 1.0F;
+    unsigned activeVoxels = 0;
+    unsigned seedOrder = 0;
+    bool stages = false;
+};
+
+Settings settingsFrom(const RenderOptions& options) {
+    Settings settings = presetSettings(options.preset);
+    settings.grid = options.grid;
+    settings.size = sizeFromText(options.size);
+    settings.shadowMapSize = options.shadowMap;
+    settings.shadowConeAngleDeg = options.coneAngleDeg;
+    settings.aoDistance = options.aoDistance;
+    settings.skyRadiance = colorFromText("--sky", options.sky);
+    settings.activeVoxelLimit = options.activeVoxels;
+    validate(settings);
+    return settings;
+}
+
+// Before anything slow: an output that cannot be written should be known at once.
+void makeFolder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error || !std::filesystem::is_directory(path))
+        throw Error("cannot make the folder " + path + " (" + error.message() + "); choose another --out");
+}
+
+void progress(const std::string& text) {
+    std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+Image exposed(Image image, float exposure) {
+    for (glm::vec3& pixel : image.pixels) pixel *= exposure;
+    return image;
+}
+
+// Everything is rendered before anything is written.
+struct Pictures {
+    std::vector<std::pair<std::string, Image>> linear;  // PNG with exposure, and EXR
+    std::vector<Renderer::Stage> stages;
+};
+
+void write(const Pictures& pictures, const RenderOptions& options) {
+    for (const auto& [name, image] : pictures.linear) {
+        writePng(options.out + "/" + name + ".png", exposed(image, options.exposure));
+        writeExr(options.out + "/" + name + ".exr", image);
+    }
+    if (pictures.stages.empty()) return;
+    makeFolder(options.out + "/stages");
+    for (const Renderer::Stage& stage : pictures.stages) {
+        writePng(options.out + "/stages/" + stage.name + ".png", stage.image);
+        if (stage.hasUnits) writeExr(options.out + "/stages/" + stage.name + ".exr", stage.image);
+    }
+}
+
+StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
+    for (int i = 0; i < warmUpFrames; ++i) renderer.frame(mode, camera);
+    renderer.timer().startRecording();
+    for (int i = 0; i < timedFrames; ++i) renderer.frame(mode, camera);
+    return renderer.timer().stopRecording();
+}
+
+void render(const RenderOptions& options) {
+    const std::vector<Mode> modes = modesFromText(options.mode);
+    const Settings settings = settingsFrom(options);
+    const Backend backend = backendFromName(options.backend);
+    makeFolder(options.out);
+
+    Scene scene = loadGltf(options.scene);
+    for (const std::string& warning : scene.warnings) progress("warning: " + warning);
+    shuffleTriangles(scene, options.seedOrder);
+    const Camera camera = cameraFromText(options.camera, scene);
+    const DirectionalLight light = lightFromText(options.light, scene);
+    progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
+             std::to_string(scene.instances.size()) + " instances");
+
+    const Context context = openContext(backend, options.device);
+    context.capabilities.requireAll();
+    progress(context.capabilities.renderer + ", " + context.capabilities.version);
+    Renderer renderer(scene, light, settings, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
+
+    TimingsReport report;
+    Pictures pictures;
+    for (Mode mode : modes) {
+        progress(std::string("mode ") + modeName(mode) + ", " + std::to_string(settings.size.x) + "x" +
+                 std::to_string(settings.size.y) + ", " + std::to_string(settings.grid) + "^3");
+        if (options.timings.empty())
+            renderer.frame(mode, camera);
+        else
+            report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
+        report.activeVoxels = renderer.activeVoxels();
+        pictures.linear.emplace_back(modeName(mode), renderer.radiance());
+    }
+    report.resources = renderer.resources();
+    if (options.stages) {
+        progress("stages");
+        pictures.stages = renderer.stages(camera);
+    }
+
+    write(pictures, options);
+    if (!options.timings.empty()) {
+        report.scene = options.scene;
+        report.triangles = scene.triangleCount();
+        report.backend = options.backend;
+        report.preset = options.preset;
+        report.settings = settings;
+        writeJson(options.timings, timingsJson(report, context.capabilities));
+        std::fputs(timingsTable(report.modes).c_str(), stdout);
+    }
+}
+
+constexpr const char* footer =
+    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode.\n"
+    "Examples:\n"
+    "  vct render assets/cornell.glb --out out --mode all --stages --timings out/timings.json\n"
+    "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
+    "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5";
+
+}  // namespace
+
+void addRender(CLI::App& app, int&) {
+    CLI::App* command = app.add_subcommand("render", "Render a glTF scene: pictures, stages, step timings");
+    auto options = std::make_shared<RenderOptions>();
+    command->footer(footer);
+    command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
+    command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
+    command->add_option("--mode", options->mode,
+                        "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
+        ->capture_default_str();
+    command->add_option("--preset", options->preset, "Set of settings: thesis")->capture_default_str();
+    command->add_option("--grid", options->grid, "Voxels along a side: 64, 128, 256, 512")->capture_default_str();
+    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
+    command->add_option("--cone-angle", options->coneAngleDeg, "Shadow cone's full angle in degrees, 0.1 to 170")
+        ->capture_default_str();
+    command->add_option("--ao-distance", options->aoDistance, "Reach of ambient occlusion, of the volume's side")
+        ->capture_default_str();
+    command->add_option("--camera", options->camera,
+                        "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
+                        "(default: its first)");
+    command->add_option("--light", options->light,
+                        "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
+                        "each part may be left out");
+    command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")->capture_default_str();
+    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")->capture_default_str();
+    command->add_flag("--stages", options->stages, "Also write every intermediate into DIR/stages/");
+    command->add_option("--timings", options->timings,
+                        "Time each step over 5 frames (docs/timings.md) and write FILE.json");
+    command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
+    command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    command->add_option("--active-voxels", options->activeVoxels,
+                        "Room in the active-voxel list (default: 16 grid^2)");
+    command->add_option("--seed-order", options->seedOrder, "Shuffle the triangles; the result must not change");
+    command->callback([options] { render(*options); });
+}
+
+}  // namespace vct::cli

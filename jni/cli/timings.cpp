@@ -1,0 +1,118 @@
+#include "cli/timings.h"
+
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include "image/files.h"
+
+namespace vct::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int timingsVersion = 1;
+
+double rounded(double ms) { return std::round(ms * 1000.0) / 1000.0; }
+
+ordered_json samplesJson(const std::vector<double>& samples) {
+    ordered_json json;
+    json["median"] = rounded(median(samples));
+    json["min"] = samples.empty() ? 0.0 : rounded(*std::min_element(samples.begin(), samples.end()));
+    json["max"] = samples.empty() ? 0.0 : rounded(*std::max_element(samples.begin(), samples.end()));
+    json["samples"] = ordered_json::array();
+    for (double sample : samples) json["samples"].push_back(rounded(sample));
+    return json;
+}
+
+ordered_json stepsJson(const StepTimes& times) {
+    ordered_json json;
+    for (int i = 0; i < stepCount; ++i) json[stepName(static_cast<Step>(i))] = samplesJson(times.stepMs[i]);
+    json["total"] = samplesJson(times.totalMs);
+    return json;
+}
+
+ordered_json settingsJson(const TimingsReport& report) {
+    const Settings& s = report.settings;
+    return {{"preset", report.preset},
+            {"grid", s.grid},
+            {"width", s.size.x},
+            {"height", s.size.y},
+            {"shadow_map", s.shadowMapSize},
+            {"cone_angle_deg", s.shadowConeAngleDeg},
+            {"ao_distance", s.aoDistance}};
+}
+
+}  // namespace
+
+ordered_json machineJson() {
+    std::string cpu = "unknown";
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind("model name", 0) == 0) {
+            cpu = line.substr(line.find(':') + 2);
+            break;
+        }
+    utsname system{};
+    uname(&system);
+    return {{"cpu", cpu},
+            {"threads", std::thread::hardware_concurrency()},
+            {"system", std::string(system.sysname) + " " + system.release + " " + system.machine}};
+}
+
+ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& capabilities) {
+    ordered_json json;
+    json["version"] = timingsVersion;
+    json["program"] = "vct " VCT_VERSION;
+    json["scene"] = report.scene;
+    json["triangles"] = report.triangles;
+    json["driver"] = {{"backend", report.backend},
+                      {"vendor", capabilities.vendor},
+                      {"renderer", capabilities.renderer},
+                      {"version", capabilities.version}};
+    json["machine"] = machineJson();
+    json["settings"] = settingsJson(report);
+    json["method"] = {{"clock", "glFinish before and after each step, CPU steady clock, milliseconds"},
+                      {"warm_up_frames", warmUpFrames},
+                      {"frames", timedFrames},
+                      {"revoxelized_every_frame", true}};
+    if (report.modes.size() == 1) {
+        json["mode"] = modeName(report.modes[0].first);
+        json["steps"] = stepsJson(report.modes[0].second);
+    } else {
+        for (const auto& [mode, times] : report.modes) json["modes"][modeName(mode)]["steps"] = stepsJson(times);
+    }
+    json["active_voxels"] = report.activeVoxels;
+    json["resources"] = ordered_json::array();
+    for (const Renderer::Resource& resource : report.resources)
+        json["resources"].push_back({{"name", resource.name}, {"bytes", resource.bytes}});
+    return json;
+}
+
+std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
+    std::string table = "milliseconds      CS      RT       V       M      Tr     Tot\n";
+    char cell[32];
+    for (const auto& [mode, times] : modes) {
+        std::snprintf(cell, sizeof cell, "%-14s", modeName(mode));
+        table += cell;
+        for (const std::vector<double>& samples : times.stepMs) {
+            std::snprintf(cell, sizeof cell, "%8.2f", median(samples));
+            table += cell;
+        }
+        std::snprintf(cell, sizeof cell, "%8.2f\n", median(times.totalMs));
+        table += cell;
+    }
+    return table;
+}
+
+void writeJson(const std::string& path, const ordered_json& json) {
+    const std::string text = json.dump(2) + "\n";
+    replaceFile(path, Bytes(text.begin(), text.end()));
+}
+
+}  // namespace vct::cli

@@ -1,0 +1,51 @@
+#include "core/memory.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "core/error.h"
+
+namespace vct {
+
+namespace {
+
+constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+
+// MemAvailable of /proc/meminfo.
+std::size_t freeMemory() {
+    std::ifstream file("/proc/meminfo");
+    std::string key, unit;
+    std::size_t kilobytes = 0;
+    while (file >> key >> kilobytes) {
+        std::getline(file, unit);
+        if (key == "MemAvailable:") return kilobytes * 1024;
+    }
+    return unknown;
+}
+
+// What `ulimit -v` leaves of the address space.
+std::size_t freeAddressSpace() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const std::size_t used = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return limit.rlim_cur > used ? static_cast<std::size_t>(limit.rlim_cur) - used : 0;
+}
+
+std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+
+}  // namespace
+
+void requireMemory(std::size_t bytes, const std::string& what) {
+    const std::size_t available = std::min(freeMemory(), freeAddressSpace());
+    if (bytes > available)
+        throw Error("not enough memory for " + what + ": it needs " + megabytes(bytes) + ", " +
+                    megabytes(available) + " are available; use a smaller --grid, or free memory");
+}
+
+}  // namespace vct

@@ -1,0 +1,14 @@
+// How much main memory a request may take, for drivers whose textures live there: the kernel promises more
+// than there is and ends the process later, so asking first is the only clear error.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace vct {
+
+// Throws vct::Error naming `what`, the bytes it needs, those there are and the remedy. Does nothing where the
+// system does not tell.
+void requireMemory(std::size_t bytes, const std::string& what);
+
+}  // namespace vct
