@@ -4,8 +4,11 @@
 // A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding.
 const float opaque = 0.998;
 
-bool outsideVolume(vec3 p) {
-    return any(lessThan(p, vec3(0.0))) || any(greaterThan(p, vec3(1.0)));
+// Whether no texel of a level's footprint around `p` lies in the volume. Stopping at p's own crossing would
+// cut off samples that still see something, and leave seams in the picture.
+bool outsideVolume(vec3 p, int level) {
+    vec3 fromCentre = abs(p - 0.5);
+    return max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + 0.5 / float(frame.grid.x >> level);
 }
 
 // The pixel's right-handed frame around its normal (Duff et al. 2017, "Building an Orthonormal Basis,
@@ -51,7 +54,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
         float distance = diffuseFirstSample * voxel;
         for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
             vec3 p = start + direction * distance;
-            if (outsideVolume(p)) break;
+            if (outsideVolume(p, level)) break;
             vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
             radiance += value.rgb;
             opacity += value.a;
@@ -81,9 +84,9 @@ float traceShadowCone(vec3 positionVolume, vec3 normal) {
     for (float distance = voxel; distance < furthest && opacity < opaque; distance += stepRatio * distance) {
         float radius = ratio * distance;
         vec3 p = start + frame.towardsLight.xyz * (distance + radius);
-        if (outsideVolume(p)) break;
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
+        if (outsideVolume(p, min(fine + 1, frame.grid.y))) break;
         float blend = level - float(fine);
         float value = sampleOpacity(p, fine);
         if (blend > 0.0) value = mix(value, sampleOpacity(p, fine + 1), blend);

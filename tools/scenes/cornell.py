@@ -31,8 +31,8 @@ def build():
     # At z = 1 the opening is 2 m high and 2.85 m away: 2 atan(1 / 2.85) = 38.7 degrees, and a margin.
     glb.camera("front", (0, 0, 3.85), (0, 0, 0), 40)
 
-    # Through the open front from the upper right. It lights most of the red wall (n.l = 0.63), the whole ring, the
-    # left of the ball and the floor only where x < 1 - 0.875 (1 - z): what is red on the back half of the floor and
-    # on the ceiling and back wall has come from the red wall.
-    glb.directional_light("sun", (-0.7, -0.35, -0.8), (1, 1, 1), round(math.pi, 6))
+    # Through the open front from the upper right. It lights nearly all of the red wall (n.l = 0.45), the floor where
+    # x < 1 - 0.56 (1 - z) and the lower left of the back wall: red on the floor's dark half, on the ceiling and on the
+    # rest of the back wall has come from the red wall.
+    glb.directional_light("sun", (-0.5, -0.45, -0.9), (1, 1, 1), round(math.pi, 6))
     return glb
