@@ -1,0 +1,180 @@
+#include "scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+
+namespace vct::test {
+namespace {
+
+template <class Function>
+std::string errorOf(Function function) {
+    try {
+        function();
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+Scene sceneWithBounds(const glm::dvec3& min, const glm::dvec3& max) {
+    Scene scene;
+    scene.path = "room.glb";
+    scene.boundsWorld = {min, max};
+    return scene;
+}
+
+// Clip coordinates after the division by w.
+glm::dvec3 project(const glm::dmat4& clipFromWorld_, const glm::dvec3& world) {
+    const glm::dvec4 clip = clipFromWorld_ * glm::dvec4(world, 1.0);
+    return glm::dvec3(clip) / clip.w;
+}
+
+void expectRigid(const glm::dmat4& m) {
+    const glm::dmat3 axes(m);
+    const glm::dmat3 product = glm::transpose(axes) * axes;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(product[i][j], i == j ? 1.0 : 0.0, 1e-12);
+    }
+    EXPECT_NEAR(glm::determinant(axes), 1.0, 1e-12);
+}
+
+TEST(LookAt, PutsTheTargetInTheMiddleAndYUp) {
+    const Camera camera = lookAt({1, 2, 3}, {1, 2, -5}, 90.0);
+    EXPECT_EQ(camera.worldFromCamera, glm::dmat4({1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 1}));
+    EXPECT_NEAR(camera.verticalFovRad, 1.57079632679, 1e-9);
+    const Camera sloped = lookAt({4, 5, 6}, {-1, 0, 2}, 30.0);
+    expectRigid(sloped.worldFromCamera);
+    EXPECT_GT(sloped.worldFromCamera[1].y, 0.0);
+    EXPECT_NEAR(sloped.worldFromCamera[0].y, 0.0, 1e-12);  // the horizon is level
+}
+
+TEST(LookAt, StraightUpOrDownTakesZAsUp) {
+    for (const double y : {-7.0, 7.0}) {
+        const Camera camera = lookAt({0, 0, 0}, {0, y, 0}, 60.0);
+        expectRigid(camera.worldFromCamera);
+        EXPECT_NEAR(camera.worldFromCamera[1].z, 1.0, 1e-12);
+        EXPECT_NEAR(-camera.worldFromCamera[2].y, y / 7.0, 1e-12);
+    }
+}
+
+TEST(LookAt, RefusesWhatGivesNoView) {
+    EXPECT_NE(errorOf([] { lookAt({1, 1, 1}, {1, 1, 1}, 40.0); }), "");
+    EXPECT_NE(errorOf([] { lookAt({NAN, 1, 1}, {0, 1, 1}, 40.0); }), "");
+    for (const double fov : {0.0, -1.0, 180.0, std::nan("")})
+        EXPECT_NE(errorOf([&] { lookAt({1, 1, 1}, {0, 0, 0}, fov); }), "") << fov;
+}
+
+TEST(ChooseCamera, ByNameOrIndexOrTheFirst) {
+    Scene scene = sceneWithBounds({0, 0, 0}, {1, 1, 1});
+    scene.cameras.resize(2);
+    scene.cameras[0].name = "front";
+    scene.cameras[1].name = "side";
+    EXPECT_EQ(chooseCamera(scene, "").name, "front");
+    EXPECT_EQ(chooseCamera(scene, "side").name, "side");
+    EXPECT_EQ(chooseCamera(scene, "1").name, "side");
+    for (const char* wrong : {"2", "back", "99999999999999999999", "-1"}) {
+        const std::string message = errorOf([&] { chooseCamera(scene, wrong); });
+        EXPECT_NE(message.find("0 \"front\", 1 \"side\""), std::string::npos) << message;
+    }
+}
+
+TEST(ChooseCamera, WithoutOneSuggestsTheFramingView) {
+    for (const double offset : {0.0, 1e6}) {
+        const Scene scene = sceneWithBounds(glm::dvec3(offset), glm::dvec3(offset) + glm::dvec3(2, 1, 3));
+        const std::string message = errorOf([&] { chooseCamera(scene, ""); });
+        const std::size_t option = message.find("--camera eye=");
+        ASSERT_NE(option, std::string::npos) << message;
+        glm::dvec3 eye;
+        glm::dvec3 target;
+        double fov = 0.0;
+        ASSERT_EQ(std::sscanf(message.c_str() + option, "--camera eye=%lf,%lf,%lf,target=%lf,%lf,%lf,fov=%lf",
+                              &eye.x, &eye.y, &eye.z, &target.x, &target.y, &target.z, &fov),
+                  7)
+            << message;
+        const Camera typed = lookAt(eye, target, fov);
+        const Camera framed = frameScene(scene);
+        for (int column = 0; column < 4; ++column)
+            EXPECT_NEAR(glm::distance(typed.worldFromCamera[column], framed.worldFromCamera[column]), 0.0,
+                        1e-8);
+        EXPECT_EQ(typed.verticalFovRad, framed.verticalFovRad);
+    }
+}
+
+TEST(FrameScene, SeesEveryCornerFromTheFrontAndAbove) {
+    for (const double size : {1e-4, 1.0, 5e5}) {
+        const Scene scene = sceneWithBounds(glm::dvec3(-1, 2, 3) * size, glm::dvec3(4, 3, 9) * size);
+        const Camera camera = frameScene(scene);
+        EXPECT_GT(camera.worldFromCamera[3].z, scene.boundsWorld.max.z);
+        EXPECT_GT(camera.worldFromCamera[3].y, scene.boundsWorld.max.y);
+        const glm::dmat4 clip = clipFromWorld(camera, scene.boundsWorld, 1.0);
+        for (int corner = 0; corner < 8; ++corner) {
+            glm::dvec3 world;
+            for (int axis = 0; axis < 3; ++axis)
+                world[axis] =
+                    ((corner >> axis) & 1) != 0 ? scene.boundsWorld.max[axis] : scene.boundsWorld.min[axis];
+            const glm::dvec3 ndc = project(clip, world);
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_LE(std::abs(ndc[axis]), 1.0) << size << " " << corner;
+        }
+    }
+}
+
+TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
+    Scene scene;
+    const DirectionalLight fallback = chooseLight(scene);
+    EXPECT_NEAR(glm::length(fallback.towardsLight), 1.0, 1e-12);
+    EXPECT_GT(glm::min(fallback.towardsLight.x, glm::min(fallback.towardsLight.y, fallback.towardsLight.z)),
+              0.0);
+    EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
+    scene.lights.resize(2);
+    scene.lights[0].intensity = 5.0F;
+    EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
+}
+
+TEST(ClipFromWorld, HasAVerticalFieldOfViewAndTheAspectOfThePicture) {
+    const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
+    const Camera camera = lookAt({0, 0, 10}, {0, 0, 0}, 90.0);
+    const glm::dmat4 clip = clipFromWorld(camera, bounds, 2.0);
+    EXPECT_NEAR(project(clip, {0, 10, 0}).y, 1.0, 1e-9);
+    EXPECT_NEAR(project(clip, {20, 0, 0}).x, 1.0, 1e-9);
+}
+
+TEST(ClipFromWorld, NearAndFarEncloseTheSceneTightly) {
+    const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
+    const glm::dmat4 clip = clipFromWorld(lookAt({0, 0, 1001}, {0, 0, 0}, 40.0), bounds, 1.0);
+    const double front = project(clip, {0, 0, 1}).z;
+    const double back = project(clip, {0, 0, -1}).z;
+    EXPECT_GT(front, -1.0);
+    EXPECT_LT(back, 1.0);
+    EXPECT_LT(project(clip, {0, 0, 502}).z, -0.99);  // near is half of the distance to the bounds
+    EXPECT_GT(project(clip, {0, 0, -3}).z, 1.0);     // far is just behind them
+}
+
+TEST(ClipFromWorld, WideViewsDoNotCutTheCornersOff) {
+    // The nearest point of the scene lies in the corner of a very wide picture.
+    const double tanHalf = std::tan(glm::radians(75.0));
+    const glm::dvec3 nearest(0.99 * tanHalf, 0.99 * tanHalf, -1.0);
+    const Bounds bounds{nearest + glm::dvec3(0, 0, -50), nearest + glm::dvec3(50, 50, 0)};
+    const glm::dmat4 clip = clipFromWorld(lookAt({0, 0, 0}, {0, 0, -1}, 150.0), bounds, 1.0);
+    EXPECT_GE(project(clip, nearest).z, -1.0);
+}
+
+TEST(ClipFromWorld, IsUsableInsideTheSceneAndLookingAway) {
+    const Bounds bounds{glm::dvec3(-5), glm::dvec3(5)};
+    const double diagonal = 10.0 * std::sqrt(3.0);
+    const glm::dmat4 inside = clipFromWorld(lookAt({0, 0, 0}, {0, 0, -1}, 60.0), bounds, 1.0);
+    EXPECT_NEAR(project(inside, {0, 0, -1e-3 * diagonal}).z, -1.0, 1e-9);
+    EXPECT_LT(project(inside, {0, 0, -5}).z, 1.0);
+
+    const glm::dmat4 away = clipFromWorld(lookAt({0, 0, 100}, {0, 0, 200}, 60.0), bounds, 1.0);
+    EXPECT_TRUE(std::isfinite(glm::determinant(away)));
+    EXPECT_LT(project(away, {0, 0, 147.5}).z, project(away, {0, 0, 150}).z);
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include "support/gltf_builder.h"
+
+namespace vct::test {
+namespace {
+
+// A triangle whose corners have the given texture coordinates, with one material.
+GltfBuilder textured(json material) {
+    GltfBuilder builder;
+    const int positions = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const int uv0 = builder.floats({0, 0, 1, 0, 0, 1}, "VEC2");
+    const int uv1 = builder.floats({0.5F, 0.5F, 0.75F, 0.5F, 0.5F, 0.75F}, "VEC2");
+    builder.add("materials", std::move(material));
+    builder.node(
+        {{"mesh",
+          builder.mesh({{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uv0}, {"TEXCOORD_1", uv1}}},
+                        {"material", 0}})}});
+    return builder;
+}
+
+void expectUv(const glm::vec2& actual, float u, float v) {
+    EXPECT_NEAR(actual.x, u, 1e-6F);
+    EXPECT_NEAR(actual.y, v, 1e-6F);
+}
+
+TEST(GltfMaterials, MissingMaterialIsTheDefaultOne) {
+    GltfBuilder builder;
+    builder.triangle();
+    const Scene scene = load(builder);
+    const Material& material = scene.materials.at(static_cast<std::size_t>(scene.meshes.at(0).material));
+    EXPECT_EQ(material.baseColor, glm::vec4(1.0F));
+    EXPECT_EQ(material.emissive, glm::vec3(0.0F));
+    EXPECT_EQ(material.baseColorTexture, -1);
+    EXPECT_EQ(material.alphaMode, Material::AlphaMode::opaque);
+    EXPECT_FALSE(material.doubleSided);
+}
+
+TEST(GltfMaterials, FactorsMaskAndEmissiveStrength) {
+    const Scene scene =
+        load(textured({{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}}},
+                       {"emissiveFactor", {1, 0.5, 0}},
+                       {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}}},
+                       {"alphaMode", "MASK"},
+                       {"alphaCutoff", 0.25},
+                       {"doubleSided", true}}));
+    const Material& material = scene.materials.at(0);
+    EXPECT_EQ(material.baseColor, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
+    EXPECT_EQ(material.emissive, glm::vec3(6.0F, 3.0F, 0.0F));
+    EXPECT_EQ(material.alphaMode, Material::AlphaMode::mask);
+    EXPECT_EQ(material.alphaCutoff, 0.25F);
+    EXPECT_TRUE(material.doubleSided);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMaterials, BlendBecomesMaskWithAWarning) {
+    const Scene scene = load(textured({{"alphaMode", "BLEND"}, {"alphaCutoff", 0.9}}));
+    EXPECT_EQ(scene.materials.at(0).alphaMode, Material::AlphaMode::mask);
+    EXPECT_EQ(scene.materials.at(0).alphaCutoff, 0.5F);
+    EXPECT_TRUE(hasWarning(scene, "blended"));
+}
+
+TEST(GltfMaterials, EachTextureTakesTheCoordinatesItAsksFor) {
+    GltfBuilder builder = textured({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                    {"emissiveTexture", {{"index", 1}, {"texCoord", 1}}}});
+    builder.texture(encodePng(4));
+    builder.texture(encodeJpeg(16), {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}});
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.textures.size(), 2U);
+    const Material& material = scene.materials.at(0);
+    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(material.baseColorTexture)).width, 4);
+    const Texture& emissive = scene.textures.at(static_cast<std::size_t>(material.emissiveTexture));
+    EXPECT_EQ(emissive.height, 16);
+    EXPECT_EQ(emissive.rgba.size(), 16U * 16U * 4U);
+    EXPECT_EQ(emissive.wrapS, Texture::Wrap::clampToEdge);
+    EXPECT_EQ(emissive.wrapT, Texture::Wrap::mirroredRepeat);
+    EXPECT_FALSE(emissive.linearFilter);
+    const Texture& png = scene.textures.at(static_cast<std::size_t>(material.baseColorTexture));
+    EXPECT_EQ(png.wrapS, Texture::Wrap::repeat);
+    EXPECT_EQ(png.rgba[4], 255 / 4);                  // x = 1, first row
+    EXPECT_EQ(png.rgba[4 * 4 * 3 + 1], 3 * 255 / 4);  // y = 3 is the last row
+    expectUv(scene.meshes[0].vertices[1].uv, 1.0F, 0.0F);
+    expectUv(scene.meshes[0].vertices[1].emissiveUv, 0.75F, 0.5F);
+}
+
+TEST(GltfMaterials, TextureTransformIsBakedIntoItsOwnCoordinates) {
+    // The example of the extension: the lower left quadrant (v points down), rotated clockwise by 90 degrees.
+    const json transform = {
+        {"KHR_texture_transform", {{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}}}};
+    const json override1 = {{"KHR_texture_transform", {{"texCoord", 1}, {"scale", {2, 4}}}}};
+    GltfBuilder builder =
+        textured({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}, {"extensions", transform}}}}},
+                  {"emissiveTexture", {{"index", 0}, {"texCoord", 0}, {"extensions", override1}}}});
+    builder.document["extensionsUsed"] = {"KHR_texture_transform"};
+    builder.document["extensionsRequired"] = {"KHR_texture_transform"};
+    builder.texture(encodePng(4));
+    const Scene scene = load(builder);
+    const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+    expectUv(vertices[0].uv, 0.0F, 1.0F);
+    expectUv(vertices[1].uv, 0.0F, 0.5F);
+    expectUv(vertices[2].uv, 0.5F, 1.0F);
+    expectUv(vertices[0].emissiveUv, 1.0F, 2.0F);
+    expectUv(vertices[2].emissiveUv, 1.0F, 3.0F);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMaterials, TextureWithoutCoordinatesIsWarnedOf) {
+    GltfBuilder builder = textured({{"emissiveTexture", {{"index", 0}, {"texCoord", 5}}}});
+    builder.texture(encodePng(4));
+    EXPECT_TRUE(hasWarning(load(builder), "TEXCOORD_5"));
+}
+
+TEST(GltfMaterials, TextureThatTwoMaterialsUseIsLoadedOnce) {
+    GltfBuilder builder = textured({{"emissiveTexture", {{"index", 0}}}});
+    builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    builder.texture(encodePng(4));
+    builder.node(
+        {{"mesh", builder.mesh({{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}, {"material", 1}})}});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.materials.size(), 2U);
+    EXPECT_EQ(scene.textures.size(), 1U);
+}
+
+TEST(GltfMaterials, RequiredExtensionIsAnErrorAndAnOptionalOneAWarning) {
+    GltfBuilder builder;
+    builder.triangle();
+    builder.document["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+    EXPECT_TRUE(hasWarning(load(builder), "KHR_draco_mesh_compression"));
+    builder.document["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    EXPECT_NE(loadError(builder).find("KHR_draco_mesh_compression"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vct::test
