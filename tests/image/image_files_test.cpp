@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "image/image.h"
+#include "image/files.h"
 #include "image/temporary_folder.h"
 
 namespace vct {
@@ -23,6 +23,14 @@ std::string messageOf(const std::function<void()>& action) {
         return error.what();
     }
     return "";
+}
+
+// As readImage(), without the disk: thousands of files would take their time.
+std::string messageOfDecoding(const std::string& content) {
+    const Bytes bytes(content.begin(), content.end());
+    return messageOf([&] {
+        imageFormat("cut", bytes) == ImageFormat::png ? decodePng("cut", bytes) : decodeExr("cut", bytes);
+    });
 }
 
 Image gradient(int width, int height) {
@@ -165,8 +173,7 @@ TEST(ReadImage, RefusesEveryTruncation) {
         const std::string whole = readBytes(folder.file(name));
         ASSERT_GT(whole.size(), 100U);
         for (std::size_t size = 0; size < whole.size(); size += size < 600 ? 1 : 97) {
-            writeBytes(folder.file("cut"), whole.substr(0, size));
-            const std::string message = messageOf([&] { readImage(folder.file("cut")); });
+            const std::string message = messageOfDecoding(whole.substr(0, size));
             ASSERT_NE(message.find("cut'"), std::string::npos)
                 << name << " cut to " << size << ": " << message;
         }
@@ -184,8 +191,7 @@ TEST(ReadImage, SurvivesChangedBytes) {
             for (const char value : {'\x00', '\x7F', '\xFF'}) {
                 std::string changed = whole;
                 changed[at] = value;
-                writeBytes(folder.file("changed"), changed);
-                if (!messageOf([&] { readImage(folder.file("changed")); }).empty()) ++refused;
+                if (!messageOfDecoding(changed).empty()) ++ ++refused;
             }
         }
         EXPECT_GT(refused, 0) << name;
