@@ -1,10 +1,10 @@
 // vct render: a scene in; pictures, stages and step timings out.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/output.h"
 #include "cli/timings.h"
 #include "core/error.h"
 #include "image/image.h"
@@ -33,6 +33,7 @@ struct RenderOptions {
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool stages = false;
+    bool contactSheet = false;
 };
 
 Settings settingsFrom(const RenderOptions& options) {
@@ -46,14 +47,6 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.activeVoxelLimit = options.activeVoxels;
     validate(settings);
     return settings;
-}
-
-// Before anything slow: an output that cannot be written should be known at once.
-void makeFolder(const std::string& path) {
-    std::error_code error;
-    std::filesystem::create_directories(path, error);
-    if (error || !std::filesystem::is_directory(path))
-        throw Error("cannot make the folder " + path + " (" + error.message() + "); choose another --out");
 }
 
 void progress(const std::string& text) {
@@ -71,17 +64,24 @@ struct Pictures {
     std::vector<Renderer::Stage> stages;
 };
 
-void write(const Pictures& pictures, const RenderOptions& options) {
+void write(const Pictures& pictures, const RenderOptions& options, OutputFolder& out) {
+    std::vector<std::pair<std::string, Image>> seen;
     for (const auto& [name, image] : pictures.linear) {
-        writePng(options.out + "/" + name + ".png", exposed(image, options.exposure));
-        writeExr(options.out + "/" + name + ".exr", image);
+        writeExr(out.file(name + ".exr"), image);
+        seen.emplace_back(name, exposed(image, options.exposure));
+        writePng(out.file(name + ".png"), seen.back().second);
     }
-    if (pictures.stages.empty()) return;
-    makeFolder(options.out + "/stages");
-    for (const Renderer::Stage& stage : pictures.stages) {
-        writePng(options.out + "/stages/" + stage.name + ".png", stage.image);
-        if (stage.hasUnits) writeExr(options.out + "/stages/" + stage.name + ".exr", stage.image);
+    if (options.contactSheet && seen.size() > 1)
+        writePng(out.file("contact_sheet.png"), contactSheet(seen, 3));
+    if (!pictures.stages.empty()) {
+        OutputFolder stages(out.file("stages"));
+        for (const Renderer::Stage& stage : pictures.stages) {
+            writePng(stages.file(stage.name + ".png"), stage.image);
+            if (stage.hasUnits) writeExr(stages.file(stage.name + ".exr"), stage.image);
+        }
+        stages.keep();
     }
+    out.keep();
 }
 
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
@@ -95,7 +95,9 @@ void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     const Settings settings = settingsFrom(options);
     const Backend backend = backendFromName(options.backend);
-    makeFolder(options.out);
+    // Before anything slow: an output that cannot be written should be known at once.
+    OutputFolder out(options.out);
+    if (!options.timings.empty()) requireWritableFile(options.timings);
 
     Scene scene = loadGltf(options.scene);
     for (const std::string& warning : scene.warnings) progress("warning: " + warning);
@@ -128,7 +130,7 @@ void render(const RenderOptions& options) {
         pictures.stages = renderer.stages(camera);
     }
 
-    write(pictures, options);
+    write(pictures, options, out);
     if (!options.timings.empty()) {
         report.scene = options.scene;
         report.triangles = scene.triangleCount();
@@ -175,6 +177,8 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")->capture_default_str();
     command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")->capture_default_str();
     command->add_flag("--stages", options->stages, "Also write every intermediate into DIR/stages/");
+    command->add_flag("--contact-sheet", options->contactSheet,
+                      "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
                         "Time each step over 5 frames (docs/timings.md) and write FILE.json");
     command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();

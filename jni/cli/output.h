@@ -1,0 +1,47 @@
+// Where a command will write: found out before anything slow, and left as it was where the command fails.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vct::cli {
+
+// A folder that is there, and can be written to, from the constructor on. Folders that it had to make go away
+// again (if nothing is in them) unless keep() is called: a command that fails leaves nothing behind.
+class OutputFolder {
+  public:
+    // Throws vct::Error where `path` cannot be made or written to.
+    explicit OutputFolder(const std::string& path);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    std::string file(const std::string& name) const { return path_ + "/" + name; }
+    void keep() { made_.clear(); }
+
+  private:
+    void removeMade();
+
+    std::string path_;
+    std::vector<std::filesystem::path> made_;  // outermost first
+};
+
+// Throws vct::Error where a file could not be written at `path`; writes nothing.
+void requireWritableFile(const std::string& path);
+
+// A folder for the system's temporary files that goes away with all its contents.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();  // throws vct::Error
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+  private:
+    std::string path_;
+};
+
+}  // namespace vct::cli
