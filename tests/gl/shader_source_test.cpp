@@ -1,0 +1,120 @@
+// Includes, #line, and messages that point home; and every variant through glslang, as ES.
+#include "gl/shader_source.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+#include "gl/program.h"
+#include "platform/context.h"
+#include "render/programs.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+namespace {
+
+gl::ReadShader files(std::map<std::string, std::string> contents) {
+    return [contents](const std::string& path) {
+        const auto found = contents.find(path);
+        if (found == contents.end()) throw Error("no " + path);
+        return found->second;
+    };
+}
+
+TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
+    const auto read = files({{"a.frag", "one\n#include \"b.glsl\"\n#include \"b.glsl\"\ntwo\n"}, {"b.glsl", "three\n"}});
+    const gl::AssembledShader source = gl::assembleShader(read, "a.frag", {"X 1"}, true);
+    EXPECT_EQ(source.files, (std::vector<std::string>{"a.frag", "b.glsl"}));
+    EXPECT_EQ(source.text.rfind("#version 320 es\n", 0), 0U);
+    const std::string body = source.text.substr(source.text.find("#define X 1"));
+    EXPECT_EQ(body, "#define X 1\n#line 1 0\none\n#line 1 1\nthree\n#line 3 0\n#line 4 0\ntwo\n");
+}
+
+TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
+    const auto read = files({{"a.frag", "one\n#include \"missing.glsl\"\n"}});
+    try {
+        gl::assembleShader(read, "a.frag", {}, true);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("a.frag:2"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("missing.glsl"), std::string::npos) << error.what();
+    }
+}
+
+TEST(ShaderSource, PointsMessagesOfThreeVendorsHome) {
+    const std::vector<std::string> names{"a.frag", "shared/b.glsl"};
+    EXPECT_EQ(gl::pointHome("1:35(12): error: x", names), "shaders/shared/b.glsl:35: error: x\n");
+    EXPECT_EQ(gl::pointHome("1(35) : error C1: x", names), "shaders/shared/b.glsl:35: error C1: x\n");
+    EXPECT_EQ(gl::pointHome("ERROR: 0:7: 'x' : y", names), "ERROR: shaders/a.frag:7: 'x' : y\n");
+    EXPECT_EQ(gl::pointHome("9:1: unknown file", names), "9:1: unknown file\n");
+}
+
+TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
+    const Context context = openContext(Backend::egl);
+    const auto read = files({{"a.vert", "#include \"b.glsl\"\nvoid main() { gl_Position = vec4(broken()); }\n"},
+                             {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
+                             {"a.frag", "void main() {}\n"}});
+    try {
+        gl::Program({read, context.capabilities.essl320}, {"test", {"a.vert", "a.frag"}, {}});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("shaders/b.glsl:2"), std::string::npos) << error.what();
+    }
+}
+
+// Runs glslangValidator over one shader text; returns its output where it refuses.
+std::string glslang(const std::string& path, const std::string& text) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("vct_glslang_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path file = folder / ("shader" + path.substr(path.rfind('.')));
+    std::ofstream(file) << text;
+    FILE* pipe = popen(("glslangValidator " + file.string() + " 2>&1").c_str(), "r");
+    std::string output;
+    char buffer[512];
+    while (fgets(buffer, sizeof buffer, pipe) != nullptr) output += buffer;
+    const int status = pclose(pipe);
+    std::filesystem::remove_all(folder);
+    return status == 0 ? "" : output + " (status " + std::to_string(status) + ")";
+}
+
+class Glslang : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Versions, Glslang, testing::Bool(),
+                         [](const auto& test) { return test.param ? "Es320" : "Es310"; });
+
+TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
+    ASSERT_EQ(std::system("glslangValidator --version > /dev/null 2>&1"), 0)
+        << "glslangValidator is missing; scripts/setup.sh installs it";
+    std::set<std::string> seen;
+    for (const gl::ProgramDescription& program : everyProgram())
+        for (const std::string& path : program.shaders) {
+            const gl::AssembledShader source =
+                gl::assembleShader(testShaders(), path, program.defines, GetParam());
+            if (!seen.insert(path + source.text).second) continue;
+            EXPECT_EQ(glslang(path, source.text), "") << path << " for " << program.name;
+        }
+    EXPECT_GT(seen.size(), 60U);
+    // No file below shaders/ is left out.
+    std::set<std::string> used;
+    for (const gl::ProgramDescription& program : everyProgram())
+        for (const std::string& path : program.shaders) used.insert(path);
+    for (const auto& entry : std::filesystem::directory_iterator(VCT_SOURCE_DIR "/shaders"))
+        if (entry.is_regular_file()) {
+            EXPECT_TRUE(used.count(entry.path().filename().string())) << entry.path();
+        }
+}
+
+TEST(Programs, EveryVariantLinksOnTheDriver) {
+    const Context context = openContext(Backend::egl);
+    for (const gl::ProgramDescription& description : everyProgram())
+        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.essl320}, description)) << description.name;
+}
+
+}  // namespace
+}  // namespace vct::test

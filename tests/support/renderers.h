@@ -1,0 +1,30 @@
+// A renderer on a back end, for tests.
+#pragma once
+
+#include <string>
+
+#include "gl/shader_source.h"
+#include "platform/context.h"
+#include "render/renderer.h"
+#include "scene/gltf.h"
+
+namespace vct::test {
+
+inline std::string asset(const std::string& name) { return std::string(VCT_SOURCE_DIR "/assets/") + name; }
+
+inline gl::ReadShader testShaders() { return gl::shadersFromFolder(VCT_SOURCE_DIR "/shaders"); }
+
+inline Renderer makeRenderer(const Context& context, const Scene& scene, const DirectionalLight& light,
+                             const Settings& settings) {
+    return Renderer(scene, light, settings, context.capabilities, testShaders());
+}
+
+inline Settings smallSettings(int grid = 64, int pixels = 64) {
+    Settings settings;
+    settings.grid = grid;
+    settings.size = glm::ivec2(pixels);
+    settings.shadowMapSize = 256;
+    return settings;
+}
+
+}  // namespace vct::test

@@ -1,0 +1,68 @@
+#include "support/scenes.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/gltf.h"
+
+namespace vct::test {
+
+namespace {
+
+void turn(Scene& scene, double angleDeg) {
+    const glm::dmat4 rotation =
+        glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));
+    for (Instance& instance : scene.instances) instance.worldFromObject = rotation * instance.worldFromObject;
+}
+
+}  // namespace
+
+Scene emptyScene() {
+    Scene scene;
+    scene.path = "test";
+    scene.materials.emplace_back();
+    return scene;
+}
+
+void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int material) {
+    Mesh mesh;
+    mesh.material = material;
+    const glm::vec3 normal(glm::normalize(glm::cross(u, v)));
+    for (const glm::dvec3& p : {corner, corner + u, corner + u + v, corner + v})
+        mesh.vertices.push_back({glm::vec3(p), normal, glm::vec2(0.0F), glm::vec2(0.0F)});
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+    scene.meshes.push_back(std::move(mesh));
+}
+
+Scene closedBox(double angleDeg) {
+    Scene scene = emptyScene();
+    const glm::dvec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
+    addQuad(scene, {-1, -1, -1}, z, x);  // floor, facing +y
+    addQuad(scene, {-1, 1, -1}, x, z);   // ceiling
+    addQuad(scene, {-1, -1, -1}, y, z);  // left, facing +x
+    addQuad(scene, {1, -1, -1}, z, y);   // right
+    addQuad(scene, {-1, -1, -1}, x, y);  // back, facing +z
+    addQuad(scene, {-1, -1, 1}, y, x);   // front
+    turn(scene, angleDeg);
+    return finished(std::move(scene));
+}
+
+Scene lonePlane(double angleDeg) {
+    Scene scene = emptyScene();
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    turn(scene, angleDeg);
+    return finished(std::move(scene));
+}
+
+Scene finished(Scene scene) {
+    computeBounds(scene);
+    return scene;
+}
+
+DirectionalLight lightFrom(const glm::dvec3& towardsLight) {
+    DirectionalLight light;
+    light.towardsLight = glm::normalize(towardsLight);
+    return light;
+}
+
+}  // namespace vct::test

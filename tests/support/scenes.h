@@ -1,0 +1,27 @@
+// Scenes made in code, for tests whose right answer is known.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/scene.h"
+
+namespace vct::test {
+
+// One white, single-sided material and no geometry.
+Scene emptyScene();
+
+// Adds the rectangle corner, corner + u, corner + u + v, corner + v; its front is on the side of cross(u, v).
+void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int material = 0);
+
+// A cube of side 2 around the origin whose inside is the front; turned by `angleDeg` around (1, 2, 3).
+Scene closedBox(double angleDeg);
+
+// A square of side 2 in the plane y = 0, facing up; turned likewise.
+Scene lonePlane(double angleDeg);
+
+// Computes the bounds; call when all geometry is there.
+Scene finished(Scene scene);
+
+DirectionalLight lightFrom(const glm::dvec3& towardsLight);
+
+}  // namespace vct::test
