@@ -10,8 +10,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-// Differences of positions up to here can be squared and multiplied in float shaders' range reductions;
-// beyond it a scene cannot be told from a damaged file.
+// Further apart than this a mesh cannot be told from a damaged file.
 constexpr double maxExtent = 1e30;
 
 // glTF 2.0 section 3.7.2.1: strips and fans as lists, the winding kept.

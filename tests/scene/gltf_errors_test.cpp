@@ -29,7 +29,7 @@ GltfBuilder complete() {
     const int positions = b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});  // accessor, view 0
     const int normals = b.floats({0, 0, 1, 0, 0, 1, 0, 0, 1});    // 1
     const int uv = b.floats({0, 0, 1, 0, 0, 1}, "VEC2");          // 2
-    const int indices = b.accessor(std::vector<std::uint16_t>{0, 1, 2, 0}, uint16, "SCALAR");  // 3
+    const int indices = b.accessor(std::vector<std::uint16_t>{0, 1, 2, 3}, uint16, "SCALAR");  // 3
     b.document["accessors"][3]["count"] = 3;
     b.texture(encodePng(8));
     b.document["textures"][0]["sampler"] = b.add("samplers", {{"wrapS", 10497}});
@@ -154,7 +154,7 @@ const Damage damages[] = {
      [](json& d) {
          d["accessors"][0]["sparse"] = {
              {"count", 1},
-             {"indices", {{"bufferView", 0}, {"byteOffset", 14}, {"componentType", uint16}}},
+             {"indices", {{"bufferView", 3}, {"byteOffset", 6}, {"componentType", uint16}}},
              {"values", {{"bufferView", 1}}}};
      },
      "sparse"},
