@@ -157,7 +157,7 @@ const Damage damages[] = {
              {"indices", {{"bufferView", 3}, {"byteOffset", 6}, {"componentType", uint16}}},
              {"values", {{"bufferView", 1}}}};
      },
-     "sparse"},
+     "writes element 3 of 3"},
     {"SparseCountLies",
      [](json& d) {
          d["accessors"][0]["sparse"] = {{"count", 99},
