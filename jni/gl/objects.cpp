@@ -53,7 +53,7 @@ void Texture::create(const std::string& label, GLenum target) {
     handle_ = Handle<Traits>(name);
     target_ = target;
     label_ = label;
-    BindTexture(target, name);
+    bind(scratchTextureUnit);
 }
 
 Texture Texture::make2d(const std::string& label, GLenum format, int width, int height, int levels) {
@@ -98,7 +98,7 @@ void Texture::setFilter(GLenum minFilter, GLenum magFilter) const {
 }
 
 void Texture::setParameter(GLenum parameter, GLenum value) const {
-    BindTexture(target_, name());
+    bind(scratchTextureUnit);
     TexParameteri(target_, parameter, static_cast<GLint>(value));
 }
 

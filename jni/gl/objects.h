@@ -30,6 +30,9 @@ class Handle {
     GLuint name_ = 0;
 };
 
+// Textures are made and changed on this unit, so that no pass loses what it has bound. ES 3.1 has 48 units.
+constexpr int scratchTextureUnit = 47;
+
 // An immutable-storage texture. Throws vct::Error naming `label`, the size and the remedy where there is no
 // memory for it.
 class Texture {

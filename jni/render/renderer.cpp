@@ -102,7 +102,6 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
     const glm::ivec2 shadowSize(settings_.shadowMapSize);
     stages.push_back({"shadow_map", stretchDepth(drawStage(shaders_, VCT_STAGE_SHADOW_MAP, shadowSize)), false});
-    shadow.bind(VCT_TEX_SHADOW_MAP);
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 
     stages.push_back({"g_buffer_albedo", drawStage(shaders_, VCT_STAGE_ALBEDO, settings_.size), true});

@@ -27,7 +27,7 @@ void writeLevel(const gl::Texture& voxels, int level, const Words& words) {
 void writePyramid(const gl::Texture& voxels, Words base) {
     for (int level = 0; level < voxels.levels(); ++level) {
         writeLevel(voxels, level, base);
-        base = mipOnCpu(base, voxels.width() >> level);
+        if (level + 1 < voxels.levels()) base = mipOnCpu(base, voxels.width() >> level);
     }
 }
 
