@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 
+// What a driver and its shader compiler take beside the textures; they end the process where they get none.
+constexpr std::size_t driverReserve = std::size_t{384} << 20;
+
 // MemAvailable of /proc/meminfo.
 std::size_t freeMemory() {
     std::ifstream file("/proc/meminfo");
@@ -43,9 +46,10 @@ std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999
 
 void requireMemory(std::size_t bytes, const std::string& what) {
     const std::size_t available = std::min(freeMemory(), freeAddressSpace());
-    if (bytes > available)
-        throw Error("not enough memory for " + what + ": it needs " + megabytes(bytes) + ", " +
-                    megabytes(available) + " are available; use a smaller --grid, or free memory");
+    if (bytes + driverReserve > available)
+        throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " + megabytes(driverReserve) +
+                    " for the driver, of which " + megabytes(available) +
+                    " are available; use a smaller --grid, or free memory");
 }
 
 }  // namespace vct

@@ -1,5 +1,6 @@
 #include "platform/context.h"
 
+#include "core/memory.h"
 #include "gl/api.h"
 #include "gl/debug.h"
 
@@ -17,6 +18,7 @@ Context openContext(Backend backend, int device) {
              context.platform.get());
     if (options.debug) gl::installDebugCallback();
     context.capabilities = gl::queryCapabilities();
+    if (context.capabilities.softwareDriver) requireMemory(0, context.capabilities.renderer);
     return context;
 }
 
