@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
+    vct::cli::addBench(app, exitCode);
     vct::cli::addCompare(app, exitCode);
     vct::cli::addInfo(app, exitCode);
     try {
