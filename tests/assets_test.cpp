@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "image/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace vct {
 namespace {

@@ -40,15 +40,17 @@ std::size_t freeAddressSpace() {
     return limit.rlim_cur > used ? static_cast<std::size_t>(limit.rlim_cur) - used : 0;
 }
 
-std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+std::string megabytes(std::size_t bytes) {
+    return std::to_string((bytes + 999999) / 1000000) + " MB";
+}
 
 }  // namespace
 
 void requireMemory(std::size_t bytes, const std::string& what) {
     const std::size_t available = std::min(freeMemory(), freeAddressSpace());
     if (bytes + driverReserve > available)
-        throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " + megabytes(driverReserve) +
-                    " for the driver, of which " + megabytes(available) +
+        throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " +
+                    megabytes(driverReserve) + " for the driver, of which " + megabytes(available) +
                     " are available; use a smaller --grid, or free memory");
 }
 

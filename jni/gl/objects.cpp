@@ -24,11 +24,14 @@ std::size_t texelBytes(GLenum format) {
         case GL_RGBA32F:
             return 16;
         default:
-            throw Error("texelBytes: format " + std::to_string(format) + " is not in its table; add it there");
+            throw Error("texelBytes: format " + std::to_string(format) +
+                        " is not in its table; add it there");
     }
 }
 
-std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 999999) / 1000000) + " MB"; }
+std::string megabytes(std::size_t bytes) {
+    return std::to_string((bytes + 999999) / 1000000) + " MB";
+}
 
 // Storage calls report GL_OUT_OF_MEMORY and nothing else here: everything before is checked per pass.
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
@@ -116,7 +119,8 @@ Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const
 void Buffer::read(void* destination, std::size_t size) const {
     MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     BindBuffer(GL_COPY_READ_BUFFER, name());
-    const void* mapped = MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
+    const void* mapped =
+        MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
     if (mapped == nullptr) throw Error("the driver could not map buffer '" + label_ + "' for reading");
     std::memcpy(destination, mapped, size);
     UnmapBuffer(GL_COPY_READ_BUFFER);
@@ -139,8 +143,8 @@ void Framebuffer::create(const std::string& label) {
 void Framebuffer::check(const std::string& label) const {
     const GLenum status = CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the driver cannot draw into framebuffer '" + label + "' (status " + std::to_string(status) +
-                    "); `vct info` shows which format it lacks");
+        throw Error("the driver cannot draw into framebuffer '" + label + "' (status " +
+                    std::to_string(status) + "); `vct info` shows which format it lacks");
 }
 
 Framebuffer::Framebuffer(const std::string& label, std::initializer_list<const Texture*> colors,

@@ -49,8 +49,8 @@ Program::Program(const ShaderLibrary& library, const ProgramDescription& descrip
     GLint ok = GL_FALSE;
     GetProgramiv(handle_.get(), GL_LINK_STATUS, &ok);
     if (ok != GL_TRUE)
-        throw Error("program '" + description.name + "' does not link: " +
-                    infoLog(handle_.get(), GetProgramiv, GetProgramInfoLog));
+        throw Error("program '" + description.name +
+                    "' does not link: " + infoLog(handle_.get(), GetProgramiv, GetProgramInfoLog));
     label(GL_PROGRAM, handle_.get(), description.name);
 }
 

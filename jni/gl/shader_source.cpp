@@ -25,8 +25,7 @@ std::string header(const std::string& stage, bool essl320) {
     std::string text = essl320 ? "#version 320 es\n" : "#version 310 es\n";
     if (!essl320) {
         if (stage == ".geom") text += "#extension GL_EXT_geometry_shader : require\n";
-        if (stage == ".frag" || stage == ".comp")
-            text += "#extension GL_OES_shader_image_atomic : require\n";
+        if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
     }
     text += "precision highp float;\nprecision highp int;\n";
     for (const char* type : {"sampler2D", "sampler2DShadow", "usampler2D", "usampler3D", "uimage3D"})
@@ -40,8 +39,8 @@ class Assembler {
 
     void append(const std::string& path, int depth) {
         if (depth > maxIncludeDepth)
-            throw Error("shaders/" + path + ": #include nests deeper than " + std::to_string(maxIncludeDepth) +
-                        " files; does a file include itself?");
+            throw Error("shaders/" + path + ": #include nests deeper than " +
+                        std::to_string(maxIncludeDepth) + " files; does a file include itself?");
         const std::size_t fileNumber = source_.files.size();
         source_.files.push_back(path);
         std::istringstream lines(read_(path));
@@ -97,10 +96,11 @@ std::string defaultShaderFolder() {
 }
 
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,
-                            const std::vector<std::string>& defines, bool essl320) {
+                               const std::vector<std::string>& defines, bool essl320) {
     AssembledShader source;
     source.text = header(extensionOf(path), essl320);
-    for (const std::string& define : defines) source.text += "#define " + define + "\n";
+    for (const std::string& define : defines)
+        source.text += "#define " + define + "\n";
     Assembler(read, source).append(path, 0);
     return source;
 }
@@ -115,7 +115,8 @@ GLenum shaderStage(const std::string& path) {
 }
 
 std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files) {
-    // Mesa: "0:35(12): error", NVIDIA: "0(35) : error", Arm and glslang: "0:35: ..." after an optional "ERROR: ".
+    // Mesa: "0:35(12): error", NVIDIA: "0(35) : error", Arm and glslang: "0:35: ..." after an optional
+    // "ERROR: ".
     static const std::regex place(R"((^|\s)(\d+)(?:\((\d+)\)|:(\d+)(?:\(\d+\))?)\s*:)");
     std::istringstream lines(driverLog);
     std::string line, result;

@@ -26,7 +26,7 @@ struct AssembledShader {
 // `path`'s extension names the stage: .vert .geom .frag .comp. `defines` are "NAME" or "NAME VALUE".
 // essl320: "#version 320 es"; otherwise 310 es with the extensions that the stage needs.
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,
-                            const std::vector<std::string>& defines, bool essl320);
+                               const std::vector<std::string>& defines, bool essl320);
 
 GLenum shaderStage(const std::string& path);
 

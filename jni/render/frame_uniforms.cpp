@@ -26,7 +26,8 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
     const double diagonal = 2.0 * glm::length(half);
     // Half extents of the box along the map's axes, and one texel around them for the filter.
     const double margin = 1.0 + 2.0 / shadowMapSize;
-    const double smallest = 1e-3 * (diagonal > 0.0 ? diagonal : 1.0);  // a plane seen edge-on keeps a finite map
+    const double smallest =
+        1e-3 * (diagonal > 0.0 ? diagonal : 1.0);  // a plane seen edge-on keeps a finite map
     const double halfWidth = std::max(glm::dot(glm::abs(right), half), smallest) * margin;
     const double halfHeight = std::max(glm::dot(glm::abs(up), half), smallest) * margin;
     const double range = (diagonal > 0.0 ? diagonal : 1.0) * 1.01;
@@ -41,8 +42,9 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
     return m;
 }
 
-shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light, const Bounds& boundsWorld,
-                                    const Volume& volume, const Settings& settings) {
+shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+                                    const Bounds& boundsWorld, const Volume& volume,
+                                    const Settings& settings) {
     const double aspect = static_cast<double>(settings.size.x) / settings.size.y;
     const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
     const glm::dmat4 clipFromVolume = clipFromWorld(camera, boundsWorld, aspect) * worldFromVolume;

@@ -16,7 +16,8 @@ float radianceUnit(const DirectionalLight& light);
 // the length of the bounds' diagonal from every direction, so that the bias means the same for all of them.
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize);
 
-shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light, const Bounds& boundsWorld,
-                                    const Volume& volume, const Settings& settings);
+shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+                                    const Bounds& boundsWorld, const Volume& volume,
+                                    const Settings& settings);
 
 }  // namespace vct

@@ -16,17 +16,20 @@ namespace {
 
 GLenum glWrap(Texture::Wrap wrap) {
     switch (wrap) {
-        case Texture::Wrap::clampToEdge: return GL_CLAMP_TO_EDGE;
-        case Texture::Wrap::mirroredRepeat: return GL_MIRRORED_REPEAT;
-        case Texture::Wrap::repeat: break;
+        case Texture::Wrap::clampToEdge:
+            return GL_CLAMP_TO_EDGE;
+        case Texture::Wrap::mirroredRepeat:
+            return GL_MIRRORED_REPEAT;
+        case Texture::Wrap::repeat:
+            break;
     }
     return GL_REPEAT;
 }
 
 gl::Texture uploadTexture(const Texture& source) {
     const int levels = static_cast<int>(std::log2(std::max(source.width, source.height))) + 1;
-    gl::Texture texture = gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width,
-                                              source.height, levels);
+    gl::Texture texture =
+        gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
     gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       source.rgba.data());
@@ -40,16 +43,17 @@ gl::Texture uploadTexture(const Texture& source) {
 // All in double until the last step: a scene may lie 10^6 units from the origin.
 shared::DrawUniforms drawUniforms(const Instance& instance, const Mesh& mesh, const Material& material,
                                   const glm::dmat4& volumeFromWorld, float radianceUnit) {
-    const glm::dmat4 centred = instance.worldFromObject *
-                               glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
-                                          glm::dvec4(mesh.centre, 1.0));
+    const glm::dmat4 centred =
+        instance.worldFromObject * glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
+                                              glm::dvec4(0, 0, 1, 0), glm::dvec4(mesh.centre, 1.0));
     // Cofactors instead of the inverse transpose: the same direction, and finite for a scale of zero.
     const glm::dmat3 m(instance.worldFromObject);
     glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
     double largest = 0.0;
     for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(cofactors[c][r]));
+        for (int r = 0; r < 3; ++r)
+            largest = std::max(largest, std::abs(cofactors[c][r]));
     cofactors *= largest > 0.0 ? sign / largest : 0.0;
 
     shared::DrawUniforms uniforms{};
@@ -95,7 +99,8 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
                std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
     });
-    uniforms_ = gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniforms.size(), uniforms.data(), GL_STATIC_DRAW);
+    uniforms_ =
+        gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniforms.size(), uniforms.data(), GL_STATIC_DRAW);
     uploadGeometry(scene);
     uploadTextures(scene);
 }
@@ -107,11 +112,12 @@ void GpuScene::uploadGeometry(const Scene& scene) {
         // ES 3.1 has no base vertex: it goes into the indices.
         const auto base = static_cast<std::uint32_t>(vertices.size());
         vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-        for (std::uint32_t index : mesh.indices) indices.push_back(base + index);
+        for (std::uint32_t index : mesh.indices)
+            indices.push_back(base + index);
     }
     vertexArray_.bind();
-    indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0], indices.data(),
-                          GL_STATIC_DRAW);
+    indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
+                          indices.data(), GL_STATIC_DRAW);
     vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
                            GL_STATIC_DRAW);
     const auto attribute = [](GLuint location, int components, std::size_t offset) {
@@ -126,7 +132,8 @@ void GpuScene::uploadGeometry(const Scene& scene) {
 }
 
 void GpuScene::uploadTextures(const Scene& scene) {
-    for (const Texture& texture : scene.textures) textures_.push_back(uploadTexture(texture));
+    for (const Texture& texture : scene.textures)
+        textures_.push_back(uploadTexture(texture));
 }
 
 void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
@@ -137,7 +144,8 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
         const gl::Program& program = programs(draw.features);
         if (&program != current) program.use();
         current = &program;
-        if (draw.features & featureBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
+        if (draw.features & featureBaseColorTexture)
+            textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
         if (draw.features & featureEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
         (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
         gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
@@ -150,7 +158,8 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
 
 std::vector<unsigned> GpuScene::featuresThatOccur() const {
     std::set<unsigned> features;
-    for (const Draw& draw : draws_) features.insert(draw.features);
+    for (const Draw& draw : draws_)
+        features.insert(draw.features);
     return {features.begin(), features.end()};
 }
 
@@ -161,7 +170,8 @@ bool GpuScene::hasEmission() const {
 
 std::vector<const gl::Texture*> GpuScene::textures() const {
     std::vector<const gl::Texture*> result;
-    for (const gl::Texture& texture : textures_) result.push_back(&texture);
+    for (const gl::Texture& texture : textures_)
+        result.push_back(&texture);
     return result;
 }
 

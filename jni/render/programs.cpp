@@ -49,14 +49,17 @@ gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget) {
 }
 
 gl::ProgramDescription voxelizerProgram(unsigned features) {
-    return {"voxelizer",
-            {"voxelizer.vert", "voxelizer.geom", "voxelizer.frag"},
-            featureDefines(features, ~0U)};
+    return {
+        "voxelizer", {"voxelizer.vert", "voxelizer.geom", "voxelizer.frag"}, featureDefines(features, ~0U)};
 }
 
-gl::ProgramDescription mipmapperProgram() { return {"mipmapper", {"mipmapper.comp"}, {}}; }
+gl::ProgramDescription mipmapperProgram() {
+    return {"mipmapper", {"mipmapper.comp"}, {}};
+}
 
-gl::ProgramDescription sparseClearProgram() { return {"sparse_clear", {"sparse_clear.comp"}, {}}; }
+gl::ProgramDescription sparseClearProgram() {
+    return {"sparse_clear", {"sparse_clear.comp"}, {}};
+}
 
 gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
@@ -75,15 +78,18 @@ gl::ProgramDescription stageViewProgram(int stage) {
 }
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{mipmapperProgram(), sparseClearProgram(), voxelViewProgram()};
+    std::vector<gl::ProgramDescription> programs{mipmapperProgram(), sparseClearProgram(),
+                                                 voxelViewProgram()};
     for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
         if (!possible(features)) continue;
         programs.push_back(shadowMapProgram(features));
         programs.push_back(voxelizerProgram(features));
-        for (bool emissiveTarget : {false, true}) programs.push_back(gBufferProgram(features, emissiveTarget));
+        for (bool emissiveTarget : {false, true})
+            programs.push_back(gBufferProgram(features, emissiveTarget));
     }
     for (int mode = VCT_MODE_PHONG; mode <= VCT_VIEW_CONE_SHADOW; ++mode)
-        for (bool emissiveTarget : {false, true}) programs.push_back(coneTracerProgram(mode, emissiveTarget));
+        for (bool emissiveTarget : {false, true})
+            programs.push_back(coneTracerProgram(mode, emissiveTarget));
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
     return programs;

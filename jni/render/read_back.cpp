@@ -33,7 +33,8 @@ std::vector<std::uint32_t> readVoxels(const gl::Texture& voxels, int level) {
     for (int z = 0; z < side; ++z) {
         gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.name(), level, z);
         gl::ReadPixels(0, 0, side, side, GL_RGBA_INTEGER, GL_UNSIGNED_INT, rgba.data());
-        for (std::size_t i = 0; i < slice; ++i) words[z * slice + i] = rgba[i * 4];
+        for (std::size_t i = 0; i < slice; ++i)
+            words[z * slice + i] = rgba[i * 4];
     }
     return words;
 }

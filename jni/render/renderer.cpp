@@ -16,8 +16,12 @@ const Settings& validated(const Settings& settings) {
     return settings;
 }
 
-bool needsShadowMap(Mode mode) { return mode != Mode::phong; }
-bool needsVoxels(Mode mode) { return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow; }
+bool needsShadowMap(Mode mode) {
+    return mode != Mode::phong;
+}
+bool needsVoxels(Mode mode) {
+    return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
+}
 
 }  // namespace
 
@@ -30,7 +34,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       boundsWorld_(scene.boundsWorld),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment),
-      frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr, GL_DYNAMIC_DRAW),
+      frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
+                     GL_DYNAMIC_DRAW),
       gBuffer_(shaders_, scene_, settings.size),
       coneTracer_(shaders_, settings.size) {
     gl::checkErrors("setting up the renderer");
@@ -80,7 +85,9 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
 }
 
-Image Renderer::radiance() const { return readImage(coneTracer_.texture(), radianceUnit(light_)); }
+Image Renderer::radiance() const {
+    return readImage(coneTracer_.texture(), radianceUnit(light_));
+}
 
 Image Renderer::tracedView(int view) {
     const gl::Texture& shadow = shadowMap().texture();
@@ -101,25 +108,30 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
     // Read as a picture, not compared.
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
     const glm::ivec2 shadowSize(settings_.shadowMapSize);
-    stages.push_back({"shadow_map", stretchDepth(drawStage(shaders_, VCT_STAGE_SHADOW_MAP, shadowSize)), false});
+    stages.push_back(
+        {"shadow_map", stretchDepth(drawStage(shaders_, VCT_STAGE_SHADOW_MAP, shadowSize)), false});
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 
     stages.push_back({"g_buffer_albedo", drawStage(shaders_, VCT_STAGE_ALBEDO, settings_.size), true});
     stages.push_back({"g_buffer_normal", drawStage(shaders_, VCT_STAGE_NORMAL, settings_.size), false});
-    stages.push_back({"g_buffer_depth", stretchDepth(drawStage(shaders_, VCT_STAGE_DEPTH, settings_.size)), false});
+    stages.push_back(
+        {"g_buffer_depth", stretchDepth(drawStage(shaders_, VCT_STAGE_DEPTH, settings_.size)), false});
     if (surface.emissive != nullptr) {
         surface.emissive->bind(VCT_TEX_G_EMISSIVE);
-        stages.push_back({"g_buffer_emissive", drawStage(shaders_, VCT_STAGE_EMISSIVE, settings_.size), false});
+        stages.push_back(
+            {"g_buffer_emissive", drawStage(shaders_, VCT_STAGE_EMISSIVE, settings_.size), false});
     }
 
     VoxelView voxelView(shaders_, settings_.size);
     const VoxelPyramid& pyramid = voxelPasses().pyramid;
     for (int level = 0; level < pyramid.levels(); ++level)
-        stages.push_back({"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
+        stages.push_back(
+            {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
 
     stages.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
     Image indirect = tracedView(VCT_VIEW_INDIRECT);
-    for (glm::vec3& p : indirect.pixels) p *= unit;
+    for (glm::vec3& p : indirect.pixels)
+        p *= unit;
     stages.push_back({"indirect_light", std::move(indirect), true});
     stages.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
     gl::checkErrors("stage pictures");
@@ -134,9 +146,11 @@ std::vector<std::uint32_t> Renderer::activeVoxels() const {
 std::vector<Renderer::Resource> Renderer::resources() const {
     std::vector<Resource> resources;
     const auto add = [&](const auto& object) { resources.push_back({object.label(), object.bytes()}); };
-    for (const gl::Buffer* buffer : scene_.buffers()) add(*buffer);
+    for (const gl::Buffer* buffer : scene_.buffers())
+        add(*buffer);
     std::size_t textureBytes = 0;
-    for (const gl::Texture* texture : scene_.textures()) textureBytes += texture->bytes();
+    for (const gl::Texture* texture : scene_.textures())
+        textureBytes += texture->bytes();
     if (textureBytes > 0) resources.push_back({"scene textures", textureBytes});
     add(frameUniforms_);
     if (shadowMap_) add(shadowMap_->texture());

@@ -11,17 +11,23 @@ constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or
 }
 
 const std::vector<Mode>& allModes() {
-    static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi, Mode::giConeShadow};
+    static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi,
+                                         Mode::giConeShadow};
     return modes;
 }
 
 const char* modeName(Mode mode) {
     switch (mode) {
-        case Mode::phong: return "phong";
-        case Mode::shadowMap: return "shadow-map";
-        case Mode::ao: return "ao";
-        case Mode::gi: return "gi";
-        case Mode::giConeShadow: return "gi-cone-shadow";
+        case Mode::phong:
+            return "phong";
+        case Mode::shadowMap:
+            return "shadow-map";
+        case Mode::ao:
+            return "ao";
+        case Mode::gi:
+            return "gi";
+        case Mode::giConeShadow:
+            return "gi-cone-shadow";
     }
     return "";
 }
@@ -34,7 +40,8 @@ std::vector<Mode> modesFromText(const std::string& text) {
     while (std::getline(parts, part, ',')) {
         const std::size_t before = modes.size();
         for (Mode mode : allModes())
-            if (part == modeName(mode) || part == std::to_string(static_cast<int>(mode))) modes.push_back(mode);
+            if (part == modeName(mode) || part == std::to_string(static_cast<int>(mode)))
+                modes.push_back(mode);
         if (modes.size() == before)
             throw Error("--mode '" + part + "' is not a mode; use " + modeNames + ", separated by commas");
     }
@@ -55,8 +62,9 @@ void validate(const Settings& settings) {
     const int grid = settings.grid;
     require(grid == 64 || grid == 128 || grid == 256 || grid == 512,
             "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512");
-    require(settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
-            "--size must be between 1x1 and 8192x8192 pixels");
+    require(
+        settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
+        "--size must be between 1x1 and 8192x8192 pixels");
     require(settings.shadowMapSize >= 16 && settings.shadowMapSize <= 8192,
             "--shadow-map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,

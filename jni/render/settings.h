@@ -26,12 +26,12 @@ std::vector<Mode> modesFromText(const std::string& text);
 
 struct Settings {
     Mode mode = Mode::giConeShadow;
-    int grid = 256;                     // voxels along a side of the volume: 64, 128, 256 or 512
-    glm::ivec2 size{400, 400};          // pixels
-    int shadowMapSize = 512;            // texels along a side
-    float shadowConeAngleDeg = 5.0F;    // full opening angle of the cone towards the light
-    float aoDistance = 0.045F;          // of the volume's side
-    glm::vec3 skyRadiance{0.0F};        // seen by cones and pixels that leave the volume
+    int grid = 256;                      // voxels along a side of the volume: 64, 128, 256 or 512
+    glm::ivec2 size{400, 400};           // pixels
+    int shadowMapSize = 512;             // texels along a side
+    float shadowConeAngleDeg = 5.0F;     // full opening angle of the cone towards the light
+    float aoDistance = 0.045F;           // of the volume's side
+    glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
     std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid
 };
 

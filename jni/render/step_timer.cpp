@@ -20,11 +20,16 @@ double finishedAtMs() {
 
 const char* stepName(Step step) {
     switch (step) {
-        case Step::shadowMap: return "shadow_map";
-        case Step::renderData: return "render_data";
-        case Step::voxelize: return "voxelize";
-        case Step::mipmap: return "mipmap";
-        case Step::trace: return "trace";
+        case Step::shadowMap:
+            return "shadow_map";
+        case Step::renderData:
+            return "render_data";
+        case Step::voxelize:
+            return "voxelize";
+        case Step::mipmap:
+            return "mipmap";
+        case Step::trace:
+            return "trace";
     }
     return "";
 }
@@ -46,15 +51,19 @@ StepTimes StepTimer::stopRecording() {
     return std::move(times_);
 }
 
-void StepTimer::beginFrame() { frameMs_.fill(0.0); }
+void StepTimer::beginFrame() {
+    frameMs_.fill(0.0);
+}
 
 void StepTimer::endFrame() {
     if (!recording_) return;
-    for (int i = 0; i < stepCount; ++i) times_.stepMs[i].push_back(frameMs_[i]);
+    for (int i = 0; i < stepCount; ++i)
+        times_.stepMs[i].push_back(frameMs_[i]);
     times_.totalMs.push_back(std::accumulate(frameMs_.begin(), frameMs_.end(), 0.0));
 }
 
-StepTimer::Scope::Scope(StepTimer& t, Step s) : timer(t), step(s), startMs(t.recording_ ? finishedAtMs() : 0.0) {}
+StepTimer::Scope::Scope(StepTimer& t, Step s)
+    : timer(t), step(s), startMs(t.recording_ ? finishedAtMs() : 0.0) {}
 
 StepTimer::Scope::~Scope() {
     if (timer.recording_) timer.frameMs_[static_cast<int>(step)] += finishedAtMs() - startMs;

@@ -32,11 +32,14 @@ std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint
     return commands;
 }
 
-int levelsOf(int grid) { return static_cast<int>(std::log2(grid)) + 1; }
+int levelsOf(int grid) {
+    return static_cast<int>(std::log2(grid)) + 1;
+}
 
 std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
     std::size_t entries = 0;
-    for (const shared::LevelCommands& c : commands) entries += c.capacity;
+    for (const shared::LevelCommands& c : commands)
+        entries += c.capacity;
     return entries * sizeof(std::uint32_t);
 }
 
@@ -52,14 +55,15 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
                                 initialCommands_.data(), GL_STATIC_COPY);
     commands_ = gl::Buffer("voxel commands", GL_SHADER_STORAGE_BUFFER, commandBytes, initialCommands_.data(),
                            GL_DYNAMIC_COPY);
-    activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
-                               GL_DYNAMIC_COPY);
+    activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_),
+                               nullptr, GL_DYNAMIC_COPY);
     zeroTexture();
 }
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
     const int levels = levelsOf(grid);
-    return gl::textureBytes(GL_R32UI, grid, grid, grid, levels) + listBytes(emptyCommands(grid, levels, baseCapacity));
+    return gl::textureBytes(GL_R32UI, grid, grid, grid, levels) +
+           listBytes(emptyCommands(grid, levels, baseCapacity));
 }
 
 // ES has no clear for textures, but each slice can be a colour target.
@@ -80,7 +84,8 @@ void VoxelPyramid::zeroTexture() const {
 void VoxelPyramid::clear() {
     const gl::DebugGroup group("sparse clear");
     // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     sparseClear_.use();
     bindLists();
     for (int level = 0; level < levels(); ++level) {

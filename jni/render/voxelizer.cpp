@@ -19,7 +19,8 @@ void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPy
     voxels.bindLists();
     scene.draw(GpuScene::Culling::none, programs_);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                      GL_COMMAND_BARRIER_BIT);
 }
 
 }  // namespace vct

@@ -11,8 +11,8 @@ namespace vct {
 // Throws vct::Error where eye == target or fov is not in (0, 180) degrees.
 Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg);
 
-// The scene's camera by name or by index ("" takes the first). Throws vct::Error listing the cameras there are;
-// where there is none, the message suggests a --camera that frames the scene.
+// The scene's camera by name or by index ("" takes the first). Throws vct::Error listing the cameras there
+// are; where there is none, the message suggests a --camera that frames the scene.
 Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex);
 
 // A camera that sees the whole scene from the front and above.

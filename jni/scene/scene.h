@@ -12,8 +12,8 @@
 namespace vct {
 
 struct Vertex {
-    glm::vec3 position;  // object space, relative to Mesh::centre
-    glm::vec3 normal;    // object space, unit length
+    glm::vec3 position;    // object space, relative to Mesh::centre
+    glm::vec3 normal;      // object space, unit length
     glm::vec2 uv;          // of the base-colour texture, KHR_texture_transform applied
     glm::vec2 emissiveUv;  // of the emissive texture, likewise
 };
@@ -22,10 +22,10 @@ struct Material {
     enum class AlphaMode { opaque, mask };
 
     std::string name;
-    glm::vec4 baseColor{1.0F};      // linear RGB and alpha; multiplies the texture
-    int baseColorTexture = -1;      // index into Scene::textures, or -1
-    glm::vec3 emissive{0.0F};       // radiance in W/(sr m^2) or nits, strength included; multiplies the texture
-    int emissiveTexture = -1;       // index into Scene::textures, or -1
+    glm::vec4 baseColor{1.0F};  // linear RGB and alpha; multiplies the texture
+    int baseColorTexture = -1;  // index into Scene::textures, or -1
+    glm::vec3 emissive{0.0F};   // radiance in W/(sr m^2) or nits, strength included; multiplies the texture
+    int emissiveTexture = -1;   // index into Scene::textures, or -1
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
@@ -90,7 +90,8 @@ struct Scene {
 
     std::size_t triangleCount() const {
         std::size_t count = 0;
-        for (const Instance& instance : instances) count += meshes[instance.mesh].indices.size() / 3;
+        for (const Instance& instance : instances)
+            count += meshes[instance.mesh].indices.size() / 3;
         return count;
     }
 };

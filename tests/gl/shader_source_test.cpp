@@ -28,7 +28,8 @@ gl::ReadShader files(std::map<std::string, std::string> contents) {
 }
 
 TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
-    const auto read = files({{"a.frag", "one\n#include \"b.glsl\"\n#include \"b.glsl\"\ntwo\n"}, {"b.glsl", "three\n"}});
+    const auto read =
+        files({{"a.frag", "one\n#include \"b.glsl\"\n#include \"b.glsl\"\ntwo\n"}, {"b.glsl", "three\n"}});
     const gl::AssembledShader source = gl::assembleShader(read, "a.frag", {"X 1"}, true);
     EXPECT_EQ(source.files, (std::vector<std::string>{"a.frag", "b.glsl"}));
     EXPECT_EQ(source.text.rfind("#version 320 es\n", 0), 0U);
@@ -57,9 +58,10 @@ TEST(ShaderSource, PointsMessagesOfThreeVendorsHome) {
 
 TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
     const Context context = openContext(Backend::egl);
-    const auto read = files({{"a.vert", "#include \"b.glsl\"\nvoid main() { gl_Position = vec4(broken()); }\n"},
-                             {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
-                             {"a.frag", "void main() {}\n"}});
+    const auto read =
+        files({{"a.vert", "#include \"b.glsl\"\nvoid main() { gl_Position = vec4(broken()); }\n"},
+               {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
+               {"a.frag", "void main() {}\n"}});
     try {
         gl::Program({read, context.capabilities.essl320}, {"test", {"a.vert", "a.frag"}, {}});
         FAIL();
@@ -78,7 +80,8 @@ std::string glslang(const std::string& path, const std::string& text) {
     FILE* pipe = popen(("glslangValidator " + file.string() + " 2>&1").c_str(), "r");
     std::string output;
     char buffer[512];
-    while (fgets(buffer, sizeof buffer, pipe) != nullptr) output += buffer;
+    while (fgets(buffer, sizeof buffer, pipe) != nullptr)
+        output += buffer;
     const int status = pclose(pipe);
     std::filesystem::remove_all(folder);
     return status == 0 ? "" : output + " (status " + std::to_string(status) + ")";
@@ -103,7 +106,8 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
     // No file below shaders/ is left out.
     std::set<std::string> used;
     for (const gl::ProgramDescription& program : everyProgram())
-        for (const std::string& path : program.shaders) used.insert(path);
+        for (const std::string& path : program.shaders)
+            used.insert(path);
     for (const auto& entry : std::filesystem::directory_iterator(VCT_SOURCE_DIR "/shaders"))
         if (entry.is_regular_file()) {
             EXPECT_TRUE(used.count(entry.path().filename().string())) << entry.path();
@@ -113,7 +117,8 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
 TEST(Programs, EveryVariantLinksOnTheDriver) {
     const Context context = openContext(Backend::egl);
     for (const gl::ProgramDescription& description : everyProgram())
-        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.essl320}, description)) << description.name;
+        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.essl320}, description))
+            << description.name;
 }
 
 }  // namespace

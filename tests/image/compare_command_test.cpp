@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "image/image.h"
-#include "image/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace vct {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "image/files.h"
-#include "image/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace vct {
 namespace {

@@ -41,9 +41,12 @@ TEST(EmptyVolume, IndirectIsZeroOcclusionAndShadowAreOne) {
         return gatherOver(context, scene, lightFrom({1, 2, 3}), settings(), camera, which, empty).values;
     };
     ASSERT_GT(view(VCT_VIEW_AO).size(), 1000U);
-    for (float value : view(VCT_VIEW_INDIRECT)) ASSERT_EQ(value, 0.0F);
-    for (float value : view(VCT_VIEW_AO)) ASSERT_EQ(value, 1.0F);
-    for (float value : view(VCT_VIEW_CONE_SHADOW)) ASSERT_EQ(value, 1.0F);
+    for (float value : view(VCT_VIEW_INDIRECT))
+        ASSERT_EQ(value, 0.0F);
+    for (float value : view(VCT_VIEW_AO))
+        ASSERT_EQ(value, 1.0F);
+    for (float value : view(VCT_VIEW_CONE_SHADOW))
+        ASSERT_EQ(value, 1.0F);
 }
 
 // The cone trace over a half-space that ends at voxel faces of every level used: trilinear interpolation of a
@@ -67,7 +70,8 @@ double halfSpaceGather(const glm::dvec3& start, const glm::dvec3& from, const gl
     double gathered = 0.0;
     for (int cone = 0; cone < 6; ++cone) {
         const glm::dvec3 direction =
-            cone == 0 ? glm::dvec3(0, 1, 0) : glm::dvec3(ring[cone - 1][0], ring[cone - 1][1], ring[cone - 1][2]);
+            cone == 0 ? glm::dvec3(0, 1, 0)
+                      : glm::dvec3(ring[cone - 1][0], ring[cone - 1][1], ring[cone - 1][2]);
         double opacity = 0.0;
         double distance = 2.5;
         for (int level = 0; level <= 6 && distance < grid; ++level, distance *= 2.0)
@@ -116,15 +120,17 @@ TEST_P(Furnace, ThesisPresetIsReported) {
     const Context context = openContext(Backend::egl);
     const Scene scene = closedBox(GetParam());
     const auto light = [](Words& base) {
-        for (std::uint32_t& word : base) word = word != 0U ? white : 0U;
+        for (std::uint32_t& word : base)
+            word = word != 0U ? white : 0U;
     };
     Settings s = settings();
     for (s.grid = 64; s.grid <= 256; s.grid *= 4) {
-        const GatherResult result = gatherOver(context, scene, lightFrom({1, 2, 3}), s,
-                                               lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120), VCT_VIEW_INDIRECT, light);
+        const GatherResult result =
+            gatherOver(context, scene, lightFrom({1, 2, 3}), s, lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120),
+                       VCT_VIEW_INDIRECT, light);
         const Spread spread = spreadOf(result.values);
-        std::printf("furnace turned by %d degrees, %d^3: mean %.3f, min %.3f, max %.3f (right: 1)\n", GetParam(),
-                    s.grid, spread.mean, spread.min, spread.max);
+        std::printf("furnace turned by %d degrees, %d^3: mean %.3f, min %.3f, max %.3f (right: 1)\n",
+                    GetParam(), s.grid, spread.mean, spread.min, spread.max);
         // The published constants lose light to their start offsets and skipped levels; they never add any.
         EXPECT_GT(spread.mean, 0.5);
         EXPECT_GT(spread.min, 0.1);
@@ -143,9 +149,9 @@ TEST_P(LonePlane, ThesisPresetIsReported) {
     const auto unchanged = [](Words&) {};
     Settings s = settings();
     for (s.grid = 64; s.grid <= 256; s.grid *= 4) {
-        const GatherResult result = gatherOver(context, scene, lightFrom(up), s,
-                                               lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40),
-                                               VCT_VIEW_INDIRECT, unchanged);
+        const GatherResult result =
+            gatherOver(context, scene, lightFrom(up), s,
+                       lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40), VCT_VIEW_INDIRECT, unchanged);
         const Spread spread = spreadOf(result.values);
         std::printf("lone plane turned by %d degrees, %d^3: mean %.3f, min %.3f, max %.3f (right: 0)\n",
                     GetParam(), s.grid, spread.mean, spread.min, spread.max);

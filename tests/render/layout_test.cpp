@@ -29,7 +29,8 @@ TEST(VoxelWord, HasTheThesissOrder) {  // figure 4.3
 TEST(VoxelWord, EightChildrenNeverOverflowAField) {
     const uint brightest = packVoxel(8, 8, uvec3(248));
     uint parent = 0;
-    for (int i = 0; i < 8; ++i) parent += childContribution(brightest);
+    for (int i = 0; i < 8; ++i)
+        parent += childContribution(brightest);
     EXPECT_EQ(parent, packVoxel(8, 8, uvec3(248)));
 }
 

@@ -15,14 +15,16 @@
 namespace vct::test {
 namespace {
 
-// Filament's two-number tolerance: a channel may differ by 5/255 anywhere, and by more in 0.1 % of the pixels.
+// Filament's two-number tolerance: a channel may differ by 5/255 anywhere, and by more in 0.1 % of the
+// pixels.
 constexpr float maxDifference = 5.0F / 255.0F;
 constexpr double maxFraction = 0.001;
 
 // What a PNG stores: encoded, clamped and rounded to 8 bits.
 Image asPng(Image image) {
     for (glm::vec3& pixel : image.pixels)
-        for (int c = 0; c < 3; ++c) pixel[c] = std::round(srgbEncode(pixel[c]) * 255.0F) / 255.0F;
+        for (int c = 0; c < 3; ++c)
+            pixel[c] = std::round(srgbEncode(pixel[c]) * 255.0F) / 255.0F;
     return image;
 }
 
@@ -52,7 +54,8 @@ Pictures picturesOf(Backend backend, const std::string& sceneName, bool stages) 
             pictures.emplace_back("stage_" + stage.name, std::move(stage.image));
     for (auto& [name, image] : pictures) {
         for (const glm::vec3& pixel : image.pixels)
-            for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(pixel[c])) << name;
+            for (int c = 0; c < 3; ++c)
+                EXPECT_TRUE(std::isfinite(pixel[c])) << name;
         image = asPng(std::move(image));
     }
     return pictures;
@@ -65,7 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Pictures, OtherDriver,
                                           testing::Values("cornell.glb", "courtyard.glb")),
                          [](const auto& test) {
                              const std::string scene = std::get<1>(test.param);
-                             return backendName(std::get<0>(test.param)) + ("_" + scene.substr(0, scene.find('.')));
+                             return backendName(std::get<0>(test.param)) +
+                                    ("_" + scene.substr(0, scene.find('.')));
                          });
 
 TEST_P(OtherDriver, FiveModesAndStagesAreWithinTolerance) {
@@ -79,16 +83,18 @@ TEST_P(OtherDriver, FiveModesAndStagesAreWithinTolerance) {
 }
 
 class Golden : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Values("cornell.glb", "courtyard.glb"), [](const auto& test) {
-    const std::string scene = test.param;
-    return scene.substr(0, scene.find('.'));
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Values("cornell.glb", "courtyard.glb"),
+                         [](const auto& test) {
+                             const std::string scene = test.param;
+                             return scene.substr(0, scene.find('.'));
+                         });
 
 TEST_P(Golden, EveryModeAndStageIsUnchanged) {
     {
         const Context context = openContext(Backend::egl);
         if (context.capabilities.renderer.find("llvmpipe") != 0)
-            GTEST_SKIP() << "goldens are llvmpipe's; this machine's EGL gives " << context.capabilities.renderer;
+            GTEST_SKIP() << "goldens are llvmpipe's; this machine's EGL gives "
+                         << context.capabilities.renderer;
     }
     const std::string scene = GetParam();
     const std::string folder = VCT_SOURCE_DIR "/tests/golden/" + scene.substr(0, scene.find('.'));
@@ -99,7 +105,8 @@ TEST_P(Golden, EveryModeAndStageIsUnchanged) {
         if (update) {
             Image linear = image;
             for (glm::vec3& pixel : linear.pixels)
-                for (int c = 0; c < 3; ++c) pixel[c] = srgbDecode(pixel[c]);
+                for (int c = 0; c < 3; ++c)
+                    pixel[c] = srgbDecode(pixel[c]);
             writePng(file, linear);
         }
         expectAlike(asPng(readImage(file)), image, file);

@@ -36,7 +36,9 @@ std::vector<Words> voxelsOf(Backend backend, const std::string& name, int grid, 
 
 class Voxels : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, Voxels, testing::Values("cornell.glb", "courtyard.glb"),
-                         [](const auto& test) { return std::string(test.param).substr(0, std::string(test.param).find('.')); });
+                         [](const auto& test) {
+                             return std::string(test.param).substr(0, std::string(test.param).find('.'));
+                         });
 
 TEST_P(Voxels, BaseLevelHasCountEightAndLightNoneOrEight) {
     const std::vector<Words> levels = voxelsOf(Backend::egl, GetParam(), 128);
@@ -47,7 +49,8 @@ TEST_P(Voxels, BaseLevelHasCountEightAndLightNoneOrEight) {
         const std::uint32_t light = shared::voxelLight(word);
         ASSERT_TRUE(light == 0 || light == 8) << light;
         ++(light != 0 ? lit : unlit);
-        for (int c = 0; c < 3; ++c) ASSERT_LE(shared::voxelColor(word)[c], 248U);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_LE(shared::voxelColor(word)[c], 248U);
     }
     EXPECT_GT(lit, 1000U);
     EXPECT_GT(unlit, 1000U);
@@ -96,7 +99,8 @@ TEST_P(Voxels, ShuffledTrianglesGiveTheIdenticalGrid) {
 TEST_P(Voxels, OccupancyIsIdenticalOnOsmesa) {
     VCT_SKIP_IF_ABSENT(Backend::osmesa);
     const auto occupied = [](Words words) {
-        for (std::uint32_t& word : words) word = word != 0;
+        for (std::uint32_t& word : words)
+            word = word != 0;
         return words;
     };
     EXPECT_EQ(occupied(voxelsOf(Backend::osmesa, GetParam(), 128)[0]),
@@ -106,7 +110,8 @@ TEST_P(Voxels, OccupancyIsIdenticalOnOsmesa) {
 TEST_P(Voxels, OccupancyIsIdenticalOnZink) {
     VCT_SKIP_IF_ABSENT(Backend::zink);
     const auto occupied = [](Words words) {
-        for (std::uint32_t& word : words) word = word != 0;
+        for (std::uint32_t& word : words)
+            word = word != 0;
         return words;
     };
     EXPECT_EQ(occupied(voxelsOf(Backend::zink, GetParam(), 128)[0]),
@@ -122,7 +127,8 @@ TEST(VoxelsOverTime, FrameHundredEqualsFrameOne) {
     const std::vector<Words> first = readPyramid(renderer);
     const Image firstImage = renderer.radiance();
     const std::vector<std::uint32_t> firstCounts = renderer.activeVoxels();
-    for (int i = 2; i <= 100; ++i) renderer.frame(Mode::gi, camera);
+    for (int i = 2; i <= 100; ++i)
+        renderer.frame(Mode::gi, camera);
     EXPECT_EQ(readPyramid(renderer), first);
     EXPECT_EQ(renderer.activeVoxels(), firstCounts);
     EXPECT_EQ(renderer.radiance().pixels, firstImage.pixels);
@@ -141,7 +147,8 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("--active-voxels"), std::string::npos) << error.what();
     }
-    // Level 1's list lies behind level 0's: every entry there is a parent of level 0's, written by the mipmapper.
+    // Level 1's list lies behind level 0's: every entry there is a parent of level 0's, written by the
+    // mipmapper.
     const VoxelPyramid& pyramid = *renderer.voxels();
     ASSERT_EQ(pyramid.firstEntry(1), 1000U);
     std::set<std::uint32_t> parents;
@@ -159,7 +166,8 @@ TEST(VoxelizerHardCases, DegenerateAndEdgeOnTrianglesMakeNoNaNAndNoExtraVoxel) {
         Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), smallSettings());
         renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
         for (const glm::vec3& pixel : renderer.radiance().pixels)
-            for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(pixel[c]));
+            for (int c = 0; c < 3; ++c)
+                EXPECT_TRUE(std::isfinite(pixel[c]));
         return readVoxels(renderer.voxels()->texture(), 0);
     };
     const Words reference = before();

@@ -21,7 +21,8 @@ std::vector<float> readDepth(const gl::ShaderLibrary& shaders, const gl::Texture
     noVertices.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     std::vector<float> result;
-    for (const glm::vec3& pixel : readImage(color).pixels) result.push_back(pixel.x);
+    for (const glm::vec3& pixel : readImage(color).pixels)
+        result.push_back(pixel.x);
     return result;
 }
 
@@ -32,7 +33,8 @@ GatherResult gatherOver(const Context& context, const Scene& scene, const Direct
                         const std::function<void(Words& base)>& editBase) {
     const gl::ShaderLibrary shaders{testShaders(), context.capabilities.essl320};
     const Volume volume = volumeAround(scene.boundsWorld, settings.grid);
-    const GpuScene gpuScene(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment);
+    const GpuScene gpuScene(scene, volume, radianceUnit(light),
+                            context.capabilities.uniformBufferOffsetAlignment);
     const shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
     const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
     buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
@@ -58,7 +60,8 @@ GatherResult gatherOver(const Context& context, const Scene& scene, const Direct
         for (int x = 0; x < settings.size.x; ++x) {
             const float z = depth[static_cast<std::size_t>(y) * settings.size.x + x];
             if (z == 1.0F) continue;
-            const glm::dvec2 ndc((x + 0.5) / settings.size.x * 2.0 - 1.0, 1.0 - (y + 0.5) / settings.size.y * 2.0);
+            const glm::dvec2 ndc((x + 0.5) / settings.size.x * 2.0 - 1.0,
+                                 1.0 - (y + 0.5) / settings.size.y * 2.0);
             const glm::dvec4 p = volumeFromClip * glm::dvec4(ndc, z * 2.0 - 1.0, 1.0);
             result.positions.push_back(glm::dvec3(p) / p.w);
             result.values.push_back(result.image.at(x, y).x);

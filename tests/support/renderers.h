@@ -10,9 +10,13 @@
 
 namespace vct::test {
 
-inline std::string asset(const std::string& name) { return std::string(VCT_SOURCE_DIR "/assets/") + name; }
+inline std::string asset(const std::string& name) {
+    return std::string(VCT_SOURCE_DIR "/assets/") + name;
+}
 
-inline gl::ReadShader testShaders() { return gl::shadersFromFolder(VCT_SOURCE_DIR "/shaders"); }
+inline gl::ReadShader testShaders() {
+    return gl::shadersFromFolder(VCT_SOURCE_DIR "/shaders");
+}
 
 inline Renderer makeRenderer(const Context& context, const Scene& scene, const DirectionalLight& light,
                              const Settings& settings) {

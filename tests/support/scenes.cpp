@@ -11,7 +11,8 @@ namespace {
 void turn(Scene& scene, double angleDeg) {
     const glm::dmat4 rotation =
         glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));
-    for (Instance& instance : scene.instances) instance.worldFromObject = rotation * instance.worldFromObject;
+    for (Instance& instance : scene.instances)
+        instance.worldFromObject = rotation * instance.worldFromObject;
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace vct::test {
 Scene emptyScene();
 
 // Adds the rectangle corner, corner + u, corner + u + v, corner + v; its front is on the side of cross(u, v).
-void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, int material = 0);
+void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
+             int material = 0);
 
 // A cube of side 2 around the origin whose inside is the front; turned by `angleDeg` around (1, 2, 3).
 Scene closedBox(double angleDeg);
