@@ -1,0 +1,68 @@
+// Bad command lines: one line that says what is wrong, a non-zero exit, and nothing written.
+#include <gtest/gtest.h>
+
+#include "cli/program_run.h"
+
+namespace vct::test {
+namespace {
+
+struct BadCommand {
+    const char* name;
+    std::string arguments;
+    std::string says;
+};
+
+std::string renderCornell(const std::string& options) {
+    return std::string("render ") + ProgramRun::cornell + " " + options;
+}
+
+std::string benchCornell(const std::string& options) {
+    return std::string("bench ") + ProgramRun::cornell + " " + options;
+}
+
+class CommandLine : public ::testing::TestWithParam<BadCommand> {};
+
+TEST_P(CommandLine, FailsWithOneLineAndWritesNothing) {
+    ProgramRun program;
+    writeBytes(program.folder.file("file"), "untouched");
+    EXPECT_EQ(program.run(GetParam().arguments), 1);
+    EXPECT_EQ(lineCount(program.err), 1) << program.err;
+    EXPECT_EQ(program.err.rfind("vct: error: ", 0), 0U) << program.err;
+    EXPECT_NE(program.err.find(GetParam().says), std::string::npos) << program.err;
+    EXPECT_EQ(program.out, "");
+    EXPECT_EQ(program.folder.list(), std::vector<std::string>{"file"});
+    EXPECT_EQ(program.temporary.list(), std::vector<std::string>{});
+    EXPECT_EQ(readBytes(program.folder.file("file")), "untouched");
+}
+
+// Paths below a regular file and in /proc cannot be written by root either.
+INSTANTIATE_TEST_SUITE_P(
+    Bad, CommandLine,
+    ::testing::Values(
+        BadCommand{"Mode", renderCornell("--out out --mode sepia"), "gi-cone-shadow"},
+        BadCommand{"Grid", renderCornell("--out out --grid 100"), "64, 128, 256, 512"},
+        BadCommand{"Size", renderCornell("--out out --size 400"), "WIDTHxHEIGHT"},
+        BadCommand{"ConeAngle", renderCornell("--out out --cone-angle 0"), "--cone-angle"},
+        BadCommand{"Preset", renderCornell("--out out --preset best"), "thesis"},
+        BadCommand{"Backend", renderCornell("--out out --backend direct3d"), "egl, osmesa, zink"},
+        BadCommand{"Scene", "render none.glb --out out/deep/er", "none.glb"},
+        BadCommand{"OutBelowAFile", renderCornell("--out file/out"), "file/out"},
+        BadCommand{"OutIsAFile", renderCornell("--out file"), "not a folder"},
+        BadCommand{"OutInProc", renderCornell("--out /proc/vct"), "/proc/vct"},
+        BadCommand{"OutIsProc", renderCornell("--out /proc"), "/proc"},
+        BadCommand{"TimingsBelowAFile", renderCornell("--out out --timings file/t.json"), "file/t.json"},
+        BadCommand{"TimingsInNoFolder", renderCornell("--out out --timings none/t.json"), "none/t.json"},
+        BadCommand{"BenchBackend", benchCornell("--backend direct3d"), "egl, osmesa, zink"},
+        BadCommand{"BenchOutBelowAFile", benchCornell("--out file/out"), "file/out"},
+        BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"}),
+    [](const ::testing::TestParamInfo<BadCommand>& test) { return std::string(test.param.name); });
+
+TEST(UnknownOption, IsNamed) {
+    ProgramRun program;
+    EXPECT_NE(program.run(renderCornell("--out out --colour red")), 0);
+    EXPECT_NE(program.err.find("--colour"), std::string::npos) << program.err;
+    EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace vct::test

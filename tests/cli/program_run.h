@@ -1,0 +1,47 @@
+// One run of `vct` in an empty folder of its own: what it said, what it left.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/temporary_folder.h"
+
+namespace vct::test {
+
+class ProgramRun {
+  public:
+    // The scene of the tests; absolute, as the program runs elsewhere.
+    static constexpr const char* cornell = VCT_SOURCE_DIR "/assets/cornell.glb";
+
+    int run(const std::string& arguments) {
+        const std::string command = "cd '" + folder.path() + "' && TMPDIR='" + temporary.path() + "' '" +
+                                    VCT_PROGRAM + "' " + arguments + " > '" + said.file("out") + "' 2> '" +
+                                    said.file("err") + "'";
+        const int status = std::system(command.c_str());
+        out = readBytes(said.file("out"));
+        err = readBytes(said.file("err"));
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+    nlohmann::json json(const std::string& name) const {
+        return nlohmann::json::parse(readBytes(folder.file(name)), nullptr, false);
+    }
+
+    TemporaryFolder folder;     // working folder
+    TemporaryFolder temporary;  // what the program takes for the system's
+    std::string out, err;
+
+  private:
+    TemporaryFolder said;
+};
+
+inline auto lineCount(const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+}
+
+}  // namespace vct::test

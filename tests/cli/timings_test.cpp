@@ -1,0 +1,116 @@
+// timings.json as docs/timings.md promises it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cli/program_run.h"
+
+namespace vct::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array steps{"shadow_map", "render_data", "voxelize", "mipmap", "trace"};
+constexpr std::size_t frames = 5;
+
+std::string renderSmall(const std::string& options) {
+    return std::string("render ") + ProgramRun::cornell +
+           " --grid 64 --size 64x64 --out out --timings t.json " + options;
+}
+
+void expectSpread(const json& step) {
+    ASSERT_EQ(step.at("samples").size(), frames);
+    std::vector<double> samples = step.at("samples");
+    std::sort(samples.begin(), samples.end());
+    EXPECT_GE(samples.front(), 0.0);
+    EXPECT_EQ(step.at("min"), samples.front());
+    EXPECT_EQ(step.at("max"), samples.back());
+    EXPECT_EQ(step.at("median"), samples[frames / 2]);
+}
+
+void expectSteps(const json& object) {
+    ASSERT_EQ(object.size(), steps.size() + 1);
+    for (const char* step : steps)
+        expectSpread(object.at(step));
+    expectSpread(object.at("total"));
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        double sum = 0.0;
+        for (const char* step : steps)
+            sum += object.at(step).at("samples").at(frame).get<double>();
+        // Each number is rounded to a microsecond.
+        EXPECT_NEAR(object.at("total").at("samples").at(frame).get<double>(), sum, 0.0035);
+    }
+}
+
+void expectCommonFields(const json& timings) {
+    EXPECT_EQ(timings.at("version"), 1);
+    for (const char* text : {"program", "scene"})
+        EXPECT_TRUE(timings.at(text).is_string()) << text;
+    EXPECT_EQ(timings.at("triangles"), 1298);
+    for (const char* text : {"backend", "vendor", "renderer", "version"})
+        EXPECT_FALSE(timings.at("driver").at(text).get<std::string>().empty()) << text;
+    for (const char* text : {"cpu", "system"})
+        EXPECT_FALSE(timings.at("machine").at(text).get<std::string>().empty()) << text;
+    EXPECT_GE(timings.at("machine").at("threads").get<int>(), 1);
+    const json& settings = timings.at("settings");
+    EXPECT_EQ(settings.at("preset"), "thesis");
+    EXPECT_EQ(settings.at("grid"), 64);
+    EXPECT_EQ(settings.at("width"), 64);
+    EXPECT_EQ(settings.at("height"), 64);
+    EXPECT_EQ(settings.at("shadow_map"), 512);
+    EXPECT_EQ(settings.at("cone_angle_deg"), 5.0);
+    EXPECT_NEAR(settings.at("ao_distance").get<double>(), 0.045, 1e-6);
+    const json& method = timings.at("method");
+    EXPECT_TRUE(method.at("clock").is_string());
+    EXPECT_EQ(method.at("warm_up_frames"), 2);
+    EXPECT_EQ(method.at("frames"), frames);
+    EXPECT_EQ(method.at("revoxelized_every_frame"), true);
+    ASSERT_FALSE(timings.at("resources").empty());
+    for (const json& resource : timings.at("resources")) {
+        EXPECT_TRUE(resource.at("name").is_string());
+        EXPECT_GT(resource.at("bytes").get<long long>(), 0) << resource.at("name");
+    }
+}
+
+TEST(Timings, OneModeHasItsStepsAtTheTop) {
+    ProgramRun program;
+    ASSERT_EQ(program.run(renderSmall("--mode gi-cone-shadow")), 0) << program.err;
+    const json timings = program.json("t.json");
+    expectCommonFields(timings);
+    EXPECT_EQ(timings.at("mode"), "gi-cone-shadow");
+    EXPECT_FALSE(timings.contains("modes"));
+    expectSteps(timings.at("steps"));
+    for (const char* step : steps)
+        EXPECT_GT(timings.at("steps").at(step).at("min").get<double>(), 0.0) << step;
+
+    const std::vector<long long> active = timings.at("active_voxels");
+    ASSERT_EQ(active.size(), 7U);  // 64, 32, 16, 8, 4, 2, 1
+    for (std::size_t level = 1; level < active.size(); ++level)
+        EXPECT_LT(active[level], active[level - 1]);
+    EXPECT_EQ(active.back(), 1);
+}
+
+TEST(Timings, SeveralModesHaveOneObjectEach) {
+    ProgramRun program;
+    ASSERT_EQ(program.run(renderSmall("--mode phong,ao --contact-sheet")), 0) << program.err;
+    const json timings = program.json("t.json");
+    expectCommonFields(timings);
+    EXPECT_FALSE(timings.contains("steps"));
+    ASSERT_EQ(timings.at("modes").size(), 2U);
+    for (const char* mode : {"phong", "ao"})
+        expectSteps(timings.at("modes").at(mode).at("steps"));
+    EXPECT_EQ(timings.at("modes").at("phong").at("steps").at("voxelize").at("max"), 0.0);
+    // The table for people has a line for each mode and one for the columns.
+    EXPECT_EQ(lineCount(program.out), 3) << program.out;
+
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(program.folder.file("out")))
+        names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"ao.exr", "ao.png", "contact_sheet.png", "phong.exr", "phong.png"}));
+}
+
+}  // namespace
+}  // namespace vct::test
