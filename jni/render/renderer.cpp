@@ -94,10 +94,21 @@ Image Renderer::tracedView(int view) {
     return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadow, &voxelPasses().pyramid.texture()));
 }
 
+std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
+    frame(Mode::giConeShadow, camera);
+    Image indirect = tracedView(VCT_VIEW_INDIRECT);
+    for (glm::vec3& p : indirect.pixels) p *= radianceUnit(light_);
+    std::vector<Stage> parts;
+    parts.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
+    parts.push_back({"indirect_light", std::move(indirect), true});
+    parts.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
+    gl::checkErrors("light parts");
+    return parts;
+}
+
 std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
     frame(Mode::giConeShadow, camera);
     const GBuffer::Targets surface = gBuffer_.targets();
-    const float unit = radianceUnit(light_);
     std::vector<Stage> stages;
 
     surface.albedo->bind(VCT_TEX_G_ALBEDO);
@@ -128,12 +139,7 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
         stages.push_back(
             {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
 
-    stages.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
-    Image indirect = tracedView(VCT_VIEW_INDIRECT);
-    for (glm::vec3& p : indirect.pixels)
-        p *= unit;
-    stages.push_back({"indirect_light", std::move(indirect), true});
-    stages.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
+    for (Stage& part : lightParts(camera)) stages.push_back(std::move(part));
     gl::checkErrors("stage pictures");
     return stages;
 }
