@@ -14,7 +14,7 @@ TEST(Assets, RegenerateToTheSameBytes) {
     const std::string source = VCT_SOURCE_DIR;
     const std::string command = "python3 '" + source + "/tools/make_assets.py' --out '" + folder.path() + "'";
     ASSERT_EQ(std::system((command + " > /dev/null").c_str()), 0) << command;
-    int compared = 0;
+    std::size_t compared = 0;
     for (const auto& entry : std::filesystem::directory_iterator(source + "/assets")) {
         if (entry.path().extension() != ".glb") continue;
         const std::string name = entry.path().filename().string();
@@ -23,8 +23,8 @@ TEST(Assets, RegenerateToTheSameBytes) {
         EXPECT_TRUE(committed == readBytes(folder.file(name))) << name << " differs; run " << command;
         ++compared;
     }
-    EXPECT_EQ(compared, 2);
-    EXPECT_EQ(folder.list().size(), 2U);
+    EXPECT_GE(compared, 9U);
+    EXPECT_EQ(folder.list().size(), compared);
 }
 
 }  // namespace

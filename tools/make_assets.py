@@ -9,8 +9,19 @@ import sys
 
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
-from scenes import cornell, courtyard  # noqa: E402
+from scenes import contact, cornell, corridor, courtyard, furnace, lone_plane, thin_wall  # noqa: E402
 
+SCENES = {
+    "contact": contact.build,
+    "cornell": cornell.build,
+    "cornell_10km": lambda: cornell.build(5000.0),
+    "cornell_1mm": lambda: cornell.build(0.0005),
+    "corridor": corridor.build,
+    "courtyard": courtyard.build,
+    "furnace": furnace.build,
+    "lone_plane": lone_plane.build,
+    "thin_wall": thin_wall.build,
+}
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -19,10 +30,12 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "assets", help="folder (default: assets)")
     out = parser.parse_args().out
     out.mkdir(parents=True, exist_ok=True)
-    for name, scene in (("cornell.glb", cornell.build()), ("courtyard.glb", courtyard.build())):
+    for name, build in SCENES.items():
+        scene = build()
         data = scene.to_bytes()
-        (out / name).write_bytes(data)
-        print(f"{out / name}: {len(data)} bytes, {scene.triangle_count()} triangles")
+        path = out / f"{name}.glb"
+        path.write_bytes(data)
+        print(f"{path}: {len(data)} bytes, {scene.triangle_count()} triangles")
 
 
 if __name__ == "__main__":

@@ -84,9 +84,10 @@ class Glb:
         if cutoff is not None:
             material.update(alphaMode="MASK", alphaCutoff=cutoff, doubleSided=True)
         if emissive:
-            self._use("KHR_materials_emissive_strength")
             material["emissiveFactor"] = list(emissive[0])
-            material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": emissive[1]}}
+            if emissive[1] != 1:
+                self._use("KHR_materials_emissive_strength")
+                material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": emissive[1]}}
             if emissive[2] is not None:
                 material["emissiveTexture"] = {"index": emissive[2]}
         return self._append("materials", material)
@@ -100,9 +101,11 @@ class Glb:
             self.json["nodes"][parent].setdefault("children", []).append(index)
         return index
 
-    def camera(self, name, eye, target, vertical_fov_deg):
+    def camera(self, name, eye, target, vertical_fov_deg, near_and_far=(0.1, 100.0)):
+        """`near_and_far` in metres; `vct` fits its own to the scene."""
+        near, far = near_and_far
         camera = self._append("cameras", {"name": name, "type": "perspective", "perspective": {
-            "yfov": tidy(math.radians(vertical_fov_deg)), "znear": 0.1, "zfar": 100.0}})
+            "yfov": tidy(math.radians(vertical_fov_deg)), "znear": near, "zfar": far}})
         forward = [t - e for t, e in zip(target, eye)]
         self.node(name, translation=list(eye), rotation=look_along(forward), camera=camera)
 

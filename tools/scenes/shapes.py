@@ -29,8 +29,17 @@ def add_quad(shape, origin, u, v, uv_size=None):
     shape.indices += [first + i for i in (0, 1, 2, 0, 2, 3)]
 
 
+def add_room(shape, low, high):
+    """The six sides of an axis-aligned box, seen from inside."""
+    (x, y, z), (w, h, d) = low, (b - a for a, b in zip(low, high))
+    for origin, u, v in (((x, y, z + d), (w, 0, 0), (0, 0, -d)), ((x, y + h, z), (w, 0, 0), (0, 0, d)),
+                         ((x, y, z), (w, 0, 0), (0, h, 0)), ((x + w, y, z + d), (-w, 0, 0), (0, h, 0)),
+                         ((x, y, z + d), (0, 0, -d), (0, h, 0)), ((x + w, y, z), (0, 0, d), (0, h, 0))):
+        add_quad(shape, origin, u, v)
+
+
 def box(size, metres_per_repeat):
-    """Closed, centred on x and z, standing on y = 0."""
+    """Closed, centred on x and z, standing on y = 0. `metres_per_repeat`: of its texture, None without."""
     w, h, d = size
     x, z = w / 2, d / 2
     shape = Shape()
@@ -38,7 +47,7 @@ def box(size, metres_per_repeat):
             ((-x, 0, z), (w, 0, 0), (0, h, 0), (w, h)), ((x, 0, -z), (-w, 0, 0), (0, h, 0), (w, h)),
             ((x, 0, z), (0, 0, -d), (0, h, 0), (d, h)), ((-x, 0, -z), (0, 0, d), (0, h, 0), (d, h)),
             ((-x, h, z), (w, 0, 0), (0, 0, -d), (w, d)), ((-x, 0, -z), (w, 0, 0), (0, 0, d), (w, d))):
-        add_quad(shape, origin, u, v, [s / metres_per_repeat for s in lengths])
+        add_quad(shape, origin, u, v, [s / metres_per_repeat for s in lengths] if metres_per_repeat else None)
     return shape
 
 
@@ -129,4 +138,22 @@ def disc_fan(radius, y, segments):
         shape.positions.append((radius * math.cos(a), y, -radius * math.sin(a)))
         shape.normals.append((0, 1, 0))
         shape.uvs.append((0.5 + 0.5 * math.cos(a), 0.5 - 0.5 * math.sin(a)))
+    return shape
+
+
+def cylinder(radius, height, segments):
+    """Closed, about the y axis, standing on y = 0; the side is smooth, the two ends are flat."""
+    shape = Shape()
+    ring = [(math.cos(2 * math.pi * i / segments), -math.sin(2 * math.pi * i / segments)) for i in range(segments + 1)]
+    for c, s in ring:
+        shape.positions += [(radius * c, 0, radius * s), (radius * c, height, radius * s)]
+        shape.normals += [(c, 0, s)] * 2
+    for i in range(0, 2 * segments, 2):
+        shape.indices += [i, i + 2, i + 3, i, i + 3, i + 1]
+    for y, up in ((0, -1), (height, 1)):
+        middle = len(shape.positions)
+        shape.positions += [(0, y, 0)] + [(radius * c, y, radius * s) for c, s in ring]
+        shape.normals += [(0, up, 0)] * (segments + 2)
+        for i in range(1, segments + 1):
+            shape.indices += [middle, middle + i, middle + i + 1] if up > 0 else [middle, middle + i + 1, middle + i]
     return shape
