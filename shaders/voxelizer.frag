@@ -19,6 +19,9 @@ const vec2 fragmentEmissiveUv = vec2(0.0);
 #endif
 
 layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform uimage3D voxels;
+#ifdef VCT_SECOND_ATOMIC  // experiment: the published program keeps a flat debug view beside the voxels
+layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D debugView;
+#endif
 
 void main() {
     vec4 baseColor = materialBaseColor(fragmentUv);
@@ -40,5 +43,9 @@ void main() {
     uvec3 color = uvec3(clamp(radiance, 0.0, 1.0) * float(VCT_BASE_COUNT * VCT_COLOR_STEPS) + 0.5);
     uint word = packVoxel(lit ? VCT_BASE_COUNT : 0u, VCT_BASE_COUNT, color);
     ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
+#ifdef VCT_SECOND_ATOMIC
+    // Into the level above, which the mipmapper adds to: the time counts here, the picture does not.
+    imageAtomicMax(debugView, voxel >> 1, 0u);
+#endif
     if (imageAtomicMax(voxels, voxel, word) == 0u) appendVoxel(0u, uvec3(voxel));
 }

@@ -30,9 +30,11 @@ struct RenderOptions {
     float coneAngleDeg = 5.0F;
     float aoDistance = 0.045F;
     float exposure = 1.0F;
+    std::vector<std::string> experiments;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool stages = false;
+    bool lightParts = false;
     bool contactSheet = false;
 };
 
@@ -44,6 +46,7 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowConeAngleDeg = options.coneAngleDeg;
     settings.aoDistance = options.aoDistance;
     settings.skyRadiance = colorFromText("--sky", options.sky);
+    settings.experiments = options.experiments;
     settings.activeVoxelLimit = options.activeVoxels;
     validate(settings);
     return settings;
@@ -54,7 +57,8 @@ void progress(const std::string& text) {
 }
 
 Image exposed(Image image, float exposure) {
-    for (glm::vec3& pixel : image.pixels) pixel *= exposure;
+    for (glm::vec3& pixel : image.pixels)
+        pixel *= exposure;
     return image;
 }
 
@@ -85,9 +89,11 @@ void write(const Pictures& pictures, const RenderOptions& options, OutputFolder&
 }
 
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
-    for (int i = 0; i < warmUpFrames; ++i) renderer.frame(mode, camera);
+    for (int i = 0; i < warmUpFrames; ++i)
+        renderer.frame(mode, camera);
     renderer.timer().startRecording();
-    for (int i = 0; i < timedFrames; ++i) renderer.frame(mode, camera);
+    for (int i = 0; i < timedFrames; ++i)
+        renderer.frame(mode, camera);
     return renderer.timer().stopRecording();
 }
 
@@ -100,7 +106,8 @@ void render(const RenderOptions& options) {
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
     Scene scene = loadGltf(options.scene);
-    for (const std::string& warning : scene.warnings) progress("warning: " + warning);
+    for (const std::string& warning : scene.warnings)
+        progress("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
     const Camera camera = cameraFromText(options.camera, scene);
     const DirectionalLight light = lightFromText(options.light, scene);
@@ -110,7 +117,8 @@ void render(const RenderOptions& options) {
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
     progress(context.capabilities.renderer + ", " + context.capabilities.version);
-    Renderer renderer(scene, light, settings, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
+    Renderer renderer(scene, light, settings, context.capabilities,
+                      gl::shadersFromFolder(gl::defaultShaderFolder()));
 
     TimingsReport report;
     Pictures pictures;
@@ -125,6 +133,9 @@ void render(const RenderOptions& options) {
         pictures.linear.emplace_back(modeName(mode), renderer.radiance());
     }
     report.resources = renderer.resources();
+    if (options.lightParts)
+        for (Renderer::Stage& part : renderer.lightParts(camera))
+            pictures.linear.emplace_back(part.name, std::move(part.image));
     if (options.stages) {
         progress("stages");
         pictures.stages = renderer.stages(camera);
@@ -157,35 +168,50 @@ void addRender(CLI::App& app, int&) {
     command->footer(footer);
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
     command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
-    command->add_option("--mode", options->mode,
-                        "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
+    command
+        ->add_option("--mode", options->mode,
+                     "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
         ->capture_default_str();
     command->add_option("--preset", options->preset, "Set of settings: thesis")->capture_default_str();
-    command->add_option("--grid", options->grid, "Voxels along a side: 64, 128, 256, 512")->capture_default_str();
+    command->add_option("--grid", options->grid, "Voxels along a side: 64, 128, 256, 512")
+        ->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
-    command->add_option("--cone-angle", options->coneAngleDeg, "Shadow cone's full angle in degrees, 0.1 to 170")
+    command
+        ->add_option("--cone-angle", options->coneAngleDeg, "Shadow cone's full angle in degrees, 0.1 to 170")
         ->capture_default_str();
-    command->add_option("--ao-distance", options->aoDistance, "Reach of ambient occlusion, of the volume's side")
+    command
+        ->add_option("--ao-distance", options->aoDistance, "Reach of ambient occlusion, of the volume's side")
         ->capture_default_str();
     command->add_option("--camera", options->camera,
                         "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
                         "(default: its first)");
-    command->add_option("--light", options->light,
-                        "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
-                        "each part may be left out");
-    command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")->capture_default_str();
-    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")->capture_default_str();
+    command->add_option(
+        "--light", options->light,
+        "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
+        "each part may be left out");
+    command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
+        ->capture_default_str();
+    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")
+        ->capture_default_str();
     command->add_flag("--stages", options->stages, "Also write every intermediate into DIR/stages/");
+    command->add_flag(
+        "--light-parts", options->lightParts,
+        "Also write indirect_light, ambient_occlusion and cone_shadow, each alone, as PNG and EXR");
     command->add_flag("--contact-sheet", options->contactSheet,
                       "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
                         "Time each step over 5 frames (docs/timings.md) and write FILE.json");
     command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
     command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    std::string experiments = "Change one thing of the algorithm, for measurements (docs/defects.md):";
+    for (const Experiment& experiment : allExperiments())
+        experiments += std::string("\n") + experiment.name + ": " + experiment.what;
+    command->add_option("--experiment", options->experiments, experiments)->delimiter(',');
     command->add_option("--active-voxels", options->activeVoxels,
                         "Room in the active-voxel list (default: 16 grid^2)");
-    command->add_option("--seed-order", options->seedOrder, "Shuffle the triangles; the result must not change");
+    command->add_option("--seed-order", options->seedOrder,
+                        "Shuffle the triangles; the result must not change");
     command->callback([options] { render(*options); });
 }
 

@@ -18,7 +18,9 @@ using nlohmann::ordered_json;
 
 constexpr int timingsVersion = 1;
 
-double rounded(double ms) { return std::round(ms * 1000.0) / 1000.0; }
+double rounded(double ms) {
+    return std::round(ms * 1000.0) / 1000.0;
+}
 
 ordered_json samplesJson(const std::vector<double>& samples) {
     ordered_json json;
@@ -26,13 +28,15 @@ ordered_json samplesJson(const std::vector<double>& samples) {
     json["min"] = samples.empty() ? 0.0 : rounded(*std::min_element(samples.begin(), samples.end()));
     json["max"] = samples.empty() ? 0.0 : rounded(*std::max_element(samples.begin(), samples.end()));
     json["samples"] = ordered_json::array();
-    for (double sample : samples) json["samples"].push_back(rounded(sample));
+    for (double sample : samples)
+        json["samples"].push_back(rounded(sample));
     return json;
 }
 
 ordered_json stepsJson(const StepTimes& times) {
     ordered_json json;
-    for (int i = 0; i < stepCount; ++i) json[stepName(static_cast<Step>(i))] = samplesJson(times.stepMs[i]);
+    for (int i = 0; i < stepCount; ++i)
+        json[stepName(static_cast<Step>(i))] = samplesJson(times.stepMs[i]);
     json["total"] = samplesJson(times.totalMs);
     return json;
 }
@@ -45,7 +49,8 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"height", s.size.y},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
-            {"ao_distance", s.aoDistance}};
+            {"ao_distance", s.aoDistance},
+            {"experiments", s.experiments}};
 }
 
 }  // namespace
@@ -85,7 +90,8 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
         json["mode"] = modeName(report.modes[0].first);
         json["steps"] = stepsJson(report.modes[0].second);
     } else {
-        for (const auto& [mode, times] : report.modes) json["modes"][modeName(mode)]["steps"] = stepsJson(times);
+        for (const auto& [mode, times] : report.modes)
+            json["modes"][modeName(mode)]["steps"] = stepsJson(times);
     }
     json["active_voxels"] = report.activeVoxels;
     json["resources"] = ordered_json::array();

@@ -1,5 +1,5 @@
-// timings.json: what a run measured, on what, and how. docs/timings.md describes every field; the phone writes
-// the same.
+// timings.json: what a run measured, on what, and how. docs/timings.md describes every field; the phone
+// writes the same.
 #pragma once
 
 #include <nlohmann/json.hpp>

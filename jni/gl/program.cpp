@@ -23,7 +23,9 @@ std::string infoLog(GLuint object, decltype(GetShaderiv) getParameter, decltype(
 
 Handle<ShaderTraits> compile(const ShaderLibrary& library, const ProgramDescription& description,
                              const std::string& path) {
-    const AssembledShader source = assembleShader(library.read, path, description.defines, library.essl320);
+    std::vector<std::string> defines = library.defines;
+    defines.insert(defines.end(), description.defines.begin(), description.defines.end());
+    const AssembledShader source = assembleShader(library.read, path, defines, library.essl320);
     Handle<ShaderTraits> shader(CreateShader(shaderStage(path)));
     const char* text = source.text.c_str();
     ShaderSource(shader.get(), 1, &text, nullptr);

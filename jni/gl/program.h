@@ -20,6 +20,7 @@ struct ProgramDescription {
 struct ShaderLibrary {
     ReadShader read;
     bool essl320 = false;
+    std::vector<std::string> defines = {};  // for every program, beside its own
 };
 
 class Program {

@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+
 #include "core/memory.h"
 #include "gl/debug.h"
 #include "render/frame_uniforms.h"
@@ -16,6 +18,14 @@ const Settings& validated(const Settings& settings) {
     return settings;
 }
 
+std::vector<std::string> experimentDefines(const Settings& settings) {
+    std::vector<std::string> defines;
+    for (const Experiment& experiment : allExperiments())
+        if (std::count(settings.experiments.begin(), settings.experiments.end(), experiment.name) > 0)
+            defines.emplace_back(experiment.define);
+    return defines;
+}
+
 bool needsShadowMap(Mode mode) {
     return mode != Mode::phong;
 }
@@ -29,7 +39,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings)),
       softwareDriver_(capabilities.softwareDriver),
-      shaders_{std::move(readShader), capabilities.essl320},
+      shaders_{std::move(readShader), capabilities.essl320, experimentDefines(settings)},
       light_(light),
       boundsWorld_(scene.boundsWorld),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
@@ -97,7 +107,8 @@ Image Renderer::tracedView(int view) {
 std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
     frame(Mode::giConeShadow, camera);
     Image indirect = tracedView(VCT_VIEW_INDIRECT);
-    for (glm::vec3& p : indirect.pixels) p *= radianceUnit(light_);
+    for (glm::vec3& p : indirect.pixels)
+        p *= radianceUnit(light_);
     std::vector<Stage> parts;
     parts.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
     parts.push_back({"indirect_light", std::move(indirect), true});
@@ -139,7 +150,8 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
         stages.push_back(
             {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
 
-    for (Stage& part : lightParts(camera)) stages.push_back(std::move(part));
+    for (Stage& part : lightParts(camera))
+        stages.push_back(std::move(part));
     gl::checkErrors("stage pictures");
     return stages;
 }

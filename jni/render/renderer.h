@@ -37,7 +37,8 @@ class Renderer {
         Image image;       // linear RGB, scaled for the eye
         bool hasUnits;     // false: made for the eye only, no use as data
     };
-    // What the cones saw, each alone, drawn anew from `camera`: ambient_occlusion, indirect_light, cone_shadow.
+    // What the cones saw, each alone, drawn anew from `camera`: ambient_occlusion, indirect_light,
+    // cone_shadow.
     std::vector<Stage> lightParts(const Camera& camera);
     // Every intermediate, the light parts among them, drawn anew from `camera`.
     std::vector<Stage> stages(const Camera& camera);

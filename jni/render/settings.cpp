@@ -1,5 +1,6 @@
 #include "render/settings.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/error.h"
@@ -49,6 +50,23 @@ std::vector<Mode> modesFromText(const std::string& text) {
     return modes;
 }
 
+const std::vector<Experiment>& allExperiments() {
+    static const std::vector<Experiment> experiments{
+        {"coverage-opacity", "VCT_COVERAGE_OPACITY",
+         "a coarser voxel is as opaque as the share of a flat surface that its children make (defect 1)"},
+        {"rounded-mips", "VCT_ROUNDED_MIPS",
+         "colours are rounded to nearest in each mip, not down (defect 2)"},
+        {"long-shadow-steps", "VCT_LONG_SHADOW_STEPS",
+         "the shadow cone steps by its diameter, at least a voxel, its opacity as before (defect 4)"},
+        {"near-start", "VCT_NEAR_START",
+         "cones start one voxel along the normal and their samples touch, as in the thesis's text (defect "
+         "5)"},
+        {"second-atomic", "VCT_SECOND_ATOMIC",
+         "the published program's second image atomic per fragment, for a debug view (defect 8)"},
+    };
+    return experiments;
+}
+
 Settings presetSettings(const std::string& name) {
     // The thesis's settings are the defaults of every member: it is the yardstick.
     if (name == "thesis") return {};
@@ -71,6 +89,11 @@ void validate(const Settings& settings) {
             "--cone-angle must be between 0.1 and 170 degrees");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "--ao-distance must be above 0 and at most 1 (the volume's side)");
+    for (const std::string& name : settings.experiments) {
+        const auto& known = allExperiments();
+        require(std::any_of(known.begin(), known.end(), [&](const Experiment& e) { return name == e.name; }),
+                "--experiment '" + name + "' does not exist; `vct render --help` lists them");
+    }
 }
 
 }  // namespace vct

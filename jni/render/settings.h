@@ -24,15 +24,25 @@ const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone
 // "all", or names and numbers separated by commas; throws vct::Error listing the names.
 std::vector<Mode> modesFromText(const std::string& text);
 
+// Single changes to the thesis's algorithm, for measuring what each of its known defects costs
+// (docs/defects.md). None is part of a preset. `define` is what the shaders see.
+struct Experiment {
+    const char* name;
+    const char* define;
+    const char* what;
+};
+const std::vector<Experiment>& allExperiments();
+
 struct Settings {
     Mode mode = Mode::giConeShadow;
-    int grid = 256;                      // voxels along a side of the volume: 64, 128, 256 or 512
-    glm::ivec2 size{400, 400};           // pixels
-    int shadowMapSize = 512;             // texels along a side
-    float shadowConeAngleDeg = 5.0F;     // full opening angle of the cone towards the light
-    float aoDistance = 0.045F;           // of the volume's side
-    glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
-    std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid
+    int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
+    glm::ivec2 size{400, 400};             // pixels
+    int shadowMapSize = 512;               // texels along a side
+    float shadowConeAngleDeg = 5.0F;       // full opening angle of the cone towards the light
+    float aoDistance = 0.045F;             // of the volume's side
+    glm::vec3 skyRadiance{0.0F};           // seen by cones and pixels that leave the volume
+    std::vector<std::string> experiments;  // names out of allExperiments()
+    std::uint32_t activeVoxelLimit = 0;    // capacity of the active-voxel list's base level; 0: by the grid
 };
 
 // "thesis". Throws vct::Error listing the presets.

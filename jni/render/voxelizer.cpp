@@ -16,6 +16,7 @@ void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPy
     gl::DepthMask(GL_FALSE);
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);  // read by the experiment second-atomic only
     voxels.bindLists();
     scene.draw(GpuScene::Culling::none, programs_);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.

@@ -37,8 +37,15 @@ const float ringConeWeight = 0.15;
 
 // Distances in voxels of the finest level. The start clears the surface's own voxels; every step doubles the
 // distance and reads the next level, so each step needs one level only (figure 4.5).
+#ifdef VCT_NEAR_START  // experiment: the thesis's text, figure 4.5
+const float diffuseStart = 1.0;
+const float diffuseFirstSample = 1.0;
+const float shadowStart = 1.0;
+#else
 const float diffuseStart = 5.0;
 const float diffuseFirstSample = 2.5;
+const float shadowStart = 8.0;
+#endif
 
 // `reach` in volume sides: samples beyond it are not taken.
 Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
@@ -68,22 +75,30 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
     return gather;
 }
 
+// By eq. 4.8 a step is the cone's radius. A needle, which would take thousands of them, takes the steps of a
+// cone of 2 degrees while they are short, and then half a voxel at a time: at most about 1,000 at 256^3, and no
+// wall is stepped over.
+float shadowStep(float distance, float radius, float voxel) {
+#ifdef VCT_LONG_SHADOW_STEPS  // experiment
+    return max(2.0 * radius, voxel);
+#else
+    const float needleRatio = 0.0178;
+    return max(radius, min(needleRatio * distance, 0.5 * voxel));
+#endif
+}
+
 // The general cone towards the light (eq. 4.6-4.8): 1 where nothing is in its way.
 float traceShadowCone(vec3 positionVolume, vec3 normal) {
-    const float startAlongNormal = 8.0;  // voxels
     const float furthest = 1.7320508;    // the volume's diagonal, in sides
     float sine = frame.cone.x;
     float ratio = sine / (1.0 - sine);  // eq. 4.8: radius over distance to the sphere's near side
     float side = float(frame.grid.x);
     float voxel = 1.0 / side;
     float lastLevel = float(frame.grid.y);
-    vec3 start = positionVolume + normal * (startAlongNormal * voxel);
-    // A needle, of which eq. 4.8 would take thousands of steps, takes those of a cone of 2 degrees while they
-    // are short, and then half a voxel at a time: at most about 1,000 at 256^3, and no wall is stepped over.
-    const float needleRatio = 0.0178;
+    vec3 start = positionVolume + normal * (shadowStart * voxel);
     float opacity = 0.0;
     for (float distance = voxel; distance < furthest && opacity < opaque;
-         distance += max(ratio * distance, min(needleRatio * distance, 0.5 * voxel))) {
+         distance += shadowStep(distance, ratio * distance, voxel)) {
         float radius = ratio * distance;
         vec3 p = start + frame.towardsLight.xyz * (distance + radius);
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7

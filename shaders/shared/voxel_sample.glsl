@@ -29,11 +29,23 @@ uint voxelWord(int x, int y, int z, int level) {
     return texelFetch(voxels, ivec3(x, y, z), level).r;
 }
 
-// Radiance relative to E/pi, and opacity. A voxel is opaque as soon as one of its children is; its colour is
-// the mean of its children's where any is lit, and black otherwise (published program).
+// A voxel is opaque as soon as one of its children is.
+float wordOpacity(uint word) {
+#ifdef VCT_COVERAGE_OPACITY  // experiment: four of eight children are a surface straight across the voxel
+    return min(float(voxelCount(word)) * 0.25, 1.0);
+#else
+    return word != 0u ? 1.0 : 0.0;
+#endif
+}
+
+// Radiance relative to E/pi times opacity, and opacity. A voxel's colour is the mean of its children's where
+// any is lit, and black otherwise (published program).
 vec4 unpackSample(uint word) {
-    float opacity = word != 0u ? 1.0 : 0.0;
+    float opacity = wordOpacity(word);
     float scale = voxelLight(word) != 0u ? 1.0 / (float(VCT_COLOR_STEPS) * float(voxelCount(word))) : 0.0;
+#ifdef VCT_COVERAGE_OPACITY
+    scale *= opacity;
+#endif
     return vec4(vec3(voxelColor(word)) * scale, opacity);
 }
 
@@ -53,7 +65,7 @@ vec4 sampleVoxels(vec3 positionVolume, int level) {
 }
 
 float occupied(int x, int y, int z, int level) {
-    return voxelWord(x, y, z, level) != 0u ? 1.0 : 0.0;
+    return wordOpacity(voxelWord(x, y, z, level));
 }
 
 float sampleOpacity(vec3 positionVolume, int level) {

@@ -95,13 +95,23 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
     ASSERT_EQ(std::system("glslangValidator --version > /dev/null 2>&1"), 0)
         << "glslangValidator is missing; scripts/setup.sh installs it";
     std::set<std::string> seen;
-    for (const gl::ProgramDescription& program : everyProgram())
-        for (const std::string& path : program.shaders) {
-            const gl::AssembledShader source =
-                gl::assembleShader(testShaders(), path, program.defines, GetParam());
-            if (!seen.insert(path + source.text).second) continue;
-            EXPECT_EQ(glslang(path, source.text), "") << path << " for " << program.name;
-        }
+    const auto check = [&](const std::string& experiment) {
+        for (const gl::ProgramDescription& program : everyProgram())
+            for (const std::string& path : program.shaders) {
+                std::vector<std::string> defines = program.defines;
+                if (!experiment.empty()) defines.push_back(experiment);
+                const gl::AssembledShader source =
+                    gl::assembleShader(testShaders(), path, defines, GetParam());
+                // A shader that does not read the experiment's define is the one that was checked without it.
+                const bool reads =
+                    experiment.empty() || source.text.find("#ifdef " + experiment) != std::string::npos;
+                if (!reads || !seen.insert(path + source.text).second) continue;
+                EXPECT_EQ(glslang(path, source.text), "") << path << " for " << program.name;
+            }
+    };
+    check("");
+    for (const Experiment& experiment : allExperiments())
+        check(experiment.define);
     EXPECT_GT(seen.size(), 60U);
     // No file below shaders/ is left out.
     std::set<std::string> used;
