@@ -18,10 +18,11 @@ Footprint footprint(vec3 positionVolume, int level) {
     ivec3 low = ivec3(whole);
     ivec3 high = low + 1;
     Footprint f;
-    f.lowWeight = mix(vec3(0.0), 1.0 - part, greaterThanEqual(low, ivec3(0)));
-    f.highWeight = mix(vec3(0.0), part, lessThanEqual(high, ivec3(last)));
     f.low = clamp(low, ivec3(0), ivec3(last));
     f.high = clamp(high, ivec3(0), ivec3(last));
+    // On both sides for both: the finer of two levels is read up to half a voxel of the coarser beyond the volume.
+    f.lowWeight = mix(vec3(0.0), 1.0 - part, equal(f.low, low));
+    f.highWeight = mix(vec3(0.0), part, equal(f.high, high));
     return f;
 }
 
