@@ -1,0 +1,57 @@
+// One frame with its passes laid open: over a volume and voxels of the test's choosing, and with everything
+// that the cone tracer reads brought to the CPU.
+#pragma once
+
+#include <vector>
+
+#include "image/image.h"
+#include "platform/context.h"
+#include "render/cone_tracer.h"
+#include "render/frame_uniforms.h"
+#include "render/g_buffer.h"
+#include "render/mipmapper.h"
+#include "render/shadow_map.h"
+#include "render/voxelizer.h"
+#include "support/voxels.h"
+
+namespace vct::test {
+
+// What the G-buffer says of a pixel.
+struct SurfacePixel {
+    bool surface = false;  // false: sky, and nothing else is set
+    glm::dvec3 positionVolume{0.0};
+    glm::dvec3 normal{0.0};
+    glm::dvec3 albedo{0.0};
+};
+
+class TracedFrame {
+  public:
+    // Draws the shadow map and the G-buffer and makes the voxels.
+    TracedFrame(const Context& context, const Scene& scene, const DirectionalLight& light,
+                const Settings& settings, const Volume& volume, const Camera& camera);
+
+    const shared::FrameUniforms& uniforms() const { return uniforms_; }
+
+    Words level(int level) const;
+    std::vector<Words> levels() const;
+    // The other levels follow on the CPU.
+    void replaceVoxels(const Words& base) { writePyramid(pyramid_.texture(), base); }
+
+    // Row by row from the top, as in an Image.
+    std::vector<SurfacePixel> pixels() const;
+
+    // `view`: VCT_VIEW_*.
+    Image view(int view);
+
+  private:
+    gl::ShaderLibrary shaders_;
+    shared::FrameUniforms uniforms_;
+    GpuScene scene_;
+    gl::Buffer uniformBuffer_;
+    ShadowMap shadowMap_;
+    GBuffer gBuffer_;
+    VoxelPyramid pyramid_;
+    ConeTracer coneTracer_;
+};
+
+}  // namespace vct::test
