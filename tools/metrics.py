@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""The error of a picture against a reference, both linear RGB.
+
+    python tools/metrics.py PICTURE.exr REFERENCE.exr [--mask COVERAGE.exr] [--json] [--error-picture OUT.png]
+
+relmse    mean of (x - r)^2 / (r^2 + 0.01)
+bias      mean(x) / mean(r) - 1; none where the reference is black
+rmse      root of the mean of (x - r)^2: for values, such as occlusion and shadow
+p999      99.9th percentile of |x - r|
+flip      mean FLIP of the two as sRGB pictures, 67 pixels per degree
+hdr_flip  mean HDR-FLIP, in exposures that are fixed per scene (reference.json) or follow from the reference
+
+`at_noise_floor`: the picture cannot be told from a perfect one by this reference. A perfect picture's relMSE is the
+reference's own noise; one whose error is smaller than that noise stays below twice of it.
+"""
+import argparse
+import json
+import math
+import pathlib
+import sys
+
+import numpy as np
+
+from truth.exr import PictureError, read_exr
+
+EPSILON = 0.01  # of relMSE
+PIXELS_PER_DEGREE = 67
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])  # ITU-R BT.709
+
+
+def srgb_from_linear(x: np.ndarray) -> np.ndarray:
+    """IEC 61966-2-1; clipped to 0..1."""
+    x = np.clip(x, 0.0, 1.0)
+    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.power(x, 1 / 2.4) - 0.055)
+
+
+def relmse(image: np.ndarray, reference: np.ndarray) -> float:
+    return float(np.mean((image - reference) ** 2 / (reference ** 2 + EPSILON)))
+
+
+def noise_of_halves(a: np.ndarray, b: np.ndarray) -> float:
+    """relMSE of the mean of two independent halves: that mean's variance is that of half their difference."""
+    mean = 0.5 * (a + b)
+    return float(np.mean((0.5 * (a - b)) ** 2 / (mean ** 2 + EPSILON)))
+
+
+def automatic_exposures(reference: np.ndarray) -> dict:
+    """HDR-FLIP's own choice (Andersson et al. 2021, eq. 2 and 3), rounded to quarter stops, over pixels with light.
+
+    From the brightest pixel to the median one at 85 % of the ACES curve's range: x is where
+    (a x^2 + b x) / (d x^2 + e x + f) = 0.85.
+    """
+    a, b, d, e, f = 0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14
+    p, q, r = a - 0.85 * d, b - 0.85 * e, -0.85 * f
+    x = (-q + math.sqrt(q * q - 4 * p * r)) / (2 * p)
+    luminance = np.asarray(reference, np.float64) @ LUMINANCE
+    lit = luminance[luminance > 1e-4]
+    if lit.size == 0:
+        return {"start": 0.0, "stop": 1.0, "count": 2}
+    start, stop = (round(4 * math.log2(x / y)) / 4 for y in (lit.max(), np.median(lit)))
+    return {"start": start, "stop": stop, "count": max(2, math.ceil(stop - start))}
+
+
+def check(image: np.ndarray, reference: np.ndarray) -> None:
+    if image.shape != reference.shape:
+        raise PictureError("the picture is {1}x{0} and the reference {3}x{2} pixels: they must be the same".format(
+            *image.shape[:2], *reference.shape[:2]))
+    for name, picture in (("picture", image), ("reference", reference)):
+        bad = np.argwhere(~np.isfinite(picture).all(-1))
+        if len(bad):
+            y, x = bad[0]
+            raise PictureError(f"the {name} is not finite in {len(bad)} pixels, the first at x={x}, y={y}")
+
+
+def flip_maps(image: np.ndarray, reference: np.ndarray, exposures: dict) -> tuple[np.ndarray, np.ndarray]:
+    """FLIP and HDR-FLIP per pixel, (height, width), 0 to 1."""
+    import flip_evaluator
+    ldr = [np.ascontiguousarray(srgb_from_linear(p), np.float32) for p in (reference, image)]
+    hdr = [np.ascontiguousarray(np.maximum(p, 0), np.float32) for p in (reference, image)]
+    common = {"ppd": PIXELS_PER_DEGREE}
+    fixed = {"startExposure": exposures["start"], "stopExposure": exposures["stop"],
+             "numExposures": exposures["count"], "tonemapper": "ACES"}
+    low = flip_evaluator.evaluate(*ldr, "LDR", applyMagma=False, parameters=common)[0]
+    high = flip_evaluator.evaluate(*hdr, "HDR", applyMagma=False, parameters={**common, **fixed})[0]
+    return low.reshape(image.shape[:2]), high.reshape(image.shape[:2])
+
+
+def compare(image: np.ndarray, reference: np.ndarray, exposures: dict | None = None,
+            noise_relmse: float | None = None, mask: np.ndarray | None = None, flip: bool = True) -> dict:
+    """All metrics of the module's description. `exposures`: {"start", "stop", "count"} in stops.
+
+    `mask`: (height, width), true where pixels count. `flip=False` leaves out the two slow ones.
+    """
+    image, reference = np.asarray(image, np.float64), np.asarray(reference, np.float64)
+    check(image, reference)
+    chosen = np.ones(image.shape[:2], bool) if mask is None else np.asarray(mask, bool)
+    if chosen.shape != image.shape[:2]:
+        raise PictureError("the mask does not have the picture's size")
+    if not chosen.any():
+        raise PictureError("the mask leaves no pixel")
+    x, r = image[chosen], reference[chosen]
+    mean = float(r.mean())
+    result = {"relmse": relmse(x, r), "bias": float(x.mean()) / mean - 1 if mean > 0 else None,
+              "rmse": float(np.sqrt(np.mean((x - r) ** 2))), "p999": float(np.percentile(np.abs(x - r), 99.9))}
+    if flip:
+        exposures = exposures or automatic_exposures(reference)
+        low, high = flip_maps(image, reference, exposures)
+        result |= {"flip": float(low[chosen].mean(dtype=np.float64)),
+                   "hdr_flip": float(high[chosen].mean(dtype=np.float64)), "exposures": exposures}
+    if noise_relmse is not None:
+        result |= {"noise_relmse": noise_relmse, "at_noise_floor": result["relmse"] <= 2 * noise_relmse}
+    return result
+
+
+def error_picture(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """(height, width, 3), 8 bits: black where right, red to yellow where too bright, blue to cyan where too dark.
+
+    Full colour at an error of 100 % of the reference, or of 0.1 where that is darker (the weights of relMSE); the
+    root of the error, so that 1 % is still seen.
+    """
+    image, reference = np.asarray(image, np.float64), np.asarray(reference, np.float64)
+    check(image, reference)
+    error = np.mean((image - reference) / np.sqrt(reference ** 2 + EPSILON), -1)
+    strength = np.sqrt(np.minimum(np.abs(error), 1.0))
+    first, second = np.minimum(2 * strength, 1), np.maximum(2 * strength - 1, 0)
+    bright = np.stack([first, second, np.zeros_like(first)], -1)
+    dark = np.stack([np.zeros_like(first), second, first], -1)
+    return np.round(255 * np.where((error > 0)[..., None], bright, dark)).astype(np.uint8)
+
+
+def stored_facts(reference: pathlib.Path) -> tuple[dict | None, float | None]:
+    """Exposures and noise that reference.json beside a reference states."""
+    path = reference.parent / "reference.json"
+    if not path.is_file():
+        return None, None
+    facts = json.loads(path.read_text())
+    return facts.get("hdr_flip_exposures"), facts.get("kinds", {}).get(reference.stem, {}).get("noise_relmse")
+
+
+def report(result: dict) -> str:
+    lines = []
+    for key in ("relmse", "bias", "rmse", "p999", "flip", "hdr_flip"):
+        value = result[key]
+        text = "none: the reference is black" if value is None else f"{value:+.4f}" if key == "bias" else f"{value:.5g}"
+        if key == "relmse" and result.get("at_noise_floor"):
+            text += f"  (at the reference's noise floor, {result['noise_relmse']:.2g})"
+        lines.append(f"{key:9} {text}")
+    return "\n".join(lines)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("picture", type=pathlib.Path)
+    parser.add_argument("reference", type=pathlib.Path, help="reference.json beside it gives exposures and noise")
+    parser.add_argument("--mask", type=pathlib.Path, help="EXR; pixels count where it is above 0.5")
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--error-picture", type=pathlib.Path, metavar="OUT.png",
+                        help="red: too bright, blue: too dark")
+    args = parser.parse_args()
+    try:
+        image, reference = read_exr(args.picture), read_exr(args.reference)
+        mask = read_exr(args.mask)[..., 0] > 0.5 if args.mask else None
+        result = compare(image, reference, *stored_facts(args.reference), mask)
+        if args.error_picture:
+            import PIL.Image
+            PIL.Image.fromarray(error_picture(image, reference)).save(args.error_picture)
+    except (PictureError, OSError, ValueError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    print(json.dumps(result, indent=1) if args.json else report(result))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

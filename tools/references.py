@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""Path-traced references of glTF scenes, by Mitsuba 3, for the scene's first camera and first directional light.
+
+    scripts/python.sh && .venv/bin/python tools/references.py                 all scenes of assets/
+    .venv/bin/python tools/references.py my.glb --size 400x400 --out out/ref  one, elsewhere
+    .venv/bin/python tools/references.py --check                              are the stored ones still what comes out?
+
+Kinds, all linear RGB without tone mapping, box filter, black sky, Lambert surfaces of the base colour:
+
+coverage    share of the pixel in which the camera sees a surface
+direct      emission of what the camera sees + albedo E/pi n.l where nothing lies between it and the sun (a point)
+indirect    albedo x the cosine-weighted mean over the hemisphere of the `direct` of what is seen there: light that
+            leaves a surface once more, the emission of other surfaces included, the seen surface's own not
+one-bounce  direct + indirect, exactly
+full        all bounces, ended by Russian roulette from the fourth on
+ao          cosine-weighted share of the hemisphere free of surfaces nearer than 0.045 of the voxel volume's side
+sun         direct, of a sun of 5 degrees full opening and the same irradiance E on a surface that faces it
+shadow      share of that sun's disc that the surface sees; 0 where n.l <= 0
+
+n is the interpolated vertex normal; nothing arrives from behind a triangle. ao, shadow and coverage count the sky's
+part of a pixel as 0. Surfaces with an alpha mask have holes for every ray. A single-sided back is black, stops light,
+and is not there for the camera.
+
+`reference.json` beside the pictures: settings and, for each kind, `noise_relmse`, the relMSE of the stored mean as
+estimated from its two halves of different seeds: mean(((a - b) / 2)^2 / (((a + b) / 2)^2 + 0.01)).
+"""
+import argparse
+import json
+import pathlib
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+from metrics import automatic_exposures, noise_of_halves
+from truth.exr import write_exr
+from truth.gltf_file import GltfError
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.005 and more).
+SAMPLES = {"coverage": 256, "direct": 256, "indirect": 512, "full": 512, "ao": 512, "sun": 256, "shadow": 512}
+KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
+INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to the sun",
+               "indirect": "one cosine-distributed ray and one emitter, power heuristic; shadow ray to the sun",
+               "one-bounce": "direct + indirect", "full": "path tracing, power heuristic, Russian roulette",
+               "ao": "one cosine-distributed ray", "sun": "one shadow ray into the disc",
+               "shadow": "one shadow ray into the disc"}
+SEED = 0
+# Scenes that are another one scaled, and so have its picture: their references are its references.
+SAME_PICTURE = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}
+
+
+def reference_folder(scene: pathlib.Path, root: pathlib.Path = ROOT / "references") -> pathlib.Path:
+    """Where the references of a scene file lie."""
+    return root / SAME_PICTURE.get(scene.stem, scene.stem)
+
+
+class Progress:
+    """One line per kind; on a terminal it counts."""
+
+    def __init__(self, what: str, samples: int):
+        self.what, self.samples, self.done, self.start = what, samples, 0, time.monotonic()
+
+    def __call__(self, count: int) -> None:
+        self.done += count
+        seconds = time.monotonic() - self.start
+        if sys.stdout.isatty():
+            print(f"\r{self.what}: {self.done}/{self.samples} samples, {seconds:.0f} s", end="", flush=True)
+        if self.done == self.samples:
+            print(f"{chr(13) if sys.stdout.isatty() else ''}{self.what}: {self.samples} samples, {seconds:.1f} s",
+                  flush=True)
+
+
+def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | None) -> dict:
+    """Kind -> (Drawn, samples). One-bounce brings direct and indirect with it."""
+    from truth.drawing import Drawn, draw, make_world  # after the arguments are checked: loading takes a while
+    world, drawn = make_world(scene), {}
+    wanted = set(kinds) | ({"direct", "indirect"} if "one-bounce" in kinds else set())
+    for kind in SAMPLES:
+        if kind in wanted:
+            count = samples or SAMPLES[kind]
+            progress = Progress(f"{scene.path.name} {kind}", count)
+            drawn[kind] = draw(world, scene, kind, size, count, SEED, progress), count
+    if "one-bounce" in kinds:
+        (a, count_a), (b, count_b) = drawn["direct"], drawn["indirect"]
+        halves = tuple(x + y for x, y in zip(a.halves, b.halves))
+        drawn["one-bounce"] = Drawn(a.image + b.image, halves), max(count_a, count_b)
+    return {kind: drawn[kind] for kind in kinds}
+
+
+def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
+    from truth import engine
+    brightest = drawn.get("one-bounce") or drawn.get("full") or next(iter(drawn.values()))
+    return {
+        "scene": scene.path.name,
+        "scene_sha256": scene.sha256,
+        "size": list(size),
+        "mitsuba": engine.load().__version__,
+        "variant": engine.VARIANT,
+        "camera": {"name": scene.camera.name, "eye_world": scene.camera.eye_world.tolist(),
+                   "right_up_back": scene.camera.axes.tolist(), "vertical_fov_rad": scene.camera.vertical_fov_rad},
+        "light": {"towards": scene.sun.towards.tolist(), "irradiance": scene.sun.irradiance.tolist(),
+                  "sun_opening_deg": 5.0},
+        "volume_side_world": scene.side_world,
+        "ao_distance_world": scene.ao_distance_world,
+        "hdr_flip_exposures": automatic_exposures(brightest[0].image),
+        "kinds": {kind: {"spp": count, "seed": SEED, "integrator": INTEGRATORS[kind],
+                         "noise_relmse": noise_of_halves(*result.halves)}
+                  for kind, (result, count) in drawn.items()},
+    }
+
+
+def rounded(value):
+    """Nine significant digits: enough, and short to read."""
+    if isinstance(value, float):
+        return float(f"{value:.9g}")
+    if isinstance(value, dict):
+        return {k: rounded(v) for k, v in value.items()}
+    return [rounded(v) for v in value] if isinstance(value, list) else value
+
+
+def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None) -> None:
+    from truth.scene import load_scene
+    scene = load_scene(path)
+    drawn = draw_kinds(scene, kinds, size, samples)
+    for kind, (result, _) in drawn.items():
+        if not np.isfinite(result.image).all():
+            sys.exit(f"error: {path}: the reference {kind} has values that are not finite")
+    out.mkdir(parents=True, exist_ok=True)
+    for kind, (result, _) in drawn.items():
+        write_exr(out / f"{kind}.exr", result.image)
+    beside = out / "reference.json.tmp"
+    beside.write_text(json.dumps(rounded(describe(scene, drawn, size)), indent=1) + "\n")
+    beside.replace(out / "reference.json")
+
+
+def differing(stored: pathlib.Path, made: pathlib.Path) -> list[str]:
+    return [f.name for f in sorted(made.iterdir())
+            if not (stored / f.name).is_file() or (stored / f.name).read_bytes() != f.read_bytes()]
+
+
+def parse_size(text: str) -> tuple[int, int]:
+    parts = text.split("x")
+    if len(parts) != 2 or not all(p.isdigit() and 0 < int(p) <= 8192 for p in parts):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a size such as 256x256")
+    return int(parts[0]), int(parts[1])
+
+
+def parse_samples(text: str) -> int:
+    if not text.isdigit() or int(text) < 2 or int(text) % 2:
+        raise argparse.ArgumentTypeError(f"'{text}' is not an even number of samples, 2 or more")
+    return int(text)
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path, metavar="SCENE", help=".glb or .gltf (default: assets/)")
+    parser.add_argument("--size", type=parse_size, default=(256, 256), help="WIDTHxHEIGHT (default: 256x256)")
+    parser.add_argument("--spp", type=parse_samples, help="samples per pixel of every kind (default: each its own)")
+    parser.add_argument("--kinds", default=",".join(KINDS), help=f"with commas (default: {','.join(KINDS)})")
+    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "references",
+                        help="folder; a scene's references go into <out>/<its name> (default: references)")
+    parser.add_argument("--check", action="store_true", help="make anew, compare with what is stored, write nothing")
+    args = parser.parse_args()
+    args.kinds = args.kinds.split(",")
+    unknown = [k for k in args.kinds if k not in KINDS]
+    if unknown:
+        parser.error(f"unknown kind '{unknown[0]}'; choose from {', '.join(KINDS)}")
+    if not args.scenes:
+        args.scenes = [p for p in sorted((ROOT / "assets").glob("*.glb")) if p.stem not in SAME_PICTURE]
+    return args
+
+
+def main() -> int:
+    args, bad = arguments(), 0
+    for path in args.scenes:
+        out = reference_folder(path, args.out)
+        try:
+            if not args.check:
+                make(path, out, args.kinds, args.size, args.spp)
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                make(path, pathlib.Path(folder), args.kinds, args.size, args.spp)
+                changed = differing(out, pathlib.Path(folder))
+        except GltfError as error:
+            sys.exit(f"error: {error}")
+        print(f"{path.name}: {'differs: ' + ', '.join(changed) if changed else 'the same, bit for bit'}")
+        bad += bool(changed)
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Path-traced truth of a glTF scene. Shares no code with jni/: one checks the other."""

@@ -1,0 +1,83 @@
+"""Pictures of a scene by kind: box filter over the pixel, the pixel grid of the renderer under test.
+
+Each pixel's samples are added in a fixed order by one lane, so that threads cannot change a bit.
+"""
+import dataclasses
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from . import engine
+from .kinds import ESTIMATORS, World
+from .points import pixel_offsets, point
+from .scene import Scene
+
+mi = engine.load()
+
+import drjit as dr  # noqa: E402
+
+SAMPLES_PER_PASS = 32
+
+
+@dataclasses.dataclass
+class Drawn:
+    image: np.ndarray  # (height, width, 3) float64, mean of the halves
+    halves: tuple[np.ndarray, np.ndarray]  # of one seed each
+
+
+def camera_rays(scene: Scene, size: tuple[int, int], pixel, across, down):
+    """glTF 3.10: -Z forward, `yfov` over the whole height, square pixels; row 0 is the top."""
+    width, height = size
+    x, y = mi.Float(pixel % width) + across, mi.Float(pixel // width) + down
+    half = math.tan(0.5 * scene.camera.vertical_fov_rad)
+    right, up, back = (mi.Vector3f(axis.tolist()) for axis in scene.camera.axes)
+    direction = (right * ((2 * x / width - 1) * half * width / height) + up * ((1 - 2 * y / height) * half) - back)
+    return mi.Point3f(scene.camera.eye.tolist()), dr.normalize(direction)
+
+
+@dr.syntax
+def sum_of_pass(world, scene, kind: str, size: tuple[int, int], seed: int, first: int, count: int):
+    """The sum of samples [first, first + count) of every pixel, as a wavefront of pixels."""
+    estimate = ESTIMATORS[kind]
+    pixel = dr.arange(mi.UInt32, size[0] * size[1])
+    offsets = pixel_offsets(pixel, dr.opaque(mi.UInt32, seed))
+    state, stream = mi.sample_tea_32(pixel, dr.opaque(mi.UInt32, seed ^ (first * 0x85EBCA6B & 0xFFFFFFFF)))
+    random = mi.PCG32(initstate=mi.UInt64(state), initseq=mi.UInt64(stream))
+    total, sample = mi.Color3f(0), mi.UInt32(dr.opaque(mi.UInt32, first))
+    end = sample + dr.opaque(mi.UInt32, count)
+    while sample < end:
+        numbers = point(offsets, sample)
+        origin, direction = camera_rays(scene, size, pixel, numbers[0], numbers[1])
+        hit = world.surfaces.meet(origin, direction, mi.Bool(True), camera=True)
+        surface = world.surfaces.surface(hit, direction)
+        value = estimate(world, surface, numbers, random, hit.valid)
+        total += dr.select(hit.valid, value, 0)
+        sample += 1
+    return total
+
+
+def draw_half(world: World, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
+              progress: Callable[[int], None]) -> np.ndarray:
+    total = np.zeros((size[1], size[0], 3))
+    done = 0
+    while done < samples:
+        count = min(SAMPLES_PER_PASS, samples - done)
+        if world is not None:
+            part = np.array(sum_of_pass(world, scene, kind, size, seed, done, count), np.float64)
+            total += part.T.reshape(total.shape)
+        done += count
+        progress(count)
+    return total / samples
+
+
+def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
+         progress: Callable[[int], None] = lambda count: None) -> Drawn:
+    """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1."""
+    halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i, progress) for i in (0, 1))
+    return Drawn(0.5 * (halves[0] + halves[1]), halves)
+
+
+def make_world(scene: Scene) -> World | None:
+    """None for a scene without triangles: its pictures are black."""
+    return World(scene) if len(scene.positions) else None

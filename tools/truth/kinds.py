@@ -1,0 +1,107 @@
+"""What each kind of reference is: for one camera ray's surface, an estimate of its value.
+
+All light is diffuse (Lambert, base colour). The sky is black. A single-sided back reflects and emits nothing, and
+blocks light; the camera alone looks through it. See references.py for the kinds in words.
+"""
+import math
+
+from . import engine
+from .lights import Emitters, Sun, leave, tangent_frame
+from .scene import AO_DISTANCE, Scene
+from .surfaces import Surface, Surfaces
+
+mi = engine.load()
+
+import drjit as dr  # noqa: E402
+
+FIRST_ROULETTE, LARGEST_SURVIVAL, MOST_BOUNCES = 3, 0.95, 128
+
+
+class World:
+    def __init__(self, scene: Scene):
+        self.surfaces, self.sun = Surfaces(scene), Sun(scene)
+        self.emitters = Emitters(scene, self.surfaces)
+
+
+def cosine_direction(surface: Surface, a, b):
+    """A cosine-distributed direction about the interpolated normal, its density, and whether it leaves the triangle."""
+    radius, (sine, cosine) = dr.sqrt(a), dr.sincos(2 * math.pi * b)
+    height = dr.safe_sqrt(1 - a)
+    across, up = tangent_frame(surface.normal)
+    direction = radius * cosine * across + radius * sine * up + height * surface.normal
+    return direction, height / math.pi, dr.dot(surface.facing, direction) > 0
+
+
+def coverage(world, surface, numbers, random, active):
+    return dr.select(active, mi.Color3f(1), 0)
+
+
+def albedo(world, surface, numbers, random, active):
+    return surface.albedo
+
+
+def direct(world, surface, numbers, random, active):
+    return surface.emission + world.sun.direct(world.surfaces, surface, active)
+
+
+def indirect(world, surface, numbers, random, active):
+    direction, pdf, leaves = cosine_direction(surface, numbers[2], numbers[3])
+    hit = world.surfaces.meet(leave(surface), direction, active & leaves)
+    there = world.surfaces.surface(hit, direction)
+    weight = world.emitters.weight_of_hit(world.surfaces, there, hit, surface.position, pdf)
+    gathered = dr.select(hit.valid, there.emission * weight + world.sun.direct(world.surfaces, there, hit.valid), 0)
+    gathered += world.emitters.light(world.surfaces, surface, numbers[4], mi.Point2f(numbers[5], numbers[6]), active)
+    return surface.albedo * gathered
+
+
+@dr.syntax
+def full(world, surface, numbers, random, active):
+    result = mi.Color3f(surface.emission)
+    throughput = mi.Color3f(surface.albedo)
+    position, facing = mi.Point3f(surface.position), mi.Normal3f(surface.facing)
+    normal = mi.Normal3f(surface.normal)
+    a, b, choice, e1, e2 = [mi.Float(x) for x in numbers[2:7]]
+    bounce = mi.UInt32(0)
+    active = mi.Bool(active)
+    while active:
+        here = Surface(position, facing, normal, throughput, mi.Color3f(0))
+        lit = world.sun.direct(world.surfaces, here, active)  # throughput stands in albedo's place
+        result += lit + throughput * world.emitters.light(world.surfaces, here, choice, mi.Point2f(e1, e2), active)
+
+        survival = dr.minimum(dr.max(throughput), LARGEST_SURVIVAL)
+        roulette = bounce >= FIRST_ROULETTE
+        throughput[roulette] = throughput / dr.maximum(survival, 1e-6)
+        active &= ~roulette | (random.next_float32() < survival)
+
+        direction, pdf, leaves = cosine_direction(here, a, b)
+        hit = world.surfaces.meet(leave(here), direction, active & leaves)
+        there = world.surfaces.surface(hit, direction)
+        weight = world.emitters.weight_of_hit(world.surfaces, there, hit, here.position, pdf)
+        result += dr.select(hit.valid, throughput * there.emission * weight, 0)
+        throughput *= there.albedo
+        position, facing, normal = there.position, there.facing, there.normal
+        bounce += 1
+        active &= hit.valid & (dr.max(throughput) > 0) & (bounce < MOST_BOUNCES)
+        a, b, choice = random.next_float32(), random.next_float32(), random.next_float32()
+        e1, e2 = random.next_float32(), random.next_float32()
+    return result
+
+
+def ao(world, surface, numbers, random, active):
+    direction, _, leaves = cosine_direction(surface, numbers[2], numbers[3])
+    blocked = world.surfaces.blocked(leave(surface), direction, mi.Float(AO_DISTANCE), active & leaves)
+    return dr.select(active & leaves & ~blocked, mi.Color3f(1), 0)
+
+
+def sun(world, surface, numbers, random, active):
+    _, lit = world.sun.disc(world.surfaces, surface, mi.Point2f(numbers[2], numbers[3]), active)
+    return surface.emission + world.sun.disc_light(surface, lit)
+
+
+def shadow(world, surface, numbers, random, active):
+    faces = active & (world.sun.cosine(surface, world.sun.towards) > 0)
+    _, lit = world.sun.disc(world.surfaces, surface, mi.Point2f(numbers[2], numbers[3]), faces)
+    return dr.select(lit > 0, mi.Color3f(1), 0)
+
+
+ESTIMATORS = {f.__name__: f for f in (coverage, albedo, direct, indirect, full, ao, sun, shadow)}

@@ -1,0 +1,88 @@
+"""What a reference takes of a glTF material: base colour, alpha mask, emission, sidedness; Lambert, no specular light.
+
+glTF 2.0 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength. BLEND counts as MASK with cutoff 0.5,
+as the renderer under test states in its warning.
+"""
+import dataclasses
+import math
+
+import numpy as np
+
+from .gltf_file import GltfFile
+
+WRAPS = {10497: 0, 33648: 1, 33071: 2}  # repeat, mirrored repeat, clamp to edge
+NEAREST = 9728
+
+
+@dataclasses.dataclass
+class UvSource:
+    tex_coord: int
+    matrix: np.ndarray  # 2x2: uv' = matrix uv + offset
+    offset: np.ndarray
+
+
+@dataclasses.dataclass
+class Material:
+    base_color: np.ndarray  # linear RGBA
+    base_color_texture: int  # or -1
+    base_color_uv: UvSource | None
+    emissive: np.ndarray  # radiance, strength included
+    emissive_texture: int  # or -1
+    emissive_uv: UvSource | None
+    cutoff: float  # holes where alpha is below; -1: none
+    double_sided: bool
+
+
+@dataclasses.dataclass
+class Texture:
+    texels: np.ndarray  # (height, width, 4), linear RGBA
+    wrap_s: int
+    wrap_t: int
+    nearest: bool
+
+
+def linear_from_srgb(x: np.ndarray) -> np.ndarray:
+    """IEC 61966-2-1."""
+    return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
+
+
+def uv_source(info: dict | None) -> UvSource | None:
+    if info is None:
+        return None
+    transform = info.get("extensions", {}).get("KHR_texture_transform", {})
+    # The rotation's sign is that of the extension's example and of the Khronos sample viewer.
+    c, s = math.cos(transform.get("rotation", 0.0)), math.sin(transform.get("rotation", 0.0))
+    matrix = np.array([[c, s], [-s, c]]) @ np.diag(np.array(transform.get("scale", [1, 1]), np.float64))
+    return UvSource(transform.get("texCoord", info.get("texCoord", 0)), matrix,
+                    np.array(transform.get("offset", [0, 0]), np.float64))
+
+
+def transform_uv(source: UvSource, uv: np.ndarray) -> np.ndarray:
+    return uv @ source.matrix.T + source.offset
+
+
+def load_material(material: dict) -> Material:
+    surface = material.get("pbrMetallicRoughness", {})
+    base, glow = surface.get("baseColorTexture"), material.get("emissiveTexture")
+    strength = material.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
+    cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
+    return Material(np.clip(surface.get("baseColorFactor", [1, 1, 1, 1]), 0, 1),
+                    base["index"] if base else -1, uv_source(base),
+                    np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),
+                    glow["index"] if glow else -1, uv_source(glow), cutoff, material.get("doubleSided", False))
+
+
+def load_materials(document: dict) -> list[Material]:
+    """The file's, then the default material (glTF 3.9.2)."""
+    return [load_material(m) for m in [*document.get("materials", []), {}]]
+
+
+def load_textures(file: GltfFile) -> list[Texture]:
+    textures = []
+    for texture in file.json.get("textures", []):
+        stored = file.image(texture["source"]).astype(np.float64) / 255
+        texels = np.concatenate([linear_from_srgb(stored[..., :3]), stored[..., 3:]], -1)
+        sampler = file.json["samplers"][texture["sampler"]] if "sampler" in texture else {}
+        textures.append(Texture(texels, WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)],
+                                sampler.get("magFilter") == NEAREST))
+    return textures

@@ -1,0 +1,202 @@
+"""A glTF scene as flat arrays of triangles, in the space in which it is path traced.
+
+That space is the world moved and scaled so that the voxel volume is the cube of side 1 around the origin: scenes of
+1 mm, of 10 km and far from the origin then keep the same precision, and give the same picture.
+"""
+import dataclasses
+import math
+import pathlib
+
+import numpy as np
+
+from .gltf_file import GltfError, GltfFile
+from .materials import Material, Texture, load_materials, load_textures, transform_uv
+
+GRID, PADDING_VOXELS = 256, 2.5  # jni/render/volume.cpp, at the grid of all measurements
+AO_DISTANCE = 0.045  # of the volume's side (pipeline.md, step 5)
+
+
+@dataclasses.dataclass
+class Camera:
+    name: str
+    axes: np.ndarray  # rows: right, up, back; the same in the world and in trace space
+    eye_world: np.ndarray
+    eye: np.ndarray  # trace space
+    vertical_fov_rad: float
+
+
+@dataclasses.dataclass
+class Sun:
+    towards: np.ndarray  # unit
+    irradiance: np.ndarray  # RGB, of a surface that faces it
+
+
+@dataclasses.dataclass
+class Scene:
+    path: pathlib.Path
+    sha256: str
+    side_world: float  # of the voxel volume, metres
+    centre_world: np.ndarray
+    positions: np.ndarray  # (triangles, 3 corners, 3), trace space; counter-clockwise is front
+    normals: np.ndarray  # like positions, unit
+    uvs: np.ndarray  # (triangles, 3, 2), of the base colour texture, transformed
+    emissive_uvs: np.ndarray  # likewise of the emissive texture
+    material_of: np.ndarray  # (triangles,)
+    materials: list[Material]
+    textures: list[Texture]
+    camera: Camera
+    sun: Sun
+
+    @property
+    def ao_distance_world(self) -> float:
+        return AO_DISTANCE * self.side_world
+
+
+def unit(v: np.ndarray) -> np.ndarray:
+    """Along the last axis; a zero stays zero."""
+    length = np.linalg.norm(v, axis=-1, keepdims=True)
+    return np.divide(v, length, out=np.zeros_like(v, dtype=np.float64), where=length > 0)
+
+
+def local_transform(node: dict) -> np.ndarray:
+    if "matrix" in node:
+        return np.array(node["matrix"], np.float64).reshape(4, 4).T
+    x, y, z, w = unit(np.array(node.get("rotation", [0, 0, 0, 1]), np.float64))
+    rotation = np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation * np.array(node.get("scale", [1, 1, 1]), np.float64)
+    matrix[:3, 3] = node.get("translation", [0, 0, 0])
+    return matrix
+
+
+def placed_nodes(document: dict) -> list[tuple[dict, np.ndarray]]:
+    """(node, worldFromNode) of the default scene, parents first, children in the file's order."""
+    nodes = document.get("nodes", [])
+    if document.get("scenes"):
+        roots = document["scenes"][document.get("scene", 0)].get("nodes", [])
+    else:
+        children = {c for n in nodes for c in n.get("children", [])}
+        roots = [i for i in range(len(nodes)) if i not in children]
+    placed, pending = [], [(i, np.eye(4)) for i in reversed(roots)]
+    while pending:
+        index, parent = pending.pop()
+        world = parent @ local_transform(nodes[index])
+        placed.append((nodes[index], world))
+        pending += [(c, world) for c in reversed(nodes[index].get("children", []))]
+    return placed
+
+
+def triangle_corners(mode: int, order: np.ndarray) -> np.ndarray:
+    """(triangles, 3) vertex indices of a primitive (glTF 3.7.2.1). Points and lines (modes 0 to 3) have none."""
+    n = len(order)
+    if mode == 4:
+        return order[:n - n % 3].reshape(-1, 3)
+    if mode < 4 or n < 3:
+        return np.empty((0, 3), np.int64)
+    i = np.arange(n - 2)
+    if mode == 5:  # every second triangle of a strip is listed the other way round
+        return np.stack([order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]], 1)
+    return np.stack([order[i + 1], order[i + 2], np.full(n - 2, order[0])], 1)
+
+
+def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, material: Material) -> tuple | None:
+    """World positions, normals, both uvs, each (triangles, 3, ...), of one primitive; None where it has no triangle."""
+    attributes = primitive["attributes"]
+    if "POSITION" not in attributes:
+        return None
+    position = file.accessor(attributes["POSITION"]).astype(np.float64)
+    order = (file.accessor(primitive["indices"])[:, 0].astype(np.int64) if "indices" in primitive
+             else np.arange(len(position)))
+    corners = triangle_corners(primitive.get("mode", 4), order)
+    if len(corners) == 0:
+        return None
+    linear = world[:3, :3]
+    positions = position[corners] @ linear.T + world[:3, 3]
+    if np.linalg.det(linear) < 0:  # a mirrored node's triangles turn round, and must not be inside out (3.7.4)
+        corners, positions = corners[:, ::-1], positions[:, ::-1]
+    flat = unit(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]))
+    flat = np.repeat(flat[:, None], 3, 1)
+    if "NORMAL" in attributes:
+        # Cofactors: the inverse transpose times the determinant, finite where a scale is 0.
+        cofactors = np.stack([np.cross(linear[:, 1], linear[:, 2]), np.cross(linear[:, 2], linear[:, 0]),
+                              np.cross(linear[:, 0], linear[:, 1])], 1) * (-1 if np.linalg.det(linear) < 0 else 1)
+        normals = unit(unit(file.accessor(attributes["NORMAL"]).astype(np.float64)[corners]) @ cofactors.T)
+        normals = np.where(np.any(normals != 0, -1, keepdims=True), normals, flat)
+    else:
+        normals = flat
+
+    def uv(source):
+        name = f"TEXCOORD_{source.tex_coord}" if source else None
+        if name not in attributes:
+            return np.zeros((len(corners), 3, 2))
+        return transform_uv(source, file.accessor(attributes[name]).astype(np.float64))[corners]
+
+    return positions, normals, uv(material.base_color_uv), uv(material.emissive_uv)
+
+
+def find_camera(document: dict, placed: list, path: pathlib.Path) -> tuple[str, np.ndarray, np.ndarray, float]:
+    """Name, axes, eye and field of view (rad) of the first perspective camera; scale and mirroring are dropped."""
+    for node, world in placed:
+        camera = document["cameras"][node["camera"]] if "camera" in node else {}
+        if camera.get("type") == "perspective":
+            back = unit(world[:3, 2])
+            right = unit(np.cross(world[:3, 1], back))
+            axes = np.stack([right, np.cross(back, right), back])
+            return camera.get("name", node.get("name", "")), axes, world[:3, 3], camera["perspective"]["yfov"]
+    raise GltfError(f"{path}: no perspective camera in the scene; a reference needs one")
+
+
+def find_sun(document: dict, placed: list) -> Sun:
+    """The first directional light (KHR_lights_punctual); the program's own default where there is none."""
+    lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
+    for node, world in placed:
+        use = node.get("extensions", {}).get("KHR_lights_punctual")
+        light = lights[use["light"]] if use else {}
+        if light.get("type") == "directional":
+            color = np.maximum(np.array(light.get("color", [1, 1, 1]), np.float64), 0)
+            return Sun(unit(world[:3, 2]), color * max(light.get("intensity", 1.0), 0.0))
+    return Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, math.pi))
+
+
+def load_scene(path: pathlib.Path) -> Scene:
+    file = GltfFile(path)
+    try:
+        return build(file)
+    except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
+        raise GltfError(f"{path}: not a scene that can be read: {error!r}") from error
+
+
+def build(file: GltfFile) -> Scene:
+    document = file.json
+    materials, placed = load_materials(document), placed_nodes(document)
+    parts, material_of = [], []
+    for node, world in placed:
+        if "mesh" not in node:
+            continue
+        for primitive in document["meshes"][node["mesh"]]["primitives"]:
+            material = primitive.get("material", len(materials) - 1)  # the last one is the default material
+            arrays = primitive_arrays(file, primitive, world, materials[material])
+            if arrays:
+                parts.append(arrays)
+                material_of.append(np.full(len(arrays[0]), material))
+    if parts:
+        positions, normals, uvs, emissive_uvs = (np.concatenate(part) for part in zip(*parts))
+        owner = np.concatenate(material_of)
+        low, high = positions.min((0, 1)), positions.max((0, 1))
+    else:
+        positions = normals = np.empty((0, 3, 3))
+        uvs = emissive_uvs = np.empty((0, 3, 2))
+        owner, low, high = np.empty(0, np.int64), np.zeros(3), np.zeros(3)
+    longest = (high - low).max()
+    side = (longest if longest > 0 else 1.0) * GRID / (GRID - 2 * PADDING_VOXELS)
+    centre = 0.5 * (low + high)
+
+    positions = (positions - centre) / side
+    area2 = np.linalg.norm(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]), axis=-1)
+    keep = area2 > 1e-14  # a triangle without area stops no ray
+    name, axes, eye, fov = find_camera(document, placed, file.path)
+    return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
+                 owner[keep], materials, load_textures(file), Camera(name, axes, eye, (eye - centre) / side, fov),
+                 find_sun(document, placed))
