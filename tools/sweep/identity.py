@@ -1,0 +1,45 @@
+"""What a result depends on beside its settings: the program, its shaders, the scene."""
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def file_sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def program_sha256(program: Path) -> str:
+    """Of the program and of the shaders, which it reads when it runs."""
+    digest = hashlib.sha256(program.read_bytes())
+    for shader in sorted((ROOT / "shaders").rglob("*")):
+        if shader.is_file():
+            digest.update(str(shader.relative_to(ROOT)).encode() + b"\0" + shader.read_bytes())
+    return digest.hexdigest()
+
+
+def commit() -> str:
+    """`git describe`; `unknown` where this is no clone."""
+    found = subprocess.run(["git", "describe", "--always", "--dirty", "--tags"], cwd=ROOT, capture_output=True,
+                           text=True, check=False)
+    return found.stdout.strip() if found.returncode == 0 else "unknown"
+
+
+def shown(path: Path) -> str:
+    """A path as written into files: relative to the repository, or the name alone where it lies elsewhere."""
+    full = path.resolve()
+    return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else full.name
+
+
+def write_beside(path: Path, data: bytes | str) -> None:
+    """Writes the whole file or leaves the old one."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    beside = path.with_name(path.name + ".tmp")
+    if isinstance(data, str):
+        data = data.encode()
+    beside.write_bytes(data)
+    os.replace(beside, path)

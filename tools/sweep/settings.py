@@ -1,0 +1,103 @@
+"""What a sweep varies: one row per setting. A later issue adds a row, and the option, the file and the report follow."""
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+MODES = ("phong", "shadow-map", "ao", "gi", "gi-cone-shadow")
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One axis of the sweep, and how `vct render` is told about it."""
+
+    name: str  # in sweep.json, as in timings.json
+    option: str  # of tools/sweep.py: several values with commas
+    flag: str  # of vct render: one value
+    parse: Callable[[str], Any]
+    default: tuple[Any, ...]
+    quick: tuple[Any, ...]
+    help: str
+    # The modes whose result or time it changes; None: all. The other modes run at the first value only.
+    changes: frozenset[str] | None = None
+    # The value that all modes run with; the first where it is not among those asked for.
+    usual: Any = None
+    # The value for which `vct render` is told nothing.
+    leave_out: Any = None
+
+
+SETTINGS: tuple[Setting, ...] = (
+    Setting("backend", "--backends", "--backend", str, ("egl",), ("egl",), "drivers: egl, osmesa, zink"),
+    Setting("preset", "--presets", "--preset", str, ("thesis",), ("thesis",), "sets of settings"),
+    Setting("size", "--sizes", "--size", str, ("256x256",), ("64x64",), "pictures, WIDTHxHEIGHT"),
+    Setting("grid", "--grids", "--grid", int, (64, 128, 256, 512), (64, 128), "voxels along a side"),
+    Setting("cone_angle_deg", "--cone-angles", "--cone-angle", float, (2.5, 5.0, 7.5, 10.0), (5.0,),
+            "shadow cone's full angle, degrees", changes=frozenset({"gi-cone-shadow"}), usual=5.0),
+    Setting("experiment", "--experiments", "--experiment", str, ("none",), ("none",),
+            "single changes to the algorithm, several at once joined by +", leave_out="none"),
+)
+
+
+@dataclass(frozen=True)
+class Point:
+    """One process of `vct render`: a scene, a value of each setting, and the modes to render with them."""
+
+    scene: Path
+    settings: dict[str, Any] = field(hash=False)
+    modes: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        values = " ".join(str(value) for value in self.settings.values())
+        return f"{self.scene.stem} {values} {','.join(self.modes)}"
+
+    def arguments(self) -> list[str]:
+        """The settings as arguments of `vct render`."""
+        told = [setting for setting in SETTINGS if self.settings[setting.name] != setting.leave_out]
+        return [part for setting in told for part in (setting.flag, f"{self.settings[setting.name]}".replace("+", ","))]
+
+    def key(self, identity: dict[str, str]) -> str:
+        """Names the point's result: the same settings, program and scene give the same key."""
+        what = {"settings": self.settings, "modes": self.modes, "scene": self.scene.stem, **identity}
+        return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:16]
+
+    def cost(self) -> float:
+        """A guess of the time it takes against the others, for the ETA alone."""
+        width, height = (int(side) for side in self.settings["size"].split("x"))
+        pixels = width * height / 256**2
+        mode = {"phong": 0.02, "shadow-map": 0.02, "ao": 0.4, "gi": 0.7, "gi-cone-shadow": 2.5}
+        grid = self.settings["grid"] / 128
+        return 1 + sum(0.3 * grid * grid / 4 + mode[m] * pixels * (0.5 + grid / 2) for m in self.modes)
+
+
+def usual_value(setting: Setting, values: tuple[Any, ...]) -> Any:
+    """The value at which the modes run that the setting does not change."""
+    return setting.usual if setting.usual in values else values[0]
+
+
+def points(scenes: list[Path], values: dict[str, tuple[Any, ...]], modes: tuple[str, ...],
+           same_picture: Collection[str] = ()) -> list[Point]:
+    """Every combination, scene by scene, less what says nothing new.
+
+    That is: the modes that a setting does not change, and its other values where the scene is another one scaled.
+    """
+    found = []
+    for scene in scenes:
+        usual = {setting.name: usual_value(setting, values[setting.name]) for setting in SETTINGS if setting.changes}
+        if scene.stem in same_picture:
+            mine = values | {name: (value,) for name, value in usual.items()}
+        else:
+            mine = values
+        for combination in itertools.product(*(mine[setting.name] for setting in SETTINGS)):
+            chosen = {setting.name: value for setting, value in zip(SETTINGS, combination)}
+            kept = tuple(mode for mode in modes if all(
+                setting.changes is None or mode in setting.changes or chosen[setting.name] == usual[setting.name]
+                for setting in SETTINGS))
+            if kept:
+                found.append(Point(scene, chosen, kept))
+    return found
