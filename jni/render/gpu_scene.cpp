@@ -99,6 +99,15 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
                std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
     });
+    visibleDraws_ = draws_;
+    std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](const Draw& a, const Draw& b) {
+        const auto key = [](const Draw& d) {
+            return std::tie(d.features, d.baseColorTexture, d.emissiveTexture, d.firstIndex);
+        };
+        if (key(a) != key(b)) return key(a) < key(b);
+        return std::memcmp(&uniforms[a.uniformOffset], &uniforms[b.uniformOffset],
+                           sizeof(shared::DrawUniforms)) < 0;
+    });
     uniforms_ =
         gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniforms.size(), uniforms.data(), GL_STATIC_DRAW);
     uploadGeometry(scene);
@@ -140,7 +149,7 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     vertexArray_.bind();
     gl::CullFace(GL_BACK);
     const gl::Program* current = nullptr;
-    for (const Draw& draw : draws_) {
+    for (const Draw& draw : culling == Culling::backFaces ? visibleDraws_ : draws_) {
         const gl::Program& program = programs(draw.features);
         if (&program != current) program.use();
         current = &program;

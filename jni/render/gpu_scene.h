@@ -23,7 +23,8 @@ class GpuScene {
     enum class Culling { none, backFaces };
 
     // Draws every instance, each with the program for its material features; back faces of single-sided
-    // materials are skipped with Culling::backFaces.
+    // materials are skipped with Culling::backFaces. Of two surfaces in the same place the eye sees the one
+    // drawn first: with Culling::backFaces that does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
 
     // The material features of each draw, without duplicates.
@@ -47,7 +48,8 @@ class GpuScene {
     void uploadGeometry(const Scene& scene);
     void uploadTextures(const Scene& scene);
 
-    std::vector<Draw> draws_;
+    std::vector<Draw> draws_;         // in the order of the scene's instances, by material features
+    std::vector<Draw> visibleDraws_;  // the same in an order that does not depend on that of the instances
     std::vector<gl::Texture> textures_;
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;

@@ -9,8 +9,10 @@ layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 float shadowMapLight(vec3 positionVolume, float cosTheta) {
     const float slopeBias = 0.005;   // thesis eq. 4.2
     const float largestBias = 0.01;  // thesis eq. 4.3
+    // Where the light is perpendicular the slope is 0, and rounding alone would shade the surface by itself.
+    const float smallestBias = 1e-4;
     float slope = sqrt(max(1.0 - cosTheta * cosTheta, 0.0)) / max(cosTheta, 1e-4);
-    float bias = min(slopeBias * slope, largestBias);
+    float bias = clamp(slopeBias * slope, smallestBias, largestBias);
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
 }
