@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+from sweep.identity import ROOT
 from sweep.settings import Point
 
 TIMINGS_VERSION = 1
@@ -19,8 +20,8 @@ class PointFailed(Exception):
 
 
 def last_words(text: str) -> str:
-    """What a failed program said: its error, or the end of its output."""
-    lines = [line for line in text.strip().splitlines() if line.strip()]
+    """What a failed program said: its error, or the end of its output; without this machine's folders."""
+    lines = [line.replace(f"{ROOT}/", "") for line in text.strip().splitlines() if line.strip()]
     errors = [line for line in lines if "error" in line.lower()]
     return "\n".join(errors[-3:] or lines[-5:]) or "it said nothing"
 
@@ -60,7 +61,7 @@ def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str
     entry["modes"] = step_medians(timings, point.modes)
     entry["wall_s"] = round(time.monotonic() - start, 2)
     entry["pictures"] = sorted(path.stem for path in folder.glob("*.exr"))
-    entry["warnings"] = [line for line in done.stderr.splitlines() if line.startswith("warning")]
+    entry["warnings"] = [line.replace(f"{ROOT}/", "") for line in done.stderr.splitlines() if line.startswith("warning")]
     for png in folder.glob("*.png"):  # The report makes its own from the EXR.
         png.unlink()
     return entry

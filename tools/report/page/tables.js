@@ -1,0 +1,97 @@
+// Tables of the chosen scene, of the thesis, of voxels and memory, and of the experiments.
+const STEP_NAMES = {shadow_map: "CS shadow map", render_data: "RT G-buffer", voxelize: "V voxelize", mipmap: "M mipmap",
+  trace: "Tr cones", total: "Tot frame"};
+const ofScene = () => done.filter(point => point.scene === state.scene);
+
+function configCells(point) {
+  return DATA.settings.filter(setting => setting.values.length > 1 || setting.name === "grid")
+    .map(setting => make("td", {}, settingText(setting.name, point.settings[setting.name])));
+}
+const configHeads = () => DATA.settings.filter(setting => setting.values.length > 1 || setting.name === "grid")
+  .map(setting => setting.label);
+const rowClass = point => ({class: isUsual(point) ? "usual" : null});
+
+function stepTable() {
+  const rows = ofScene().flatMap(point => Object.entries(point.modes).map(([mode, steps]) => make("tr", rowClass(point),
+    make("td", {}, mode), configCells(point), Object.keys(STEP_NAMES).map(step => make("td",
+      {title: `${number(steps[step][1])} to ${number(steps[step][2])}`}, number(steps[step][0]))),
+    make("td", {class: "soft"}, `${number(steps.total[1])} to ${number(steps.total[2])}`))));
+  return table(headRow(["Mode", ...configHeads(), ...Object.values(STEP_NAMES), "frame, min to max"]), rows);
+}
+function errorTables() {
+  return DATA.measures.map(measure => [measure, ofScene().filter(point => point.errors && point.errors[measure.name])])
+    .filter(([, points]) => points.length).map(([measure, points]) => make("details", {open: measure.name === state.measure ? "" : null},
+      make("summary", {}, `${measure.name}: ${measure.what}`),
+      table(headRow([...configHeads(), ...DATA.metrics.map(metric => metric.label)]), points.map(point => make("tr", rowClass(point),
+        configCells(point), errorOf(point, measure.name)
+          ? DATA.metrics.map(metric => metricCell(errorOf(point, measure.name), metric.name))
+          : make("td", {colspan: DATA.metrics.length, class: "text soft"}, point.errors[measure.name].missing))))));
+}
+function drawTables() {
+  $("tables-body").replaceChildren(
+    make("h3", {}, `Steps, ${state.scene}, milliseconds`), stepTable(),
+    make("h3", {}, `Errors, ${state.scene}`), ...errorTables(), ...benchTables());
+}
+function benchTables() {
+  if (!DATA.bench) return [];
+  return [make("h3", {}, `The thesis's tables, ${DATA.bench.scene}`), make("p", {class: "note"}, DATA.bench.note),
+    ...Object.entries(DATA.bench.tables).map(([name, bench]) => make("details", {open: ""},
+      make("summary", {}, `${name}: ${bench.title}`), table(headRow(["Platform", ...bench.columns]),
+        bench.rows.map(row => make("tr", {class: row.source === "measured" ? "usual" : null}, make("th", {scope: "row"}, row.platform),
+          row.values.map(value => make("td", {}, number(value))))))))];
+}
+
+function drawVoxels() {
+  const seen = new Set();
+  const points = ofScene().filter(point => {
+    const id = JSON.stringify([point.settings.grid, point.settings.preset, point.settings.size, point.settings.experiment]);
+    return point.active_voxels && point.active_voxels.length && !seen.has(id) && seen.add(id);
+  }).filter(point => (point.settings.experiment ?? "none") === "none");
+  const levels = Math.max(0, ...points.map(point => point.active_voxels.length));
+  const name = point => configText(point, "gi");
+  const resources = [...new Set(points.flatMap(point => point.resources.map(resource => resource.name)))];
+  const size = (point, resource) => point.resources.filter(one => one.name === resource).reduce((sum, one) => sum + one.bytes, 0);
+  const scene = DATA.scenes[state.scene];
+  $("voxels-body").replaceChildren(
+    make("p", {}, `${state.scene}: ${whole(scene.triangles)} triangles. Active voxels are those with something in them.`),
+    make("h3", {}, "Active voxels per level, finest first"),
+    table(headRow(["Grid", "share of level 0", ...Array.from({length: levels}, (_, level) => `level ${level}`)]),
+      points.map(point => make("tr", rowClass(point), make("th", {scope: "row"}, name(point)),
+        make("td", {}, `${(point.active_voxels[0] / point.settings.grid ** 3 * 100).toFixed(2)} %`),
+        Array.from({length: levels}, (_, level) => make("td", {}, point.active_voxels[level] === undefined ? "" : whole(point.active_voxels[level])))))),
+    make("h3", {}, "Bytes on the GPU"),
+    table(headRow(["Resource", ...points.map(name)]),
+      [...resources.map(resource => make("tr", {}, make("th", {scope: "row"}, resource),
+        points.map(point => make("td", {}, bytes(size(point, resource)))))),
+      make("tr", {class: "usual"}, make("th", {scope: "row"}, "together"),
+        points.map(point => make("td", {}, bytes(point.resources.reduce((sum, one) => sum + one.bytes, 0)))))]));
+}
+
+function drawExperiments() {
+  const changed = done.filter(point => (point.settings.experiment ?? "none") !== "none");
+  const body = $("experiments-body");
+  if (!changed.length) {
+    body.replaceChildren(make("p", {class: "note"}, "Not in this sweep: tools/sweep.py --experiments."));
+    return;
+  }
+  const without = point => done.find(other => other.scene === point.scene && Object.entries(point.settings)
+    .every(([name, value]) => other.settings[name] === (name === "experiment" ? "none" : value)));
+  const measures = DATA.measures.filter(measure => changed.some(point => errorOf(point, measure.name)));
+  const cell = (point, base, measure) => {
+    const [now, before] = [errorOf(point, measure.name), base && errorOf(base, measure.name)];
+    if (!now) return make("td", {class: "soft"}, "–");
+    return make("td", {title: before ? `bias ${percent(before.bias)} → ${percent(now.bias)}` : null},
+      before ? `${number(before.relmse)} → ${number(now.relmse)}` : number(now.relmse));
+  };
+  const times = (point, base) => DATA.modes.map(mode => make("td", {}, !point.modes[mode] ? "–"
+    : base && base.modes[mode] ? `${number(base.modes[mode].total[0])} → ${number(point.modes[mode].total[0])}`
+      : number(point.modes[mode].total[0])));
+  const rows = changed.filter(point => point.scene === state.scene).map(point => {
+    const base = without(point);
+    return make("tr", {}, make("th", {scope: "row"}, point.settings.experiment), make("td", {}, `${point.settings.grid}³`),
+      times(point, base), measures.map(measure => cell(point, base, measure)));
+  });
+  body.replaceChildren(make("p", {}, `One change to the algorithm at a time, ${state.scene}: without it → with it. Times of a
+    frame in ms; errors as relMSE.`), table(headRow(["Experiment", "Grid", ...DATA.modes.map(mode => `${mode}, ms`),
+    ...measures.map(measure => measure.name)]), rows));
+}
