@@ -1,0 +1,67 @@
+"""Paths, the program under test, and small scenes written on the spot."""
+import os
+import pathlib
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+sys.dont_write_bytecode = True  # tests run inside the source tree
+
+from scenes import shapes  # noqa: E402
+from scenes.glb import Glb  # noqa: E402
+from truth.drawing import draw, make_world  # noqa: E402
+from truth.scene import load_scene  # noqa: E402
+
+
+@pytest.fixture
+def root():
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def program():
+    """The renderer under test, from ctest's environment."""
+    path = os.environ.get("VCT_PROGRAM")
+    if not path:
+        pytest.skip("VCT_PROGRAM does not name the renderer")
+    return path
+
+
+class SceneMaker:
+    """A glTF scene in a temporary folder; `quad` and friends place meshes, `load` writes and reads it."""
+
+    def __init__(self, folder):
+        self.path = folder / "scene.glb"
+        self.glb = Glb("tests/tools")
+
+    def place(self, shape, material, **node):
+        self.glb.node("part", mesh=self.glb.mesh("part", self.glb.primitive(shape, material)), **node)
+
+    def quad(self, origin, u, v, material, uv_size=None):
+        """Its front is where u x v points."""
+        shape = shapes.Shape()
+        shapes.add_quad(shape, origin, u, v, uv_size)
+        self.place(shape, material)
+
+    def grey(self, albedo=0.5, **properties):
+        return self.glb.material("grey", (albedo,) * 3, **properties)
+
+    def load(self):
+        if "extensions" not in self.glb.json:
+            self.glb.directional_light("off", (0, -1, 0), (1, 1, 1), 0.0)
+        self.path.write_bytes(self.glb.to_bytes())
+        return load_scene(self.path)
+
+    def draw(self, *kinds, size=(16, 16), samples=64, seed=0):
+        """One picture per kind, (height, width, 3)."""
+        scene = self.load()
+        world = make_world(scene)
+        pictures = [draw(world, scene, kind, size, samples, seed).image for kind in kinds]
+        return pictures if len(pictures) > 1 else pictures[0]
+
+
+@pytest.fixture
+def maker(tmp_path):
+    return SceneMaker(tmp_path)

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# The tests of tools/, in .venv, which is made first where it is missing. ctest runs this.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+scripts/python.sh
+exec .venv/bin/python -B -m pytest --quiet -p no:cacheprovider --durations=5 tests/tools "$@"

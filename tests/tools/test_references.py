@@ -1,0 +1,190 @@
+"""The path-traced truth against answers that need no renderer."""
+import io
+import math
+
+import numpy as np
+import PIL.Image
+import pytest
+
+from scenes import shapes
+from truth.scene import triangle_corners
+
+DOWN = (0, -1, 0)
+
+
+def floor(maker, material, half=2.0):
+    maker.quad((-half, 0, half), (2 * half, 0, 0), (0, 0, -2 * half), material)
+
+
+def look_down(maker, x=0.0, height=3.0, degrees=20):
+    """Picture: +x to the right, -z up."""
+    maker.glb.node("eye", translation=[x, height, 0], rotation=[-math.sqrt(0.5), 0, 0, math.sqrt(0.5)],
+                   camera=maker.glb._append("cameras", {"type": "perspective", "perspective": {
+                       "yfov": math.radians(degrees), "znear": 0.1}}))
+
+
+def shown_x(size, height, degrees):
+    """World x of the pixel centres of a row of `look_down` in a square picture, from its middle."""
+    return ((np.arange(size) + 0.5) / size * 2 - 1) * height * math.tan(math.radians(degrees) / 2)
+
+
+def test_a_lit_plane_is_albedo_times_irradiance_over_pi_times_cosine(maker):
+    floor(maker, maker.grey(0.5))
+    look_down(maker)
+    maker.glb.directional_light("sun", (0.6, -0.8, 0), (1, 0.5, 0.25), 5.0)
+    direct, sun, full, indirect, shadow, ao = maker.draw("direct", "sun", "full", "indirect", "shadow", "ao")
+    expected = 0.5 * np.array([1, 0.5, 0.25]) * 5.0 / math.pi * 0.8
+    np.testing.assert_allclose(direct, np.broadcast_to(expected, direct.shape), rtol=1e-5)
+    np.testing.assert_allclose(full, direct, rtol=1e-5)  # a plane does not light itself
+    # A disc's irradiance is that of its centre: the mean direction is the centre's.
+    np.testing.assert_allclose(sun.mean((0, 1)), expected, rtol=1e-3)
+    assert indirect.max() == 0
+    assert shadow.min() == 1 and ao.min() == 1
+
+
+def test_the_sun_is_five_degrees_wide(maker):
+    """The penumbra of an edge at height 1 above a floor, by the share of a disc cut by a line."""
+    floor(maker, maker.grey())
+    maker.quad((-5, 1, 5), (5, 0, 0), (0, 0, -10), maker.grey())  # covers x < 0
+    look_down(maker, height=0.9, degrees=0.8)  # from below the sheet; the picture is 0.2 wide
+    maker.glb.directional_light("sun", DOWN, (1, 1, 1), math.pi)
+    shadow = maker.draw("shadow", size=(64, 4), samples=512)[..., 0].mean(0)
+    x = 16 * shown_x(64, height=0.9, degrees=0.8)
+    c = np.clip(x / math.tan(math.radians(2.5)), -1, 1)
+    expected = 1 - (np.arccos(c) - c * np.sqrt(1 - c * c)) / math.pi
+    np.testing.assert_allclose(shadow, expected, atol=0.02)
+
+
+def test_a_white_furnace_has_its_closed_form(maker):
+    material = maker.grey(0.5, emissive=((1, 1, 1), 1.0, None))
+    box = shapes.box((2, 2, 2), 1)
+    box.indices = [i for t in zip(box.indices[::3], box.indices[2::3], box.indices[1::3]) for i in t]  # inside out
+    box.normals = [tuple(-x for x in n) for n in box.normals]
+    maker.place(box, material)
+    maker.glb.camera("inside", (0.3, 1.2, 0.8), (0, 0.5, -1), 80)
+    coverage, direct, indirect, full = maker.draw("coverage", "direct", "indirect", "full", samples=256)
+    assert coverage.min() == 1
+    np.testing.assert_allclose(direct, 1, rtol=1e-6)
+    np.testing.assert_allclose(indirect, 0.5, rtol=0.05)
+    assert indirect.mean() == pytest.approx(0.5, rel=2e-3)  # albedo
+    assert full.mean() == pytest.approx(2.0, rel=5e-3)  # 1 / (1 - albedo)
+
+
+def test_ambient_occlusion_beside_a_wall_has_its_closed_form(maker):
+    """Cosine-weighted directions are uniform in the unit disc (Malley), and the wall at distance x is nearer than d
+    where the disc's coordinate is above c = x / d: the segment (acos c - c sqrt(1 - c^2)) / pi is occluded."""
+    grey = maker.grey()
+    floor(maker, grey, 2.0)
+    maker.quad((1, 0, -2), (0, 0, 4), (0, 4, 0), grey)  # its front looks to -x
+    look_down(maker, x=0.9, height=1.0, degrees=11)
+    scene = maker.load()
+    ao = maker.draw("ao", size=(32, 4), samples=1024)[..., 0].mean(0)
+    distance = 1 - (0.9 + 8 * shown_x(32, height=1.0, degrees=11))  # 8: the picture is eight times as wide as high
+    c = distance / scene.ao_distance_world
+    assert scene.ao_distance_world == pytest.approx(0.045 * 4 * 256 / 251)
+    on_floor = distance > 0.02
+    c = np.minimum(c[on_floor], 1)
+    expected = 1 - (np.arccos(c) - c * np.sqrt(1 - c * c)) / math.pi
+    assert expected.min() < 0.85  # the case is not empty
+    np.testing.assert_allclose(ao[on_floor], expected, atol=0.03)
+
+
+def test_an_emitter_lights_by_its_form_factor(maker):
+    """A square of side 2a at height h over the middle: F = 4/pi (a/s atan(a/s)), s = sqrt(a^2 + h^2)
+    (Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-4, four times)."""
+    floor(maker, maker.grey(0.5), 3.0)
+    a, h = 0.5, 0.7
+    maker.quad((-a, h, -a), (2 * a, 0, 0), (0, 0, 2 * a), maker.grey(0.0, emissive=((1, 0.5, 0.25), 3.0, None)))
+    look_down(maker, height=0.6, degrees=2)
+    indirect, full = maker.draw("indirect", "full", samples=1024, size=(8, 8))
+    s = math.hypot(a, h)
+    expected = 0.5 * np.array([3, 1.5, 0.75]) * 4 / math.pi * (a / s * math.atan(a / s))
+    np.testing.assert_allclose(indirect.mean((0, 1)), expected, rtol=5e-3)
+    np.testing.assert_allclose(full.mean((0, 1)), expected, rtol=5e-3)  # the emitter is black: no second bounce
+
+
+def test_a_single_sided_back_is_clear_to_the_camera_and_stops_light(maker):
+    floor(maker, maker.grey(0.25))
+    maker.quad((-1, 1, -1), (2, 0, 0), (0, 0, 2), maker.grey(0.9))  # faces down
+    look_down(maker)
+    maker.glb.directional_light("sun", DOWN, (1, 1, 1), math.pi)
+    albedo, direct, indirect = maker.draw("albedo", "direct", "indirect")
+    np.testing.assert_allclose(albedo, 0.25, rtol=1e-6)  # the floor, not the sheet
+    assert direct.max() == 0 and indirect.max() == 0
+
+
+def test_a_double_sided_sheet_is_lit_on_the_side_that_is_seen(maker):
+    sheet = maker.grey(0.5)
+    maker.glb.json["materials"][sheet]["doubleSided"] = True
+    maker.quad((-1, 1, -1), (2, 0, 0), (0, 0, 2), sheet)  # its back is seen
+    look_down(maker)
+    maker.glb.directional_light("sun", DOWN, (1, 1, 1), math.pi)
+    np.testing.assert_allclose(maker.draw("direct"), 0.5, rtol=1e-5)
+
+
+def png(pixels):
+    out = io.BytesIO()
+    PIL.Image.fromarray(np.array(pixels, np.uint8)).save(out, "PNG")
+    return out.getvalue()
+
+
+def test_holes_let_the_camera_and_the_sun_through(maker):
+    floor(maker, maker.grey(0.25))
+    left_open = png([[(255, 255, 255, 0), (255, 255, 255, 255)]])
+    sheet = maker.glb.material("sheet", (1, 1, 1), maker.glb.texture("t", left_open, 33071, nearest=True), cutoff=0.5)
+    maker.quad((-2, 1, 2), (4, 0, 0), (0, 0, -4), sheet, (1, 1))
+    look_down(maker)
+    maker.glb.directional_light("sun", DOWN, (1, 1, 1), math.pi)
+    albedo, direct, shadow = maker.draw("albedo", "direct", "shadow")
+    left, right = np.s_[:, :7], np.s_[:, 9:]
+    np.testing.assert_allclose(albedo[left], 0.25, rtol=1e-6)
+    np.testing.assert_allclose(albedo[right], 1, rtol=1e-6)
+    np.testing.assert_allclose(direct[left], 0.25, rtol=1e-5)  # the sun came through the hole
+    assert shadow[:, :2].min() == 1
+    ao = maker.draw("ao")
+    assert ao.min() == 1
+
+
+def test_textures_are_decoded_wrapped_and_transformed(maker):
+    # One row: dark red, white. Scale 2 repeats it twice, offset 0.25 turns the first quarter white.
+    texture = maker.glb.texture("t", png([[(128, 0, 0, 255), (255, 255, 255, 255)]]), 10497, nearest=True)
+    material = maker.glb.material("m", (0.5, 0.5, 0.5), texture, uv_scale=2.0)  # the writer's offset is (0.25, 0)
+    maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), material, (1, 1))
+    look_down(maker, height=1 / math.tan(math.radians(10)))  # the picture is the quad
+    albedo = maker.draw("albedo", samples=16)
+    dark = 0.5 * ((128 / 255 + 0.055) / 1.055) ** 2.4
+    columns = (np.arange(16) + 0.5) / 16 * 2 + 0.25
+    expected = np.where(columns % 1 < 0.5, dark, 0.5)
+    np.testing.assert_allclose(albedo[8, :, 0], expected, rtol=1e-4)
+    np.testing.assert_allclose(albedo[8, :, 1], np.where(expected == 0.5, 0.5, 0), atol=1e-6)
+
+
+def test_strips_and_fans_are_the_triangles_of_the_specification():
+    order = np.array([10, 11, 12, 13, 14])
+    assert triangle_corners(5, order).tolist() == [[10, 11, 12], [11, 13, 12], [12, 13, 14]]
+    assert triangle_corners(6, order).tolist() == [[11, 12, 10], [12, 13, 10], [13, 14, 10]]
+    assert triangle_corners(4, order).tolist() == [[10, 11, 12]]
+    assert all(len(triangle_corners(mode, order)) == 0 for mode in (0, 1, 2, 3))
+    assert len(triangle_corners(5, order[:2])) == 0
+
+
+def test_a_scene_without_triangles_is_black(maker):
+    maker.glb.camera("eye", (0, 0, 1), (0, 0, 0), 40)
+    maker.glb.json.pop("meshes")
+    assert maker.draw("full", samples=2).max() == 0
+
+
+def test_a_mirrored_and_stretched_ball_is_lit_as_its_ellipsoid(maker):
+    ball = shapes.icosphere(1.0, 3)
+    maker.place(ball, maker.grey(1.0), scale=[-1, 0.5, 1])
+    look_down(maker, degrees=10)
+    maker.glb.directional_light("sun", (-0.6, -0.8, 0), (1, 1, 1), math.pi)
+    scene = maker.load()
+    edges = scene.positions[:, 1:] - scene.positions[:, :1]
+    facing = np.cross(edges[:, 0], edges[:, 1])
+    assert (np.einsum("tc,tkc->tk", facing, scene.normals) > 0).all()
+    row = maker.draw("direct", size=(32, 32))[15:17, :, 0].mean(0)
+    x = shown_x(32, height=2.5, degrees=10)  # on the top, at height 0.5
+    n = np.stack([x, 2 * np.sqrt(1 - x * x)])  # gradient of x^2 + 4 y^2
+    expected = (n / np.linalg.norm(n, axis=0)).T @ np.array([0.6, 0.8])
+    np.testing.assert_allclose(row, expected, atol=0.02)

@@ -1,0 +1,86 @@
+"""The command, and the references that are stored."""
+import hashlib
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import references
+from truth.exr import read_exr
+from truth.scene import load_scene
+
+STORED = sorted((references.ROOT / "references").glob("*/reference.json"))
+
+
+def run(*arguments):
+    return subprocess.run([sys.executable, references.ROOT / "tools/references.py", *map(str, arguments)],
+                          capture_output=True, text=True, check=False)
+
+
+def test_two_runs_give_the_same_bytes_and_a_changed_one_is_found(tmp_path):
+    options = (references.ROOT / "assets/courtyard.glb", "--size", "24x16", "--spp", "4", "--out", tmp_path)
+    made = run(*options)
+    assert made.returncode == 0, made.stderr
+    folder = tmp_path / "courtyard"
+    assert {p.stem for p in folder.glob("*.exr")} == set(references.KINDS)
+    assert not list(folder.glob("*.tmp"))
+    again = run(*options, "--check")
+    assert again.returncode == 0 and "bit for bit" in again.stdout, again.stdout + again.stderr
+
+    data = bytearray((folder / "full.exr").read_bytes())
+    data[-1] ^= 1
+    (folder / "full.exr").write_bytes(data)
+    changed = run(*options, "--check", "--kinds", "direct,full")
+    assert changed.returncode == 1 and "differs: full.exr" in changed.stdout
+
+    total = read_exr(folder / "direct.exr") + read_exr(folder / "indirect.exr")
+    np.testing.assert_allclose(read_exr(folder / "one-bounce.exr"), total, rtol=2e-3, atol=1e-6)  # three roundings
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["missing.glb"], "missing.glb: No such file"),
+    ([__file__], "not a glTF 2.0 file"),
+    (["a.glb", "--size", "0x4"], "0x4"),
+    (["a.glb", "--spp", "3"], "even number"),
+    (["a.glb", "--kinds", "direct,glossy"], "glossy"),
+])
+def test_bad_arguments_are_one_clear_error(arguments, words, tmp_path):
+    done = run(*arguments, "--out", tmp_path)
+    assert done.returncode != 0 and words in done.stderr and "Traceback" not in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_scene_without_a_camera_is_one_clear_error(tmp_path):
+    (tmp_path / "a.gltf").write_text('{"asset": {"version": "2.0"}}')
+    done = run(tmp_path / "a.gltf", "--out", tmp_path / "out")
+    assert done.returncode == 1 and "camera" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_every_committed_scene_has_references():
+    scenes = [p for p in (references.ROOT / "assets").glob("*.glb")]
+    assert scenes
+    for scene in scenes:
+        assert (references.reference_folder(scene) / "reference.json").is_file(), scene.name
+
+
+@pytest.mark.parametrize("path", STORED, ids=lambda p: p.parent.name)
+def test_a_stored_reference_is_of_the_scene_as_it_is_now(path):
+    facts = json.loads(path.read_text())
+    scene = references.ROOT / "assets" / facts["scene"]
+    assert hashlib.sha256(scene.read_bytes()).hexdigest() == facts["scene_sha256"]
+    assert set(facts["kinds"]) == set(references.KINDS)
+    loaded = load_scene(scene)
+    assert facts["ao_distance_world"] == pytest.approx(loaded.ao_distance_world)
+    np.testing.assert_allclose(facts["light"]["towards"], loaded.sun.towards, atol=1e-8)
+    pictures = {kind: read_exr(path.parent / f"{kind}.exr") for kind in references.KINDS}
+    for kind, picture in pictures.items():
+        assert picture.shape == (facts["size"][1], facts["size"][0], 3)
+        assert np.isfinite(picture).all() and picture.min() >= 0, kind
+        assert facts["kinds"][kind]["noise_relmse"] < 1e-3, kind
+    for kind in ("coverage", "ao", "shadow"):
+        assert pictures[kind].max() <= 1
+    # What more there is to light is never darker: by more than noise, in the mean.
+    assert pictures["full"].mean() >= pictures["one-bounce"].mean() * 0.999
+    assert pictures["one-bounce"].mean() >= pictures["direct"].mean()
