@@ -32,7 +32,7 @@ function drawSummary() {
   const usual = Object.entries(DATA.usual).filter(([name, value]) => !(name === "experiment" && value === "none"))
     .map(([name, value]) => settingText(name, value)).join(", ");
   $("summary-body").append(make("p", {}, `At ${usual}. Times are medians; errors are of linear light. “At the floor”: the
-    error is no larger than the reference's own noise, so its number says nothing.`), table(head, rows));
+    error cannot be told from the reference's own noise, so its number says nothing.`), table(head, rows));
   const failed = DATA.points.filter(point => point.status === "failed");
   if (failed.length) $("summary-body").append(make("div", {class: "failed", id: "failed-points"},
     make("strong", {}, `${failed.length} point${failed.length > 1 ? "s" : ""} failed`),
