@@ -19,7 +19,8 @@ def build():
     def rests(name, shape, material, **place):
         glb.node(name, mesh=glb.mesh(name, glb.primitive(shape, material)), **place)
 
-    rests("box", shapes.box((0.7, 0.7, 0.7), None), red, translation=[-0.85, 0, -0.2], rotation=axis_angle((0, 1, 0), 25))
+    rests("box", shapes.box((0.7, 0.7, 0.7), None), red,
+          translation=[-0.85, 0, -0.2], rotation=axis_angle((0, 1, 0), 25))
     rests("sphere", shapes.icosphere(0.4, 3), white, translation=[0.15, 0.4, 0.45])
     rests("cylinder", shapes.cylinder(0.3, 0.9, 32), blue, translation=[0.85, 0, -0.45])
     rests("slab", shapes.box((0.5, 0.06, 0.5), None), white, translation=[-0.55, 0, 1.0])

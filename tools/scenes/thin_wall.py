@@ -4,10 +4,10 @@ import math
 from . import shapes
 from .glb import Glb
 
-HEIGHT, THICKNESS = 2.5, 0.01  # metres
+HEIGHT = 2.5  # metres
 
 
-def build():
+def build(thickness=0.01):
     """The dark half (x < 0) is black.
 
     The sun comes over the back wall and travels towards +X -> -X and +Z: it enters where the lit half has no
@@ -18,14 +18,14 @@ def build():
     glb = Glb("tools/make_assets.py")
     white, orange = glb.material("white", (0.7, 0.7, 0.7)), glb.material("orange", (0.7, 0.35, 0.1))
 
-    room, half = shapes.Shape(), THICKNESS / 2
+    room, half = shapes.Shape(), thickness / 2
     shapes.add_quad(room, (-2, 0, 2), (4, 0, 0), (0, 0, -4))  # floor
     shapes.add_quad(room, (-2, 0, -2), (4, 0, 0), (0, HEIGHT, 0))  # back
     shapes.add_quad(room, (2, 0, -2), (0, 0, 4), (0, HEIGHT, 0))  # right
     shapes.add_quad(room, (-2, 0, 2), (0, 0, -4), (0, HEIGHT, 0))  # left
     shapes.add_quad(room, (-2, HEIGHT, -2), (2 + half, 0, 0), (0, 0, 4))  # ceiling of the dark half
     glb.node("room", mesh=glb.mesh("room", glb.primitive(room, white)))
-    wall = glb.mesh("wall", glb.primitive(shapes.box((THICKNESS, HEIGHT, 4), None), orange))
+    wall = glb.mesh("wall", glb.primitive(shapes.box((thickness, HEIGHT, 4), None), orange))
     glb.node("wall", mesh=wall)
 
     glb.camera("front", (0, 1.35, 6.2), (0, 1.2, 0), 46)
