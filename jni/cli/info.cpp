@@ -1,12 +1,10 @@
 // vct info: what the driver is, and whether it has all that the pipeline needs.
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include "cli/commands.h"
-#include "gl/api.h"
 #include "gl/capabilities.h"
-#include "platform/platform.h"
+#include "platform/context.h"
 
 namespace vct::cli {
 namespace {
@@ -33,16 +31,9 @@ void printDevices() {
 }
 
 bool printCapabilities(const InfoOptions& options) {
-    PlatformOptions platformOptions;
-    platformOptions.backend = backendFromName(options.backend);
-    platformOptions.device = options.device;
-    const std::unique_ptr<Platform> platform = createPlatform(platformOptions);
-    gl::load([](const char* name,
-                const void* user) { return static_cast<const Platform*>(user)->getProcAddress(name); },
-             platform.get());
-    const gl::Capabilities capabilities = gl::queryCapabilities();
-
-    std::printf("back end:  %s, %s\n%s", options.backend.c_str(), platform->description().c_str(),
+    const Context context = openContext(backendFromName(options.backend), options.device);
+    const gl::Capabilities& capabilities = context.capabilities;
+    std::printf("back end:  %s, %s\n%s", options.backend.c_str(), context.platform->description().c_str(),
                 gl::describe(capabilities).c_str());
     // A driver library without access to its GPU is a common surprise in containers.
     if (capabilities.softwareDriver && options.device < 0 && eglDevices().size() > 1)

@@ -94,8 +94,12 @@ class EglPlatform : public Platform {
 
     void release() {
         if (context_ != EGL_NO_CONTEXT) {
-            if (eglGetCurrentContext() == context_)
+            // Nothing may be under way in the driver when the context goes: zink on lavapipe of Mesa 25 has
+            // been seen to crash there.
+            if (eglGetCurrentContext() == context_) {
+                if (const auto finish = eglGetProcAddress("glFinish")) finish();
                 eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            }
             eglDestroyContext(display_, context_);
         }
         if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);

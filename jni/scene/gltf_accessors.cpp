@@ -1,6 +1,7 @@
 #include "scene/gltf_accessors.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 namespace vct {
@@ -82,7 +83,9 @@ void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::
         indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
         file.fail("the sparse part of " + name + " has indices of type " + std::to_string(indexType));
-    if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+    // Signed here because tinygltf 2.7 has int where 2.8 has std::size_t.
+    const auto negative = [](auto value) { return static_cast<std::int64_t>(value) < 0; };
+    if (negative(sparse.count) || negative(sparse.indices.byteOffset) || negative(sparse.values.byteOffset))
         file.fail("the sparse part of " + name + " has a negative count or offset");
 
     const auto count = static_cast<std::size_t>(sparse.count);

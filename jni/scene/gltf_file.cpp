@@ -127,6 +127,21 @@ void checkExtensions(GltfFile& file, const json& document) {
         file.warn("extension " + name + " is ignored");
 }
 
+// Before tinygltf, whose 2.8 reads a negative offset as none.
+void checkSparseOffsets(const GltfFile& file, const json& document) {
+    const auto accessors = document.find("accessors");
+    if (accessors == document.end() || !accessors->is_array()) return;
+    for (std::size_t i = 0; i < accessors->size(); ++i)
+        for (const char* part : {"/sparse/indices/byteOffset", "/sparse/values/byteOffset"}) {
+            const json::json_pointer place(part);
+            const json& accessor = (*accessors)[i];
+            if (!accessor.is_object() || !accessor.contains(place)) continue;
+            const json& offset = accessor.at(place);
+            if (offset.is_number() && offset.get<double>() < 0.0)
+                file.fail("the sparse part of accessor " + std::to_string(i) + " has a negative offset");
+        }
+}
+
 // Takes an array out of the document. What is taken, tinygltf does not see.
 json take(const GltfFile& file, json& document, const char* key) {
     const auto found = document.find(key);
@@ -231,6 +246,7 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
     json document = parseJson(file, chunks);
     checkAsset(file, document);
     checkExtensions(file, document);
+    checkSparseOffsets(file, document);
     const json buffers = take(file, document, "buffers");
     const json images = take(file, document, "images");
     if (!take(file, document, "animations").empty())

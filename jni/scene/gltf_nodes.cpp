@@ -89,7 +89,9 @@ void checkCycles(const GltfFile& file, const std::vector<bool>& isChild) {
     }
     for (std::size_t i = 0; i < reached.size(); ++i) {
         const tinygltf::Node& node = nodes[static_cast<std::size_t>(reached[i])];
-        reached.insert(reached.end(), node.children.begin(), node.children.end());
+        // One by one: GCC 13 sees an overflow in inserting the range where there is none.
+        for (int child : node.children)
+            reached.push_back(child);
     }
     if (reached.size() != nodes.size()) file.fail("its nodes form a cycle: one is its own ancestor");
 }
