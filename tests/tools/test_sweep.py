@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -98,6 +99,17 @@ def test_new_references_are_measured_without_rendering(tmp_path: Path):
     assert "0 to render" in done.stderr and "measured anew" in done.stderr
     (again,) = stored(tmp_path)["points"]
     assert again["errors"]["ao"]["rmse"] > 0 and again["modes"] == entry["modes"]
+
+
+@needs_program
+def test_a_reference_of_another_state_of_the_scene_is_not_used(tmp_path: Path):
+    stale = tmp_path / "references" / "cornell"
+    shutil.copytree(ROOT / "references" / "cornell", stale)
+    about = json.loads((stale / "reference.json").read_text())
+    (stale / "reference.json").write_text(json.dumps(about | {"scene_sha256": "0"}))
+    sweep(tmp_path, *SMALL, "--modes", "ao", "--references", str(stale.parent))
+    (entry,) = stored(tmp_path)["points"]
+    assert "another state of the scene" in entry["errors"]["ao"]["missing"]
 
 
 @needs_program

@@ -68,6 +68,11 @@ class References:
             self._images[kind] = read_exr(path)
         return self._images[kind]
 
+    def check_scene(self, scene: str, sha256: str) -> None:
+        """A picture of the scene as it is now says nothing against a reference of how it was."""
+        if self.folder.name == scene and self.about.get("scene_sha256", sha256) != sha256:
+            raise NoReference("the reference is of another state of the scene: tools/references.py")
+
     def noise(self, kinds: tuple[str, ...]) -> float | None:
         """The references' own, as relMSE. Of a sum, the noisiest part's."""
         known = self.about.get("kinds", {})
@@ -105,6 +110,7 @@ def errors(entry: dict[str, Any], folder: Path, references: References) -> dict[
     found: dict[str, Any] = {}
     for measure in measurable(entry):
         try:
+            references.check_scene(entry["scene"], entry["scene_sha256"])
             image, reference = pair(measure, folder, references)
             found[measure.name] = metrics.compare(image, reference, references.exposures(),
                                                   references.noise(measure.references), flip=not measure.share)
