@@ -12,6 +12,7 @@ from . import engine
 from .kinds import ESTIMATORS, World
 from .points import pixel_offsets, point
 from .scene import Scene
+from .surfaces import unit_vector
 
 mi = engine.load()
 
@@ -33,7 +34,7 @@ def camera_rays(scene: Scene, size: tuple[int, int], pixel, across, down):
     half = math.tan(0.5 * scene.camera.vertical_fov_rad)
     right, up, back = (mi.Vector3f(axis.tolist()) for axis in scene.camera.axes)
     direction = (right * ((2 * x / width - 1) * half * width / height) + up * ((1 - 2 * y / height) * half) - back)
-    return mi.Point3f(scene.camera.eye.tolist()), dr.normalize(direction)
+    return mi.Point3f(scene.camera.eye.tolist()), unit_vector(direction)
 
 
 @dr.syntax

@@ -92,7 +92,7 @@ class Emitters:
             return mi.Float(1)
         way = surface.position - origin
         distance2 = dr.squared_norm(way)
-        pdf = self._per_solid_angle(hit, distance2, dr.abs(dr.dot(surface.facing, way)) * dr.rsqrt(distance2))
+        pdf = self._per_solid_angle(hit, distance2, dr.abs(dr.dot(surface.facing, way)) / dr.sqrt(distance2))
         return dr.square(cosine_pdf) / dr.maximum(dr.square(cosine_pdf) + dr.square(pdf), 1e-30)
 
     def light(self, surfaces: Surfaces, surface: Surface, choice, random, active):
@@ -106,7 +106,7 @@ class Emitters:
         point = surfaces._interpolate(surfaces._corners, hit, mi.Point3f)
         way = point - surface.position
         distance2 = dr.squared_norm(way)
-        direction = way * dr.rsqrt(dr.maximum(distance2, 1e-20))
+        direction = way / dr.sqrt(dr.maximum(distance2, 1e-20))
         there = -dr.dot(facing, direction)
         there = dr.select(dr.gather(mi.Bool, self._double, triangle, active), dr.abs(there), there)
         here = dr.select(dr.dot(surface.facing, direction) > 0, dr.dot(surface.normal, direction), 0)
