@@ -56,6 +56,9 @@ const std::vector<Experiment>& allExperiments() {
          "a coarser voxel is as opaque as the share of a flat surface that its children make (defect 1)"},
         {"rounded-mips", "VCT_ROUNDED_MIPS",
          "colours are rounded to nearest in each mip, not down (defect 2)"},
+        {"light-share", "VCT_LIGHT_SHARE",
+         "a coarser voxel shines with the share of its children that are lit, not with all once one is "
+         "(defect 10)"},
         {"long-shadow-steps", "VCT_LONG_SHADOW_STEPS",
          "the shadow cone steps by its diameter, at least a voxel, its opacity as before (defect 4)"},
         {"near-start", "VCT_NEAR_START",

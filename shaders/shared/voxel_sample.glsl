@@ -47,6 +47,9 @@ vec4 unpackSample(uint word) {
 #ifdef VCT_COVERAGE_OPACITY
     scale *= opacity;
 #endif
+#ifdef VCT_LIGHT_SHARE  // experiment: children in shadow do not shine
+    scale *= float(voxelLight(word)) / max(float(voxelCount(word)), 1.0);
+#endif
     return vec4(vec3(voxelColor(word)) * scale, opacity);
 }
 

@@ -57,7 +57,7 @@ TEST(Experiments, RoundedMipsChangeColoursOfCoarserLevelsOnly) {
 
 TEST(Experiments, TracerExperimentsChangeThePictureAndNotTheVoxels) {
     const Frames plain = runWith({});
-    for (const char* name : {"coverage-opacity", "long-shadow-steps", "near-start"}) {
+    for (const char* name : {"coverage-opacity", "light-share", "long-shadow-steps", "near-start"}) {
         const Frames changed = runWith({name});
         EXPECT_EQ(changed.voxels, plain.voxels) << name;
         EXPECT_NE(changed.image.pixels, plain.image.pixels) << name;
