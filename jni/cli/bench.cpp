@@ -12,7 +12,7 @@
 #include "cli/output.h"
 #include "cli/timings.h"
 #include "core/error.h"
-#include "image/files.h"
+#include "core/files.h"
 #include "platform/platform.h"
 
 namespace vct::cli {

@@ -64,19 +64,22 @@ Image exposed(Image image, float exposure) {
 
 // Everything is rendered before anything is written.
 struct Pictures {
-    std::vector<std::pair<std::string, Image>> linear;  // PNG with exposure, and EXR
+    std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
+    std::vector<std::pair<std::string, Image>> lightParts;  // likewise
     std::vector<Renderer::Stage> stages;
 };
 
 void write(const Pictures& pictures, const RenderOptions& options, OutputFolder& out) {
-    std::vector<std::pair<std::string, Image>> seen;
-    for (const auto& [name, image] : pictures.linear) {
-        writeExr(out.file(name + ".exr"), image);
-        seen.emplace_back(name, exposed(image, options.exposure));
-        writePng(out.file(name + ".png"), seen.back().second);
-    }
-    if (options.contactSheet && seen.size() > 1)
-        writePng(out.file("contact_sheet.png"), contactSheet(seen, 3));
+    std::vector<std::pair<std::string, Image>> sheet;
+    for (const auto* group : {&pictures.modes, &pictures.lightParts})
+        for (const auto& [name, image] : *group) {
+            const Image picture = exposed(image, options.exposure);
+            writeExr(out.file(name + ".exr"), image);
+            writePng(out.file(name + ".png"), picture);
+            if (group == &pictures.modes) sheet.emplace_back(name, picture);
+        }
+    if (options.contactSheet && sheet.size() > 1)
+        writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
     if (!pictures.stages.empty()) {
         OutputFolder stages(out.file("stages"));
         for (const Renderer::Stage& stage : pictures.stages) {
@@ -130,12 +133,12 @@ void render(const RenderOptions& options) {
         else
             report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
         report.activeVoxels = renderer.activeVoxels();
-        pictures.linear.emplace_back(modeName(mode), renderer.radiance());
+        pictures.modes.emplace_back(modeName(mode), renderer.radiance());
     }
     report.resources = renderer.resources();
     if (options.lightParts)
         for (Renderer::Stage& part : renderer.lightParts(camera))
-            pictures.linear.emplace_back(part.name, std::move(part.image));
+            pictures.lightParts.emplace_back(part.name, std::move(part.image));
     if (options.stages) {
         progress("stages");
         pictures.stages = renderer.stages(camera);

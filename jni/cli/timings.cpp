@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-#include "image/files.h"
+#include "core/files.h"
 
 namespace vct::cli {
 

@@ -47,26 +47,6 @@ ImageFormat imageFormat(const std::string& path, const Bytes& bytes) {
                 "; make the picture again as one of the two");
 }
 
-void replaceFile(const std::string& path, const Bytes& bytes) {
-    const std::string temporary = path + ".tmp";
-    const auto fail = [&](int cause) {
-        throw Error("cannot write picture '" + path + "': " + std::strerror(cause) +
-                    "; choose a file in an existing, writable folder with space left");
-    };
-    errno = 0;
-    std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (file == nullptr) fail(errno);
-    int cause = 0;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) cause = errno;
-    // What is still in the buffer is written here, so a full disk may show only now.
-    if (std::fclose(file) != 0 && cause == 0) cause = errno;
-    if (cause == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) cause = errno;
-    if (cause != 0) {
-        std::remove(temporary.c_str());
-        fail(cause);
-    }
-}
-
 void checkWritable(const std::string& path, const Image& image) {
     const auto inRange = [](int side) { return side > 0 && side <= maxImageSide; };
     const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height);

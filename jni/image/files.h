@@ -1,14 +1,13 @@
-// Bytes on disk, and the two file formats behind readImage(). Private to jni/image and the compare command.
+// The two file formats behind readImage(). Private to jni/image and the compare command.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "core/files.h"
 #include "image/image.h"
 
 namespace vct {
-
-using Bytes = std::vector<unsigned char>;
 
 // Larger pictures are refused, on reading and on writing: their size in bytes no longer fits stb's int.
 constexpr int maxImageSide = 16384;
@@ -20,9 +19,6 @@ Bytes readImageFile(const std::string& path);
 
 // By content; throws vct::Error where it is neither.
 ImageFormat imageFormat(const std::string& path, const Bytes& bytes);
-
-// Writes `path.tmp` and renames it, so that nobody sees half a picture; leaves no temporary file behind.
-void replaceFile(const std::string& path, const Bytes& bytes);
 
 // Throws vct::Error where a side is 0 or above maxImageSide, or where the pixels are not width x height.
 void checkWritable(const std::string& path, const Image& image);
