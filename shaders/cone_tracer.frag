@@ -1,18 +1,19 @@
 // The last pass: what each pixel's cones see, and the five modes (thesis 4.6, 5.1.2). One variant per VCT_MODE.
 #include "shared/cones.glsl"
 #include "shared/octahedral.glsl"
+#include "shared/precision.glsl"
 #if VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
 #include "shared/shadow.glsl"
 #endif
 
-layout(binding = VCT_TEX_G_ALBEDO) uniform sampler2D albedoTarget;
+layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
 layout(binding = VCT_TEX_G_NORMAL) uniform usampler2D normalTarget;
 layout(binding = VCT_TEX_G_DEPTH) uniform sampler2D depthTarget;
 #ifdef VCT_EMISSIVE_TARGET
-layout(binding = VCT_TEX_G_EMISSIVE) uniform sampler2D emissiveTarget;
+layout(binding = VCT_TEX_G_EMISSIVE) uniform mediump sampler2D emissiveTarget;
 #endif
 
-layout(location = 0) out vec4 outRadiance;  // rgb relative to E/pi; a: 1 on a surface, 0 on the sky
+layout(location = 0) out mediump vec4 outRadiance;  // rgb relative to E/pi; a: 1 on a surface, 0 on the sky
 
 // From the published program; they are matters of taste and stand in modes 1 to 3 only.
 const float ambientLight = 0.05;
@@ -30,10 +31,10 @@ vec3 positionFromDepth(ivec2 pixel, float depth) {
     return p.xyz / p.w;
 }
 
-float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
+mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
     vec3 mirrored = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
-    return cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0;
+    return HALF(cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0);
 }
 
 void main() {
@@ -45,8 +46,8 @@ void main() {
     }
     vec3 position = positionFromDepth(pixel, depth);
     vec3 normal = decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
-    vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
-    vec3 albedo = root * root;
+    mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);
+    mediump vec3 albedo = HALF(root * root);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
 
 #if VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO
@@ -57,33 +58,33 @@ void main() {
     Gather gather = Gather(vec3(0.0), 1.0);
 #endif
 
-    float light = 1.0;
+    mediump float light = 1.0;
 #if VCT_MODE == VCT_MODE_GI_CONE_SHADOW || VCT_MODE == VCT_VIEW_CONE_SHADOW
     light = cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
 #elif VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
-    light = shadowMapLight(position, cosTheta);
+    light = HALF(shadowMapLight(position, cosTheta));
 #endif
 
     // Eq. 4.9.
-    float total = mix(gather.openness, light * gather.openness, shadowStrength);
-    vec3 radiance;
+    mediump float total = HALF(mix(gather.openness, light * gather.openness, shadowStrength));
+    mediump vec3 radiance;
 #if VCT_MODE == VCT_VIEW_AO
     radiance = vec3(gather.openness);
 #elif VCT_MODE == VCT_VIEW_INDIRECT
-    radiance = albedo * gather.radiance;
+    radiance = HALF(albedo * gather.radiance);
 #elif VCT_MODE == VCT_VIEW_CONE_SHADOW
     radiance = vec3(light);
 #elif VCT_MODE >= VCT_MODE_GI
-    radiance = albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
+    radiance = HALF(albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance));  // eq. 4.10
 #else
 #if VCT_MODE == VCT_MODE_PHONG
     total = 1.0;
 #endif
-    float shade = cosTheta + specularLight * phongSpecular(position, normal, cosTheta);
-    radiance = albedo * (ambientLight * gather.openness + shade * total * frame.lightColor.rgb);
+    mediump float shade = HALF(cosTheta + specularLight * phongSpecular(position, normal, cosTheta));
+    radiance = HALF(albedo * (ambientLight * gather.openness + shade * total * frame.lightColor.rgb));
 #endif
 #if defined(VCT_EMISSIVE_TARGET) && VCT_MODE <= VCT_MODE_GI_CONE_SHADOW
-    radiance += texelFetch(emissiveTarget, pixel, 0).rgb;
+    radiance = HALF(radiance + texelFetch(emissiveTarget, pixel, 0).rgb);
 #endif
     outRadiance = vec4(radiance, 1.0);
 }

@@ -33,6 +33,7 @@ struct RenderOptions {
     std::vector<std::string> experiments;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
+    bool emulateHalf = false;
     bool stages = false;
     bool lightParts = false;
     bool contactSheet = false;
@@ -47,6 +48,7 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.aoDistance = options.aoDistance;
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
+    settings.emulateHalf = options.emulateHalf;
     settings.activeVoxelLimit = options.activeVoxels;
     validate(settings);
     return settings;
@@ -211,6 +213,8 @@ void addRender(CLI::App& app, int&) {
     for (const Experiment& experiment : allExperiments())
         experiments += std::string("\n") + experiment.name + ": " + experiment.what;
     command->add_option("--experiment", options->experiments, experiments)->delimiter(',');
+    command->add_flag("--emulate-half", options->emulateHalf,
+                      "Round the shaders' mediump values to 16 bits, as a phone does, on any driver");
     command->add_option("--active-voxels", options->activeVoxels,
                         "Room in the active-voxel list (default: 16 grid^2)");
     command->add_option("--seed-order", options->seedOrder,

@@ -50,7 +50,8 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"ao_distance", s.aoDistance},
-            {"experiments", s.experiments}};
+            {"experiments", s.experiments},
+            {"emulate_half", s.emulateHalf}};
 }
 
 }  // namespace

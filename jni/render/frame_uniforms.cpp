@@ -58,7 +58,9 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     frame.eye = glm::vec4(eye);
     frame.towardsLight = glm::vec4(glm::vec3(light.towardsLight), 0.0F);
     frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
-    frame.skyRadiance = glm::vec4(settings.skyRadiance / radianceUnit(light), 0.0F);
+    // Cones and the picture hold radiance in halves, which end at 65504; beyond, a black surface would be
+    // NaN.
+    frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
     frame.cone = glm::vec4(std::sin(halfAngleRad), settings.aoDistance, 0.0F, 0.0F);
     frame.grid = glm::ivec4(volume.grid, static_cast<int>(std::log2(volume.grid)), 0, 0);

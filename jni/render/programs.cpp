@@ -1,5 +1,7 @@
 #include "render/programs.h"
 
+#include <algorithm>
+
 namespace vct {
 
 namespace {
@@ -20,6 +22,19 @@ bool possible(unsigned features) {
 }
 
 }  // namespace
+
+gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
+                                gl::ReadShader read) {
+    std::vector<std::string> defines;
+    for (const Experiment& experiment : allExperiments())
+        if (std::count(settings.experiments.begin(), settings.experiments.end(), experiment.name) > 0)
+            defines.emplace_back(experiment.define);
+    if (settings.emulateHalf)
+        defines.emplace_back("VCT_EMULATE_HALF");
+    else if (capabilities.softwareDriver)
+        defines.emplace_back("VCT_FULL_PRECISION");
+    return {std::move(read), capabilities.essl320, std::move(defines)};
+}
 
 unsigned materialFeatures(const Material& material) {
     unsigned features = 0;

@@ -2,11 +2,17 @@
 // descriptions from here, and the tests compile all of them offline.
 #pragma once
 
+#include "gl/capabilities.h"
 #include "gl/program.h"
 #include "render/settings.h"
 #include "scene/scene.h"
 
 namespace vct {
+
+// Where the passes of one renderer take their shaders from, with the defines that the settings' experiments
+// and the driver's arithmetic ask of all of them (shaders/shared/precision.glsl).
+gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
+                                gl::ReadShader read);
 
 // What occurs in a material; a draw call pays for nothing else. Bits.
 enum MaterialFeature : unsigned {

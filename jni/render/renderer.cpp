@@ -5,6 +5,7 @@
 #include "core/memory.h"
 #include "gl/debug.h"
 #include "render/frame_uniforms.h"
+#include "render/programs.h"
 #include "render/read_back.h"
 #include "render/stage_view.h"
 #include "render/voxel_view.h"
@@ -16,14 +17,6 @@ namespace {
 const Settings& validated(const Settings& settings) {
     validate(settings);
     return settings;
-}
-
-std::vector<std::string> experimentDefines(const Settings& settings) {
-    std::vector<std::string> defines;
-    for (const Experiment& experiment : allExperiments())
-        if (std::count(settings.experiments.begin(), settings.experiments.end(), experiment.name) > 0)
-            defines.emplace_back(experiment.define);
-    return defines;
 }
 
 bool needsShadowMap(Mode mode) {
@@ -39,7 +32,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings)),
       softwareDriver_(capabilities.softwareDriver),
-      shaders_{std::move(readShader), capabilities.essl320, experimentDefines(settings)},
+      shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
       light_(light),
       boundsWorld_(scene.boundsWorld),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),

@@ -1,7 +1,9 @@
 // The thesis's two cone traces (4.6), with the constants of the published program.
+#include "shared/precision.glsl"
 #include "shared/voxel_sample.glsl"
 
-// A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding.
+// A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding, which is
+// 2^-9 for halves.
 const float opaque = 0.998;
 
 // Whether no texel of a level's footprint around `p` lies in the volume. Stopping at p's own crossing would
@@ -22,8 +24,8 @@ mat3 frameAround(vec3 n) {
 }
 
 struct Gather {
-    vec3 radiance;   // weighted sum over the cones, relative to E/pi
-    float openness;  // 1 - ambient occlusion
+    mediump vec3 radiance;   // weighted sum over the cones, relative to E/pi
+    mediump float openness;  // 1 - ambient occlusion
 };
 
 const int diffuseConeCount = 6;
@@ -32,8 +34,8 @@ const vec3 diffuseCones[diffuseConeCount] = vec3[diffuseConeCount](
     vec3(0.0, 1.0, 0.0), vec3(0.0, 0.5, 0.866025), vec3(0.823639, 0.5, 0.267617),
     vec3(0.509037, 0.5, -0.700629), vec3(-0.509037, 0.5, -0.700629), vec3(-0.823639, 0.5, 0.267617));
 // The cosine is in the weights: 1/4 and 3/20, their sum 1.
-const float normalConeWeight = 0.25;
-const float ringConeWeight = 0.15;
+const mediump float normalConeWeight = 0.25;
+const mediump float ringConeWeight = 0.15;
 
 // Distances in voxels of the finest level. The start clears the surface's own voxels; every step doubles the
 // distance and reads the next level, so each step needs one level only (figure 4.5).
@@ -55,22 +57,23 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
     Gather gather = Gather(vec3(0.0), 0.0);
     for (int i = 0; i < diffuseConeCount; ++i) {
         vec3 direction = volumeFromCone * diffuseCones[i];
-        vec3 radiance = vec3(0.0);
-        float opacity = 0.0;
-        float nearOpacity = 0.0;
+        mediump vec3 radiance = vec3(0.0);
+        mediump float opacity = 0.0;
+        mediump float nearOpacity = 0.0;
         float distance = diffuseFirstSample * voxel;
         for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
-            vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
-            radiance += value.rgb;
-            opacity += value.a;
+            mediump vec4 value = HALF(sampleVoxels(p, level) * (1.0 - opacity));
+            radiance = HALF(radiance + value.rgb);
+            opacity = HALF(opacity + value.a);
             if (distance < frame.cone.y) nearOpacity = opacity;
             distance *= 2.0;
         }
-        float weight = i == 0 ? normalConeWeight : ringConeWeight;
-        gather.radiance += weight * (radiance + max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb);
-        gather.openness += weight * max(1.0 - nearOpacity, 0.0);
+        mediump float weight = HALF(i == 0 ? normalConeWeight : ringConeWeight);
+        mediump vec3 sky = HALF(max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb);
+        gather.radiance = HALF(gather.radiance + weight * (radiance + sky));
+        gather.openness = HALF(gather.openness + weight * max(1.0 - nearOpacity, 0.0));
     }
     return gather;
 }
@@ -88,7 +91,7 @@ float shadowStep(float distance, float radius, float voxel) {
 }
 
 // The general cone towards the light (eq. 4.6-4.8): 1 where nothing is in its way.
-float traceShadowCone(vec3 positionVolume, vec3 normal) {
+mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
     const float furthest = 1.7320508;    // the volume's diagonal, in sides
     float sine = frame.cone.x;
     float ratio = sine / (1.0 - sine);  // eq. 4.8: radius over distance to the sphere's near side
@@ -96,7 +99,7 @@ float traceShadowCone(vec3 positionVolume, vec3 normal) {
     float voxel = 1.0 / side;
     float lastLevel = float(frame.grid.y);
     vec3 start = positionVolume + normal * (shadowStart * voxel);
-    float opacity = 0.0;
+    float opacity = 0.0;  // highp: near 1 a half would lose the small terms, of which there are a hundred
     for (float distance = voxel; distance < furthest && opacity < opaque;
          distance += shadowStep(distance, ratio * distance, voxel)) {
         float radius = ratio * distance;
@@ -104,10 +107,10 @@ float traceShadowCone(vec3 positionVolume, vec3 normal) {
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
         if (outsideVolume(p, min(fine + 1, frame.grid.y))) break;
-        float blend = level - float(fine);
-        float value = sampleOpacity(p, fine);
-        if (blend > 0.0) value = mix(value, sampleOpacity(p, fine + 1), blend);
+        mediump float blend = HALF(level - float(fine));
+        mediump float value = sampleOpacity(p, fine);
+        if (blend > 0.0) value = HALF(mix(value, sampleOpacity(p, fine + 1), blend));
         opacity += value * (1.0 - opacity);
     }
-    return clamp(1.0 - opacity, 0.0, 1.0);
+    return HALF(clamp(1.0 - opacity, 0.0, 1.0));
 }

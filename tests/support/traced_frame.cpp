@@ -49,7 +49,7 @@ glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY) {
 
 TracedFrame::TracedFrame(const Context& context, const Scene& scene, const DirectionalLight& light,
                          const Settings& settings, const Volume& volume, const Camera& camera)
-    : shaders_{testShaders(), context.capabilities.essl320},
+    : shaders_(shaderLibrary(settings, context.capabilities, testShaders())),
       uniforms_(frameUniforms(camera, light, scene.boundsWorld, volume, settings)),
       scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
