@@ -66,6 +66,25 @@ TEST_P(Voxels, MipLevelsEqualTheCpusBitForBit) {
     }
 }
 
+TEST_P(Voxels, MipLevelsConserveColourUpToTheirRounding) {
+    const std::vector<Words> levels = voxelsOf(Backend::egl, GetParam(), 128);
+    for (std::size_t level = 1; level < levels.size(); ++level)
+        for (int c = 0; c < 3; ++c) {
+            // What a child passes on is its colour over its count, rounded down to a step of 1/31.
+            double before = 0.0, after = 0.0;
+            std::size_t children = 0;
+            for (const std::uint32_t word : levels[level - 1]) {
+                if (word == 0) continue;
+                before += static_cast<double>(shared::voxelColor(word)[c]) / shared::voxelCount(word);
+                ++children;
+            }
+            for (const std::uint32_t word : levels[level])
+                after += shared::voxelColor(word)[c];
+            EXPECT_LE(after, before) << "level " << level;
+            EXPECT_GT(after, before - static_cast<double>(children)) << "level " << level;
+        }
+}
+
 TEST_P(Voxels, ListHoldsEachOccupiedVoxelOnceAtEveryLevel) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset(GetParam()));
