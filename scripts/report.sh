@@ -32,6 +32,8 @@ step() {
     [[ $status -lt 2 ]] || exit "$status"
     [[ $status -eq 0 ]] || failed=1
 }
+# Those of an older program beside a new sweep would mislead; the sweep sorts its own out.
+rm -f "$out/hard_cases/hard_cases.json" "$out/bench.json"
 step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
 if [[ ${#quick[@]} -eq 0 ]]; then
     step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/sweep" --grids 128 --cone-angles 5 \

@@ -27,7 +27,7 @@ def arguments() -> argparse.ArgumentParser:
     parser.add_argument("--bench", type=Path, help="the JSON of vct bench: the thesis's tables")
     parser.add_argument("--references", type=Path, default=identity.ROOT / "references", help="default: references")
     parser.add_argument("--out", type=Path, default=Path("out/report/index.html"), help="default: %(default)s")
-    parser.add_argument("--megabytes", type=float, default=14, help="of pictures at most (default: %(default)g)")
+    parser.add_argument("--megabytes", type=float, default=13, help="of pictures at most (default: %(default)g)")
     return parser
 
 
