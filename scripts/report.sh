@@ -33,17 +33,20 @@ step() {
     [[ $status -eq 0 ]] || failed=1
 }
 # Those of an older program beside a new sweep would mislead; the sweep sorts its own out.
-rm -f "$out/hard_cases/hard_cases.json" "$out/bench.json"
+rm -rf "$out/hard_cases" "$out/bench.json"
 step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
 if [[ ${#quick[@]} -eq 0 ]]; then
-    step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/sweep" --grids 128 --cone-angles 5 \
-        --experiments none,coverage-opacity,rounded-mips,long-shadow-steps,near-start,second-atomic
+    # In a file of its own, so that each time is compared with one of the same minutes.
+    step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/experiments" --grids 128 \
+        --cone-angles 5 \
+        --experiments none,coverage-opacity,rounded-mips,light-share,long-shadow-steps,near-start,second-atomic
     step "the thesis's tables" build/desktop/vct bench assets/cornell.glb --repeat 1 --json "$out/bench.json"
 fi
 step "hard cases" "$python" tools/hard_cases.py "${quick[@]}" --vct build/desktop/vct --out "$out/hard_cases"
 
 page=("$python" tools/report.py --sweep "$out/sweep/sweep.json" --out "$out/index.html")
 [[ ! -e "$out/hard_cases/hard_cases.json" ]] || page+=(--hard-cases "$out/hard_cases/hard_cases.json")
+[[ ! -e "$out/experiments/sweep.json" ]] || page+=(--experiments "$out/experiments/sweep.json")
 [[ ! -e "$out/bench.json" ]] || page+=(--bench "$out/bench.json")
 "${page[@]}" >/dev/null
 [[ $failed -eq 0 ]] || echo "report: some points or cases failed; the page shows them"

@@ -23,6 +23,8 @@ SCRIPTS = ("base.js", "summary.js", "plots.js", "viewer.js", "tables.js", "hard.
 def arguments() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sweep", type=Path, default=Path("out/sweep/sweep.json"), help="default: %(default)s")
+    parser.add_argument("--experiments", type=Path,
+                        help="a sweep.json of --experiments: shown as with and without, apart from the rest")
     parser.add_argument("--hard-cases", type=Path, help="the JSON of tools/hard_cases.py")
     parser.add_argument("--bench", type=Path, help="the JSON of vct bench: the thesis's tables")
     parser.add_argument("--references", type=Path, default=identity.ROOT / "references", help="default: references")
@@ -45,14 +47,16 @@ def build_page(data: dict) -> str:
 
 def main() -> int:
     options = arguments().parse_args()
-    for path in (options.sweep, options.hard_cases, options.bench):
+    for path in (options.sweep, options.experiments, options.hard_cases, options.bench):
         if path is not None and not path.is_file():
             raise SystemExit(f"error: {path}: no such file")
     sweep = store.read(options.sweep)
     if not sweep["points"]:
         raise SystemExit(f"error: {options.sweep} has no points")
     album = Album(int(options.megabytes * 1e6))
-    data = page_data(sweep, options.sweep.parent, options.references, options.hard_cases, options.bench, album)
+    experiments = store.read(options.experiments)["points"] if options.experiments else []
+    data = page_data(sweep, experiments, options.sweep.parent, options.references, options.hard_cases, options.bench,
+                     album)
     page = build_page(data)
     identity.write_beside(options.out, page)
     left_out = f", {album.refused} left out to stay below {options.megabytes:g} MB" if album.refused else ""

@@ -51,11 +51,14 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "sweep", "--grids", "64,128,100",
                    "--cone-angles", "5,10", "--modes", "gi,gi-cone-shadow,ao")
     assert swept.returncode == 1, swept.stderr  # 100 is no grid.
+    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "experiments", "--grids", "64",
+                   "--modes", "ao", "--experiments", "none,near-start")
+    assert swept.returncode == 0, swept.stderr
     Image.new("RGB", (8, 8), (200, 30, 30)).save(folder / "thin.png")
     (folder / "hard.json").write_text(json.dumps(HARD_CASES))
     (folder / "bench.json").write_text(json.dumps(BENCH))
     done = python("report.py", "--sweep", folder / "sweep/sweep.json", "--hard-cases", folder / "hard.json", "--bench",
-                  folder / "bench.json", "--out", folder / "index.html")
+                  folder / "bench.json", "--experiments", folder / "experiments/sweep.json", "--out", folder / "index.html")
     assert done.returncode == 0, done.stderr
     return folder / "index.html"
 
@@ -168,6 +171,11 @@ def test_tables_voxels_and_facts_are_there(opened: Browser):
     for said in ("driver", "machine", "commit", "timing"):
         assert said in facts, said
     assert "--grid 100" in opened.run("return document.getElementById('failed-points').textContent")
+
+
+def test_experiments_show_error_and_time_without_and_with(opened: Browser):
+    cells = opened.run("return [...document.querySelectorAll('#experiments-body tbody tr > *')].map(c => c.textContent)")
+    assert cells[0] == "near-start" and sum("→" in cell for cell in cells) == 2
 
 
 def test_hard_cases_can_be_filtered_and_cannot_inject(opened: Browser):

@@ -15,7 +15,7 @@ from sweep.settings import MODES, SETTINGS
 METRICS = (
     ("relmse", "relMSE", "relMSE", "Mean of (x − r)² / (r² + 0.01): how wrong, dark parts weighted like bright ones."),
     ("bias", "bias", "|bias|", "mean(x) / mean(r) − 1: too bright or too dark over the whole picture."),
-    ("flip", "FLIP", "FLIP", "What a person sees when flipping the two, 0 to 1 (sRGB, 67 pixels per degree)."),
+    ("flip", "FLIP", "FLIP", "What a person sees when flipping the two, 0 to 1 (sRGB, 67 pixels per degree); light above 1 is white."),
     ("hdr_flip", "HDR-FLIP", "HDR-FLIP", "The same at every exposure, worst kept; the exposures are fixed per scene."),
     ("p999", "99.9 %", "99.9th percentile of the error", "The 99.9th percentile of the absolute error: leaks, fireflies."),
     ("rmse", "RMSE", "RMSE", "Root of the mean squared error."),
@@ -118,8 +118,8 @@ def bench(path: Path | None) -> dict[str, Any] | None:
     return {"scene": data["scene"], "note": note, "tables": data["tables"]}
 
 
-def page_data(sweep: dict[str, Any], sweep_folder: Path, references: Path, hard: Path | None, bench_file: Path | None,
-              album: Album) -> dict[str, Any]:
+def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_folder: Path, references: Path,
+              hard: Path | None, bench_file: Path | None, album: Album) -> dict[str, Any]:
     """All of it; the pictures go into the album, whose part they name."""
     entries = sweep["points"]
     usual = usual_settings(entries)
@@ -132,7 +132,8 @@ def page_data(sweep: dict[str, Any], sweep_folder: Path, references: Path, hard:
         "modes": [mode for mode in MODES if mode in asked], "metrics": metric_rows(entries),
         "settings": setting_rows(entries), "scenes": scene_rows(sweep, entries),
         "measures": [{"name": m.name, "what": m.what, "mode": m.mode} for m in MEASURES],
-        "points": [point(entry) for entry in entries], "pictures": pictures, "hard": hard_rows,
+        "points": [point(entry) for entry in entries], "pictures": pictures,
+        "experiments": [point(entry) for entry in experiments], "hard": hard_rows,
         "bench": bench(bench_file), "album": album.pictures,
         "error_colours": [f"rgb({r},{g},{b})" for r, g, b in zip(colours[::3], colours[1::3], colours[2::3])],
     }

@@ -6,7 +6,7 @@ function drawFacts() {
 const SUMMARY = [["gi-one-bounce", ["relmse", "bias", "flip"]], ["gi-full", ["relmse", "bias", "flip"]],
   ["indirect", ["relmse", "bias"]], ["soft", ["relmse", "bias"]], ["ao", ["rmse", "bias"]]];
 const SHORT = {"gi-one-bounce": "gi / one bounce", "gi-full": "gi / full light", indirect: "indirect alone",
-  soft: "soft shadow / wide sun", ao: "AO"};
+  soft: "soft / wide sun", ao: "AO"};
 
 function usualPoint(scene) {
   return done.find(point => point.scene === scene && isUsual(point));

@@ -68,13 +68,14 @@ function drawVoxels() {
 }
 
 function drawExperiments() {
-  const changed = done.filter(point => (point.settings.experiment ?? "none") !== "none");
+  const points = DATA.experiments.length ? DATA.experiments.filter(point => point.status === "done") : done;
+  const changed = points.filter(point => (point.settings.experiment ?? "none") !== "none");
   const body = $("experiments-body");
   if (!changed.length) {
     body.replaceChildren(make("p", {class: "note"}, "Not in this sweep: tools/sweep.py --experiments."));
     return;
   }
-  const without = point => done.find(other => other.scene === point.scene && Object.entries(point.settings)
+  const without = point => points.find(other => other.scene === point.scene && Object.entries(point.settings)
     .every(([name, value]) => other.settings[name] === (name === "experiment" ? "none" : value)));
   const measures = DATA.measures.filter(measure => changed.some(point => errorOf(point, measure.name)));
   const cell = (point, base, measure) => {
@@ -84,7 +85,7 @@ function drawExperiments() {
       before ? `${number(before.relmse)} → ${number(now.relmse)}` : number(now.relmse));
   };
   const times = (point, base) => DATA.modes.map(mode => make("td", {}, !point.modes[mode] ? "–"
-    : base && base.modes[mode] ? `${number(base.modes[mode].total[0])} → ${number(point.modes[mode].total[0])}`
+    : base && base.modes[mode] && base.run === point.run ? `${number(base.modes[mode].total[0])} → ${number(point.modes[mode].total[0])}`
       : number(point.modes[mode].total[0])));
   const rows = changed.filter(point => point.scene === state.scene).map(point => {
     const base = without(point);
@@ -92,6 +93,7 @@ function drawExperiments() {
       times(point, base), measures.map(measure => cell(point, base, measure)));
   });
   body.replaceChildren(make("p", {}, `One change to the algorithm at a time, ${state.scene}: without it → with it. Times of a
-    frame in ms; errors as relMSE.`), table(headRow(["Experiment", "Grid", ...DATA.modes.map(mode => `${mode}, ms`),
+    frame in ms; errors as relMSE. A time of one
+    process on a machine that does other things is rough: docs/defects.md measures each in turns.`), table(headRow(["Experiment", "Grid", ...DATA.modes.map(mode => `${mode}, ms`),
     ...measures.map(measure => measure.name)]), rows));
 }
