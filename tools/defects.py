@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import metrics  # noqa: E402
 from study import tables, variants  # noqa: E402
 from sweep import measures  # noqa: E402
-from sweep.identity import ROOT, write_beside  # noqa: E402
+from sweep.identity import ROOT, file_sha256, write_beside  # noqa: E402
 from sweep.run import run  # noqa: E402
 from sweep.settings import SETTINGS, Point  # noqa: E402
 
@@ -58,8 +58,10 @@ def solid_objects(options: argparse.Namespace) -> dict[str, dict[str, Any]]:
         scene = variants.edit_glb(ROOT / "assets/contact.glb", options.out / f"contact_{name}.glb", edit)
         folder = options.out / name
         entry = run(Point(scene, usual_settings(options.grid), MODES), options.program, folder, 600)
-        found[name] = entry | {"errors": measures.errors(entry, folder,
-                                                         measures.References(ROOT / "references", "contact"))}
+        # What is inside the objects is in no reference's way.
+        entry |= {"scene": "contact", "scene_sha256": file_sha256(ROOT / "assets/contact.glb")}
+        entry["errors"] = measures.errors(entry, folder, measures.References(ROOT / "references", "contact"))
+        found[name] = entry
     return found
 
 

@@ -9,7 +9,8 @@ INTRODUCTION = """\
 Made by `tools/defects.py` with the path-traced references in `references/`; do not edit by hand. Each experiment changes
 one thing of the `thesis` preset (`vct render --experiment NAME`, or another scene) and leaves the rest, so that the
 error of the algorithm can be told from the errors of its parts. {settings}; {driver}. Times are medians of 5 frames
-in milliseconds, of this run only: a software driver's time says nothing beside another machine's.
+in milliseconds, of this run only: a software driver's time says nothing beside another machine's, and what differs by
+less than a fifth here is noise.
 
 relMSE, bias and FLIP are of the indirect light alone against one path-traced bounce; `AO` and `shadow` are root mean
 square errors against ray-cast ambient occlusion and against the visibility of a 5 degree sun.
@@ -54,14 +55,19 @@ def page(sweep: dict[str, Any], experiments: list[str], red: dict[str, Any], sol
     first = points[0]
     settings = f"{first['settings']['size']} pixels, {first['settings']['grid']}³ voxels, 5° shadow cone"
     driver = f"{first['driver']['renderer']} on {first['machine']['cpu']}"
+    missing = [f"{entry['scene']}, {entry['settings']['experiment']}: {error['missing']}" for entry in points
+               for error in entry["errors"].values() if "missing" in error]
+    if missing:
+        raise SystemExit("error: an error could not be measured: " + "; ".join(missing))
     text = INTRODUCTION.format(settings=settings, driver=driver)
     for experiment in experiments:
-        text += f"\n{TEXTS[experiment]}\n\n{HEADER}"
+        name = "" if experiment == "none" else f" (`--experiment {experiment}`)"
+        text += f"\n{TEXTS[experiment]}{name}\n\n{HEADER}"
         text += "".join(row(entry) for entry in points if entry["settings"]["experiment"] == experiment)
     text += f"""
 **3. `imageAtomicMax` keeps the fragment with the largest red.** No other order was built; the Cornell box with red and
 blue swapped in its materials, swapped back in the picture, shows the size of the bias: the two pictures of the indirect
-light differ by relMSE {red['relmse']:.5f}, and the mean of the red channel by {red['red']:+.2%} (green
+light differ by relMSE {red['relmse']:.1e}, and the mean of the red channel by {red['red']:+.2%} (green
 {red['green']:+.2%}, blue {red['blue']:+.2%}) where a fair choice would give 0.
 
 **6. A degenerate triangle gave `normalize(0)`.** Cured: the geometry shader compares the components of the
