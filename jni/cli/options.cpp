@@ -54,8 +54,11 @@ double one(const std::string& option, const std::string& key, const std::vector<
 glm::ivec2 sizeFromText(const std::string& text) {
     const std::size_t x = text.find('x');
     if (x == std::string::npos) throw Error("--size '" + text + "': expected WIDTHxHEIGHT, such as 400x400");
-    return {static_cast<int>(numberFromText("--size", text.substr(0, x))),
-            static_cast<int>(numberFromText("--size", text.substr(x + 1)))};
+    const glm::dvec2 size(numberFromText("--size", text.substr(0, x)),
+                          numberFromText("--size", text.substr(x + 1)));
+    if (size != glm::floor(size) || size.x < 1.0 || size.y < 1.0 || size.x > 8192.0 || size.y > 8192.0)
+        throw Error("--size " + text + ": both sides must be whole numbers of pixels from 1 to 8192");
+    return glm::ivec2(size);
 }
 
 Camera cameraFromText(const std::string& text, const Scene& scene) {
@@ -107,7 +110,10 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
 
 glm::vec3 colorFromText(const std::string& option, const std::string& text) {
     const auto values = keyedNumbers(option, "color=" + text);
-    return glm::vec3(three(option, "color", values.at("color")));
+    const glm::vec3 color(three(option, "color", values.at("color")));
+    if (glm::min(color.r, glm::min(color.g, color.b)) < 0.0F)
+        throw Error(option + " " + text + ": radiance must not be negative");
+    return color;
 }
 
 }  // namespace vct::cli

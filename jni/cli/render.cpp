@@ -1,5 +1,6 @@
 // vct render: a scene in; pictures, stages and step timings out.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -106,6 +107,8 @@ void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     const Settings settings = settingsFrom(options);
     const Backend backend = backendFromName(options.backend);
+    if (!(options.exposure > 0.0F) || !std::isfinite(options.exposure))
+        throw Error("--exposure must be a number above 0");
     // Before anything slow: an output that cannot be written should be known at once.
     OutputFolder out(options.out);
     if (!options.timings.empty()) requireWritableFile(options.timings);
@@ -116,6 +119,9 @@ void render(const RenderOptions& options) {
     shuffleTriangles(scene, options.seedOrder);
     const Camera camera = cameraFromText(options.camera, scene);
     const DirectionalLight light = lightFromText(options.light, scene);
+    if (scene.lights.empty() && options.light.find("direction") == std::string::npos)
+        progress(
+            "warning: the scene has no directional light; one from the upper front right is used (--light)");
     progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
              std::to_string(scene.instances.size()) + " instances");
 
