@@ -86,7 +86,7 @@ def half_float(vct: Vct) -> Measured:
         raise Skipped("no program option rounds mediump values to half yet")
     flags = (option[1],) if option else ("--experiment", experiment[1])
     data = cornell.build().to_bytes()
-    exact, rounded = vct.render("cornell", data), vct.render("half_float", data, options=flags)
+    exact, rounded = vct.render("half_float_off", data), vct.render("half_float", data, options=flags)
     return Measured(mean_difference(rounded["gi"], exact["gi"]), rounded.folder / "gi.png")
 
 
