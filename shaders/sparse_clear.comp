@@ -1,5 +1,6 @@
 // Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing.
+// writing every voxel of the volume would cost more than voxelizing. It is done where the list overflowed: what
+// found no room in it is not empty either.
 #include "shared/commands.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -7,10 +8,13 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    uint count = activeVoxelCount(level);
+    bool overflowed = commands[level].instanceCount > commands[level].capacity;
+    uint side = uint(imageSize(voxels).x);
+    uint count = overflowed ? side * side * side : activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uvec3 voxel = unpackEntry(activeVoxels[commands[level].firstEntry + i]);
+        uvec3 voxel = overflowed ? uvec3(i % side, i / side % side, i / (side * side))
+                                 : unpackEntry(activeVoxels[commands[level].firstEntry + i]);
         imageStore(voxels, ivec3(voxel), uvec4(0u));
     }
 }
