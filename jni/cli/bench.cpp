@@ -5,14 +5,14 @@
 #include <optional>
 #include <sstream>
 
-#include "cli/bench_tables.h"
 #include "cli/child_process.h"
 #include "cli/commands.h"
-#include "cli/options.h"
 #include "cli/output.h"
-#include "cli/timings.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "measure/bench_plan.h"
+#include "measure/options.h"
+#include "measure/timings.h"
 #include "platform/platform.h"
 
 namespace vct::cli {
@@ -20,9 +20,6 @@ namespace vct::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-// Version of the file that --json writes; docs/timings.md says when it changes.
-constexpr int benchVersion = 1;
 
 struct BenchOptions {
     std::string scene, out, json;
@@ -35,27 +32,7 @@ struct BenchOptions {
     int repeat = 3;
 };
 
-// What one process renders: modes that share a grid and an angle also share a process, as they differ in
-// nothing that a process keeps.
-struct ProcessConfig {
-    std::string name;
-    std::string modes;
-    int grid;
-    double coneAngleDeg;
-};
-
-const std::vector<ProcessConfig>& processConfigs() {
-    static const std::vector<ProcessConfig> configs{
-        {"scenes 1 to 5, 256^3, 5 degrees", "all", 256, 5.0},
-        {"scenes 3 to 5, 128^3, 5 degrees", "3,4,5", 128, 5.0},
-        {"scene 5, 256^3, 10 degrees", "5", 256, 10.0},
-        {"scene 5, 256^3, 7.5 degrees", "5", 256, 7.5},
-        {"scene 5, 256^3, 2.5 degrees", "5", 256, 2.5},
-    };
-    return configs;
-}
-
-std::vector<std::string> renderArguments(const BenchOptions& options, const ProcessConfig& config,
+std::vector<std::string> renderArguments(const BenchOptions& options, const BenchConfig& config,
                                          const TemporaryFolder& folder) {
     std::ostringstream angle;
     angle << config.coneAngleDeg;
@@ -76,59 +53,11 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const Proc
     return arguments;
 }
 
-ordered_json timingsOf(const BenchOptions& options, const ProcessConfig& config,
+ordered_json timingsOf(const BenchOptions& options, const BenchConfig& config,
                        const TemporaryFolder& folder) {
     runSelf(renderArguments(options, config, folder), folder.file("log"));
     std::ifstream file(folder.file("timings.json"));
     return ordered_json::parse(file);
-}
-
-double meanOf(const ordered_json& step) {
-    double sum = 0.0;
-    for (const ordered_json& sample : step.at("samples"))
-        sum += sample.get<double>();
-    return sum / static_cast<double>(step.at("samples").size());
-}
-
-void collect(const ordered_json& timings, const ProcessConfig& config, Measurements& measurements) {
-    const auto add = [&](const std::string& mode, const ordered_json& steps) {
-        StepMeans means{};
-        for (int i = 0; i < stepCount; ++i)
-            means.stepMs[static_cast<std::size_t>(i)] = meanOf(steps.at(stepName(static_cast<Step>(i))));
-        means.totalMs = meanOf(steps.at("total"));
-        measurements[{config.grid, config.coneAngleDeg, modesFromText(mode).front()}].push_back(means);
-    };
-    if (timings.contains("modes"))
-        for (const auto& [mode, value] : timings.at("modes").items())
-            add(mode, value.at("steps"));
-    else
-        add(timings.at("mode"), timings.at("steps"));
-}
-
-// What is common to all processes, from the first one's timings.
-ordered_json header(ordered_json timings, int repeat) {
-    for (const char* varies : {"grid", "cone_angle_deg"})
-        timings.at("settings").erase(varies);
-    ordered_json json;
-    json["version"] = benchVersion;
-    for (const char* key : {"program", "scene", "triangles", "driver", "machine", "settings", "method"})
-        json[key] = timings.at(key);
-    json["method"]["processes"] = repeat;
-    json["method"]["statistic"] =
-        "mean over processes of each process's mean over frames; min and max over processes";
-    return json;
-}
-
-std::string headerText(const ordered_json& json, const BenchOptions& options) {
-    std::ostringstream text;
-    text << options.scene << ", " << json["triangles"] << " triangles, " << options.size
-         << " pixels, shadow map " << options.shadowMap
-         << "\nHere: " << json["driver"]["renderer"].get<std::string>() << ", "
-         << json["driver"]["version"].get<std::string>() << "; " << json["machine"]["cpu"].get<std::string>()
-         << ", " << json["machine"]["threads"] << " threads\nMean over " << options.repeat
-         << " processes of the mean over " << timedFrames
-         << " frames. Mobile, Laptop and Desktop are the thesis's: Mali-T880 MP12, GTX 860M, GTX 970\n";
-    return text.str();
 }
 
 void bench(const BenchOptions& options) {
@@ -139,32 +68,30 @@ void bench(const BenchOptions& options) {
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
-    const std::vector<ProcessConfig>& configs = processConfigs();
+    const std::vector<BenchConfig>& configs = benchConfigs();
     const std::size_t count = configs.size() * static_cast<std::size_t>(options.repeat);
     std::size_t done = 0;
-    ordered_json json;
+    ordered_json common;
     Measurements measurements;
     // Every configuration once before any comes again: a machine that slows down meanwhile slows all of them.
     for (int run = 1; run <= options.repeat; ++run)
-        for (const ProcessConfig& config : configs) {
+        for (const BenchConfig& config : configs) {
             const std::string name =
                 config.name + ", run " + std::to_string(run) + " of " + std::to_string(options.repeat);
             std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, count, name.c_str());
             try {
                 const TemporaryFolder folder;
                 const ordered_json timings = timingsOf(options, config, folder);
-                if (json.empty()) json = header(timings, options.repeat);
+                if (common.empty()) common = timings;
                 collect(timings, config, measurements);
             } catch (const std::exception& error) {
                 throw Error("bench (" + name + "): " + error.what());
             }
         }
 
-    const std::vector<Table> tables = measuredTables(measurements);
-    json["tables"] = tablesJson(tables);
-    json["measurements"] = measurementsJson(measurements);
+    const ordered_json json = benchJson(common, measurements, "processes");
     if (!options.json.empty()) writeJson(options.json, json);
-    const std::string text = headerText(json, options) + tablesText(tables);
+    const std::string text = benchText(json, measurements);
     if (out) {
         writeJson(out->file("bench.json"), json);
         const std::string path = out->file("bench.txt");

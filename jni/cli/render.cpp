@@ -4,11 +4,11 @@
 #include <cstdio>
 
 #include "cli/commands.h"
-#include "cli/options.h"
 #include "cli/output.h"
-#include "cli/timings.h"
 #include "core/error.h"
 #include "image/image.h"
+#include "measure/options.h"
+#include "measure/timings.h"
 #include "platform/context.h"
 #include "render/renderer.h"
 #include "scene/gltf.h"

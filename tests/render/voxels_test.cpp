@@ -94,17 +94,10 @@ TEST_P(Voxels, ListHoldsEachOccupiedVoxelOnceAtEveryLevel) {
     const std::vector<std::uint32_t> counts = renderer.activeVoxels();
     ASSERT_EQ(counts.size(), levels.size());
     for (std::size_t level = 0; level < levels.size(); ++level) {
-        const int side = 128 >> level;
-        std::vector<std::uint32_t> expected;
-        for (int z = 0; z < side; ++z)
-            for (int y = 0; y < side; ++y)
-                for (int x = 0; x < side; ++x)
-                    if (levels[level][(static_cast<std::size_t>(z) * side + y) * side + x] != 0)
-                        expected.push_back(shared::packEntry({x, y, z}));
         std::vector<std::uint32_t> entries =
             readEntries(*renderer.voxels(), static_cast<int>(level), counts[level]);
         std::sort(entries.begin(), entries.end());
-        std::sort(expected.begin(), expected.end());
+        const std::vector<std::uint32_t> expected = entriesOnCpu(levels[level], 128 >> level);
         ASSERT_EQ(entries, expected) << "level " << level;
     }
 }

@@ -1,8 +1,8 @@
 // The numbers that the thesis printed (5.1.4 to 5.1.7), in milliseconds, copied as they stand.
 // Mobile: Samsung Galaxy S7 Edge, Mali-T880 MP12. Laptop: GeForce GTX 860M. Desktop: GeForce GTX 970.
-#include "cli/bench_tables.h"
+#include "measure/bench_tables.h"
 
-namespace vct::cli {
+namespace vct {
 
 std::vector<Table> thesisTables() {
     return {
@@ -39,4 +39,4 @@ std::vector<Table> thesisTables() {
     };
 }
 
-}  // namespace vct::cli
+}  // namespace vct

@@ -12,7 +12,7 @@
 #include "render/settings.h"
 #include "render/step_timer.h"
 
-namespace vct::cli {
+namespace vct {
 
 // What a measurement depends on in those tables.
 struct BenchCase {
@@ -59,4 +59,4 @@ nlohmann::ordered_json tablesJson(const std::vector<Table>& tables);
 nlohmann::ordered_json measurementsJson(const Measurements& measurements);
 std::string tablesText(const std::vector<Table>& tables);
 
-}  // namespace vct::cli
+}  // namespace vct

@@ -1,4 +1,4 @@
-#include "cli/options.h"
+#include "measure/options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "scene/camera.h"
 
-namespace vct::cli {
+namespace vct {
 
 namespace {
 
@@ -116,4 +116,4 @@ glm::vec3 colorFromText(const std::string& option, const std::string& text) {
     return color;
 }
 
-}  // namespace vct::cli
+}  // namespace vct

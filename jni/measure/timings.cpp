@@ -1,4 +1,4 @@
-#include "cli/timings.h"
+#include "measure/timings.h"
 
 #include <sys/utsname.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/files.h"
 
-namespace vct::cli {
+namespace vct {
 
 namespace {
 
@@ -122,4 +122,4 @@ void writeJson(const std::string& path, const ordered_json& json) {
     replaceFile(path, Bytes(text.begin(), text.end()));
 }
 
-}  // namespace vct::cli
+}  // namespace vct

@@ -11,7 +11,7 @@
 #include "render/renderer.h"
 #include "render/step_timer.h"
 
-namespace vct::cli {
+namespace vct {
 
 // The thesis's method: some frames to warm up, then an average over five (5.1.2).
 constexpr int warmUpFrames = 2;
@@ -39,4 +39,4 @@ nlohmann::ordered_json machineJson();
 // Written beside the target and then renamed; throws vct::Error.
 void writeJson(const std::string& path, const nlohmann::ordered_json& json);
 
-}  // namespace vct::cli
+}  // namespace vct

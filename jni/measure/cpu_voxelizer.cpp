@@ -1,9 +1,9 @@
-#include "support/cpu_voxelizer.h"
+#include "measure/cpu_voxelizer.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace vct::test {
+namespace vct {
 
 namespace {
 
@@ -76,4 +76,4 @@ Occupancy occupancyOnCpu(const Scene& scene, const Volume& volume, double margin
     return occupied;
 }
 
-}  // namespace vct::test
+}  // namespace vct

@@ -1,4 +1,4 @@
-#include "cli/bench_tables.h"
+#include "measure/bench_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-namespace vct::cli {
+namespace vct {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::string tablesText(const std::vector<Table>& tables) {
     return text;
 }
 
-}  // namespace vct::cli
+}  // namespace vct

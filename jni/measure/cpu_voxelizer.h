@@ -8,7 +8,7 @@
 #include "render/volume.h"
 #include "scene/scene.h"
 
-namespace vct::test {
+namespace vct {
 
 // Whether a triangle and the cube centre +- half share a point; touching counts.
 bool triangleTouchesCube(const glm::dvec3 (&corners)[3], const glm::dvec3& centre, double half);
@@ -21,4 +21,4 @@ using Occupancy = std::vector<bool>;  // x fastest, then y, then z
 Occupancy occupancyOnCpu(const Scene& scene, const Volume& volume, double marginVoxels,
                          const std::function<bool(const Material&)>& counts);
 
-}  // namespace vct::test
+}  // namespace vct

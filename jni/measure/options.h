@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 
-namespace vct::cli {
+namespace vct {
 
 // "400x300" -> (400, 300).
 glm::ivec2 sizeFromText(const std::string& text);
@@ -21,4 +21,4 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene);
 // "R,G,B" -> linear RGB.
 glm::vec3 colorFromText(const std::string& option, const std::string& text);
 
-}  // namespace vct::cli
+}  // namespace vct
