@@ -11,6 +11,7 @@ namespace vct::gl {
 #define VCT_GL_FUNCTIONS(X)                             \
     X(ACTIVETEXTURE, ActiveTexture)                     \
     X(ATTACHSHADER, AttachShader)                       \
+    X(BEGINQUERY, BeginQuery)                           \
     X(BINDBUFFER, BindBuffer)                           \
     X(BINDBUFFERBASE, BindBufferBase)                   \
     X(BINDBUFFERRANGE, BindBufferRange)                 \
@@ -18,6 +19,8 @@ namespace vct::gl {
     X(BINDIMAGETEXTURE, BindImageTexture)               \
     X(BINDTEXTURE, BindTexture)                         \
     X(BINDVERTEXARRAY, BindVertexArray)                 \
+    X(BLENDEQUATION, BlendEquation)                     \
+    X(BLENDFUNC, BlendFunc)                             \
     X(BUFFERDATA, BufferData)                           \
     X(BUFFERSUBDATA, BufferSubData)                     \
     X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
@@ -32,6 +35,7 @@ namespace vct::gl {
     X(DELETEBUFFERS, DeleteBuffers)                     \
     X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
     X(DELETEPROGRAM, DeleteProgram)                     \
+    X(DELETEQUERIES, DeleteQueries)                     \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
@@ -46,6 +50,7 @@ namespace vct::gl {
     X(DRAWELEMENTSINDIRECT, DrawElementsIndirect)       \
     X(ENABLE, Enable)                                   \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    X(ENDQUERY, EndQuery)                               \
     X(FINISH, Finish)                                   \
     X(FRAMEBUFFERPARAMETERI, FramebufferParameteri)     \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
@@ -54,6 +59,7 @@ namespace vct::gl {
     X(GENBUFFERS, GenBuffers)                           \
     X(GENERATEMIPMAP, GenerateMipmap)                   \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+    X(GENQUERIES, GenQueries)                           \
     X(GENTEXTURES, GenTextures)                         \
     X(GENVERTEXARRAYS, GenVertexArrays)                 \
     X(GETERROR, GetError)                               \
@@ -61,16 +67,20 @@ namespace vct::gl {
     X(GETINTEGERI_V, GetIntegeri_v)                     \
     X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
     X(GETPROGRAMIV, GetProgramiv)                       \
+    X(GETQUERYIV, GetQueryiv)                           \
+    X(GETQUERYOBJECTUIV, GetQueryObjectuiv)             \
     X(GETSHADERINFOLOG, GetShaderInfoLog)               \
     X(GETSHADERIV, GetShaderiv)                         \
     X(GETSTRING, GetString)                             \
     X(GETSTRINGI, GetStringi)                           \
+    X(GETUNIFORMLOCATION, GetUniformLocation)           \
     X(LINKPROGRAM, LinkProgram)                         \
     X(MAPBUFFERRANGE, MapBufferRange)                   \
     X(MEMORYBARRIER, MemoryBarrier)                     \
     X(PIXELSTOREI, PixelStorei)                         \
     X(READBUFFER, ReadBuffer)                           \
     X(READPIXELS, ReadPixels)                           \
+    X(SCISSOR, Scissor)                                 \
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXPARAMETERI, TexParameteri)                     \
     X(TEXSTORAGE2D, TexStorage2D)                       \
@@ -78,6 +88,7 @@ namespace vct::gl {
     X(TEXSUBIMAGE2D, TexSubImage2D)                     \
     X(TEXSUBIMAGE3D, TexSubImage3D)                     \
     X(UNIFORM1UI, Uniform1ui)                           \
+    X(UNIFORM4F, Uniform4f)                             \
     X(UNMAPBUFFER, UnmapBuffer)                         \
     X(USEPROGRAM, UseProgram)                           \
     X(VERTEXATTRIBDIVISOR, VertexAttribDivisor)         \

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "gl/shader_source.h"
+
 namespace vct::gl {
 
 // One row of what the pipeline needs.
@@ -26,6 +28,7 @@ struct Capabilities {
     std::vector<std::string> extensions;
     std::vector<Requirement> requirements;
 
+    Language language() const { return essl320 ? Language::essl320 : Language::essl310; }
     bool hasExtension(const std::string& name) const;
     // Throws one vct::Error that names every required thing that is missing and what it is needed for.
     void requireAll() const;

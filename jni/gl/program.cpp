@@ -25,7 +25,7 @@ Handle<ShaderTraits> compile(const ShaderLibrary& library, const ProgramDescript
                              const std::string& path) {
     std::vector<std::string> defines = library.defines;
     defines.insert(defines.end(), description.defines.begin(), description.defines.end());
-    const AssembledShader source = assembleShader(library.read, path, defines, library.essl320);
+    const AssembledShader source = assembleShader(library.read, path, defines, library.language);
     Handle<ShaderTraits> shader(CreateShader(shaderStage(path)));
     const char* text = source.text.c_str();
     ShaderSource(shader.get(), 1, &text, nullptr);

@@ -19,7 +19,7 @@ struct ProgramDescription {
 // Where shaders come from and which language the context speaks.
 struct ShaderLibrary {
     ReadShader read;
-    bool essl320 = false;
+    Language language = Language::essl310;
     std::vector<std::string> defines = {};  // for every program, beside its own
 };
 
@@ -29,6 +29,7 @@ class Program {
     // Compiles and links; throws vct::Error with the driver's messages pointed to file and line.
     Program(const ShaderLibrary& library, const ProgramDescription& description);
     void use() const { UseProgram(handle_.get()); }
+    GLint uniform(const char* name) const { return GetUniformLocation(handle_.get(), name); }
 
   private:
     struct Traits {

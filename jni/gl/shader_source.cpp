@@ -21,9 +21,11 @@ std::string extensionOf(const std::string& path) {
 
 // The one place for #version and extension lines. highp is asked for throughout: image and 3D sampler types
 // have no useful default precision, and mediump is 16 bit on Mali.
-std::string header(const std::string& stage, bool essl320) {
-    std::string text = essl320 ? "#version 320 es\n" : "#version 310 es\n";
-    if (!essl320) {
+std::string header(const std::string& stage, Language language) {
+    if (language == Language::essl300)
+        return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+    std::string text = language == Language::essl320 ? "#version 320 es\n" : "#version 310 es\n";
+    if (language == Language::essl310) {
         if (stage == ".geom") text += "#extension GL_EXT_geometry_shader : require\n";
         if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
     }
@@ -96,9 +98,9 @@ std::string defaultShaderFolder() {
 }
 
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,
-                               const std::vector<std::string>& defines, bool essl320) {
+                               const std::vector<std::string>& defines, Language language) {
     AssembledShader source;
-    source.text = header(extensionOf(path), essl320);
+    source.text = header(extensionOf(path), language);
     for (const std::string& define : defines)
         source.text += "#define " + define + "\n";
     Assembler(read, source).append(path, 0);

@@ -18,15 +18,21 @@ ReadShader shadersFromFolder(const std::string& folder);
 // VCT_SHADER_DIR from the environment, or the folder of the source tree that built the program.
 std::string defaultShaderFolder();
 
+// What the sources are compiled as. 3.00 is for what is drawn on a driver that lacks all the rest.
+enum class Language {
+    essl300,  // "#version 300 es"
+    essl310,  // "#version 310 es" with the extensions that the stage needs
+    essl320,  // "#version 320 es"
+};
+
 struct AssembledShader {
     std::string text;
     std::vector<std::string> files;  // index: the source-string number in #line and in driver messages
 };
 
 // `path`'s extension names the stage: .vert .geom .frag .comp. `defines` are "NAME" or "NAME VALUE".
-// essl320: "#version 320 es"; otherwise 310 es with the extensions that the stage needs.
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,
-                               const std::vector<std::string>& defines, bool essl320);
+                               const std::vector<std::string>& defines, Language language);
 
 GLenum shaderStage(const std::string& path);
 

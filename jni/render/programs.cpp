@@ -33,7 +33,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
         defines.emplace_back("VCT_EMULATE_HALF");
     else if (capabilities.softwareDriver)
         defines.emplace_back("VCT_FULL_PRECISION");
-    return {std::move(read), capabilities.essl320, std::move(defines)};
+    return {std::move(read), capabilities.language(), std::move(defines)};
 }
 
 unsigned materialFeatures(const Material& material) {
@@ -92,9 +92,17 @@ gl::ProgramDescription stageViewProgram(int stage) {
             {"VCT_STAGE " + std::to_string(stage)}};
 }
 
+gl::ProgramDescription presentProgram() {
+    return {"present", {"full_screen.vert", "present.frag"}, {}};
+}
+
+gl::ProgramDescription hudProgram() {
+    return {"hud", {"hud.vert", "hud.frag"}, {}};
+}
+
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{mipmapperProgram(), sparseClearProgram(),
-                                                 voxelViewProgram()};
+    std::vector<gl::ProgramDescription> programs{mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),
+                                                 presentProgram(), hudProgram()};
     for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
         if (!possible(features)) continue;
         programs.push_back(shadowMapProgram(features));

@@ -36,6 +36,11 @@ gl::ProgramDescription voxelViewProgram();
 // `stage` is one of VCT_STAGE_*.
 gl::ProgramDescription stageViewProgram(int stage);
 
+// The picture in a window, sRGB-encoded and scaled.
+gl::ProgramDescription presentProgram();
+// The head-up display; also compiles in ESSL 3.00.
+gl::ProgramDescription hudProgram();
+
 std::vector<gl::ProgramDescription> everyProgram();
 
 }  // namespace vct

@@ -30,7 +30,7 @@ gl::ReadShader files(std::map<std::string, std::string> contents) {
 TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
     const auto read =
         files({{"a.frag", "one\n#include \"b.glsl\"\n#include \"b.glsl\"\ntwo\n"}, {"b.glsl", "three\n"}});
-    const gl::AssembledShader source = gl::assembleShader(read, "a.frag", {"X 1"}, true);
+    const gl::AssembledShader source = gl::assembleShader(read, "a.frag", {"X 1"}, gl::Language::essl320);
     EXPECT_EQ(source.files, (std::vector<std::string>{"a.frag", "b.glsl"}));
     EXPECT_EQ(source.text.rfind("#version 320 es\n", 0), 0U);
     const std::string body = source.text.substr(source.text.find("#define X 1"));
@@ -40,7 +40,7 @@ TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
 TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
     const auto read = files({{"a.frag", "one\n#include \"missing.glsl\"\n"}});
     try {
-        gl::assembleShader(read, "a.frag", {}, true);
+        gl::assembleShader(read, "a.frag", {}, gl::Language::essl320);
         FAIL();
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("a.frag:2"), std::string::npos) << error.what();
@@ -63,7 +63,7 @@ TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
                {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
                {"a.frag", "void main() {}\n"}});
     try {
-        gl::Program({read, context.capabilities.essl320}, {"test", {"a.vert", "a.frag"}, {}});
+        gl::Program({read, context.capabilities.language()}, {"test", {"a.vert", "a.frag"}, {}});
         FAIL();
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("shaders/b.glsl:2"), std::string::npos) << error.what();
@@ -87,9 +87,11 @@ std::string glslang(const std::string& path, const std::string& text) {
     return status == 0 ? "" : output + " (status " + std::to_string(status) + ")";
 }
 
-class Glslang : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Versions, Glslang, testing::Bool(),
-                         [](const auto& test) { return test.param ? "Es320" : "Es310"; });
+class Glslang : public testing::TestWithParam<gl::Language> {};
+INSTANTIATE_TEST_SUITE_P(Versions, Glslang, testing::Values(gl::Language::essl310, gl::Language::essl320),
+                         [](const auto& test) {
+                             return test.param == gl::Language::essl320 ? "Es320" : "Es310";
+                         });
 
 TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
     ASSERT_EQ(std::system("glslangValidator --version > /dev/null 2>&1"), 0)
@@ -125,10 +127,20 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
         }
 }
 
+// The head-up display says what is missing on drivers that have no more than ES 3.0.
+TEST(ShaderSource, GlslangAcceptsTheDisplaysShadersInEs300) {
+    for (const std::string& path : hudProgram().shaders) {
+        const gl::AssembledShader source =
+            gl::assembleShader(testShaders(), path, hudProgram().defines, gl::Language::essl300);
+        EXPECT_EQ(source.text.rfind("#version 300 es\n", 0), 0U);
+        EXPECT_EQ(glslang(path, source.text), "") << path;
+    }
+}
+
 TEST(Programs, EveryVariantLinksOnTheDriver) {
     const Context context = openContext(Backend::egl);
     for (const gl::ProgramDescription& description : everyProgram())
-        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.essl320}, description))
+        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.language()}, description))
             << description.name;
 }
 
