@@ -17,6 +17,7 @@ namespace vct::gl {
     X(BINDBUFFERRANGE, BindBufferRange)                 \
     X(BINDFRAMEBUFFER, BindFramebuffer)                 \
     X(BINDIMAGETEXTURE, BindImageTexture)               \
+    X(BINDSAMPLER, BindSampler)                         \
     X(BINDTEXTURE, BindTexture)                         \
     X(BINDVERTEXARRAY, BindVertexArray)                 \
     X(BLENDEQUATION, BlendEquation)                     \
@@ -36,6 +37,7 @@ namespace vct::gl {
     X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
     X(DELETEPROGRAM, DeleteProgram)                     \
     X(DELETEQUERIES, DeleteQueries)                     \
+    X(DELETESAMPLERS, DeleteSamplers)                   \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
@@ -60,6 +62,7 @@ namespace vct::gl {
     X(GENERATEMIPMAP, GenerateMipmap)                   \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
     X(GENQUERIES, GenQueries)                           \
+    X(GENSAMPLERS, GenSamplers)                         \
     X(GENTEXTURES, GenTextures)                         \
     X(GENVERTEXARRAYS, GenVertexArrays)                 \
     X(GETERROR, GetError)                               \
@@ -80,6 +83,7 @@ namespace vct::gl {
     X(PIXELSTOREI, PixelStorei)                         \
     X(READBUFFER, ReadBuffer)                           \
     X(READPIXELS, ReadPixels)                           \
+    X(SAMPLERPARAMETERI, SamplerParameteri)             \
     X(SCISSOR, Scissor)                                 \
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXPARAMETERI, TexParameteri)                     \
