@@ -12,6 +12,7 @@ namespace vct::gl {
 VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
+PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
 
 namespace {
 
@@ -54,6 +55,11 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
                : nullptr;
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_LOAD_OPTIONAL)
 #undef VCT_GL_LOAD_OPTIONAL
+
+    GetQueryObjectui64v = hasExtension("GL_EXT_disjoint_timer_query")
+                              ? reinterpret_cast<PFNGLGETQUERYOBJECTUI64VEXTPROC>(
+                                    getProcAddress("glGetQueryObjectui64vEXT", user))
+                              : nullptr;
 }
 
 }  // namespace vct::gl

@@ -5,6 +5,8 @@
 #define GL_GLES_PROTOTYPES 0
 #include <GLES3/gl32.h>
 
+#include <GLES2/gl2ext.h>  // after the types of gl32.h
+
 namespace vct::gl {
 
 // One list of what is used. Entry points of KHR_debug may be absent and are null then.
@@ -17,7 +19,6 @@ namespace vct::gl {
     X(BINDBUFFERRANGE, BindBufferRange)                 \
     X(BINDFRAMEBUFFER, BindFramebuffer)                 \
     X(BINDIMAGETEXTURE, BindImageTexture)               \
-    X(BINDSAMPLER, BindSampler)                         \
     X(BINDTEXTURE, BindTexture)                         \
     X(BINDVERTEXARRAY, BindVertexArray)                 \
     X(BLENDEQUATION, BlendEquation)                     \
@@ -37,7 +38,6 @@ namespace vct::gl {
     X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
     X(DELETEPROGRAM, DeleteProgram)                     \
     X(DELETEQUERIES, DeleteQueries)                     \
-    X(DELETESAMPLERS, DeleteSamplers)                   \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
@@ -62,7 +62,6 @@ namespace vct::gl {
     X(GENERATEMIPMAP, GenerateMipmap)                   \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
     X(GENQUERIES, GenQueries)                           \
-    X(GENSAMPLERS, GenSamplers)                         \
     X(GENTEXTURES, GenTextures)                         \
     X(GENVERTEXARRAYS, GenVertexArrays)                 \
     X(GETERROR, GetError)                               \
@@ -83,7 +82,6 @@ namespace vct::gl {
     X(PIXELSTOREI, PixelStorei)                         \
     X(READBUFFER, ReadBuffer)                           \
     X(READPIXELS, ReadPixels)                           \
-    X(SAMPLERPARAMETERI, SamplerParameteri)             \
     X(SCISSOR, Scissor)                                 \
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXPARAMETERI, TexParameteri)                     \
@@ -111,6 +109,8 @@ namespace vct::gl {
 VCT_GL_FUNCTIONS(VCT_GL_DECLARE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DECLARE)
 #undef VCT_GL_DECLARE
+// Of GL_EXT_disjoint_timer_query; null without it.
+extern PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v;
 
 using Proc = void (*)();
 

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "gl/api.h"
+#include "gl/gpu_timer.h"
 #include "gl/requirements.h"
 #include "gl/version.h"
 
@@ -72,6 +73,7 @@ Capabilities queryCapabilities() {
     result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;
     result.softwareDriver = isSoftwareRenderer(result.renderer);
+    result.gpuTimerBits = gpuTimerBits();
     result.max3dTextureSize = getInteger(GL_MAX_3D_TEXTURE_SIZE);
     result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);
 
@@ -96,6 +98,9 @@ std::string describe(const Capabilities& capabilities) {
         << "language:  " << capabilities.shadingLanguage << "; shaders are compiled as #version "
         << (capabilities.essl320 ? "320 es" : "310 es with extensions") << "\n"
         << "debugging: " << (capabilities.debugOutput ? "KHR_debug messages and groups" : "glGetError only")
+        << "\n"
+        << "GPU clock: "
+        << (capabilities.gpuTimerBits > 0 ? std::to_string(capabilities.gpuTimerBits) + " bits" : "none")
         << "\n\n";
 
     size_t nameWidth = 0, foundWidth = 0;

@@ -1,9 +1,9 @@
 #include "gl/debug.h"
 
+#include <algorithm>
 #include <mutex>
 #include <vector>
 
-#include "core/error.h"
 #include "gl/api.h"
 
 namespace vct::gl {
@@ -91,6 +91,8 @@ void checkErrors(const std::string& where) {
     // Drained even when there are messages, or the next pass would be blamed for this one's error; reported
     // only when there are none, because a message says the same and more.
     const std::vector<std::string> errors = drainErrors();
+    if (std::count(errors.begin(), errors.end(), errorName(GL_CONTEXT_LOST)) > 0)
+        throw ContextLost(where + ": the GL context was lost");
     if (messages.empty()) messages = errors;
     if (messages.empty()) return;
     std::string text = where + ": ";
@@ -99,7 +101,7 @@ void checkErrors(const std::string& where) {
     throw Error(text);
 }
 
-DebugGroup::DebugGroup(const char* name) {
+DebugGroup::DebugGroup(const char* name) : section_(name) {
     if (PushDebugGroup) PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
 }
 

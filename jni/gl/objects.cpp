@@ -33,9 +33,11 @@ std::string megabytes(std::size_t bytes) {
     return std::to_string((bytes + 999999) / 1000000) + " MB";
 }
 
-// Storage calls report GL_OUT_OF_MEMORY and nothing else here: everything before is checked per pass.
+// Storage calls report these two and nothing else here: everything before is checked per pass.
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
-    if (GetError() == GL_OUT_OF_MEMORY)
+    const GLenum error = GetError();
+    if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
+    if (error == GL_OUT_OF_MEMORY)
         throw Error("not enough memory for " + label + " (" + megabytes(bytes) +
                     "); use a smaller --grid or --size, or free memory");
 }
@@ -103,17 +105,6 @@ void Texture::setFilter(GLenum minFilter, GLenum magFilter) const {
 void Texture::setParameter(GLenum parameter, GLenum value) const {
     bind(scratchTextureUnit);
     TexParameteri(target_, parameter, static_cast<GLint>(value));
-}
-
-PlainSampler::PlainSampler() {
-    GLuint name = 0;
-    GenSamplers(1, &name);
-    handle_ = Handle<Traits>(name);
-    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        SamplerParameteri(name, filter, GL_NEAREST);
-    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        SamplerParameteri(name, wrap, GL_CLAMP_TO_EDGE);
-    SamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_NONE);
 }
 
 Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage)

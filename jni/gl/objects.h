@@ -30,8 +30,8 @@ class Handle {
     GLuint name_ = 0;
 };
 
-// Textures are made and changed on this unit, so that no pass loses what it has bound. ES 3.1 has 48 units.
-constexpr int scratchTextureUnit = 47;
+// Textures are made and changed on this unit, so that no pass loses what it has bound. ES 3.0 has 32 units.
+constexpr int scratchTextureUnit = 31;
 
 // An immutable-storage texture. Throws vct::Error naming `label`, the size and the remedy where there is no
 // memory for it.
@@ -64,21 +64,6 @@ class Texture {
     int width_ = 0, height_ = 0, levels_ = 0;
     std::size_t bytes_ = 0;
     std::string label_;
-};
-
-// A second way to read a texture, beside the texture's own parameters. Reads single texels, not compared:
-// NEAREST, CLAMP_TO_EDGE, no comparison.
-class PlainSampler {
-  public:
-    PlainSampler();
-    // For whatever texture is bound to `unit`, until another sampler is.
-    void bind(int unit) const { BindSampler(static_cast<GLuint>(unit), handle_.get()); }
-
-  private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteSamplers(1, &name); }
-    };
-    Handle<Traits> handle_;
 };
 
 // Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.

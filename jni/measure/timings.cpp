@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "core/files.h"
@@ -41,6 +42,27 @@ ordered_json stepsJson(const StepTimes& times) {
     return json;
 }
 
+ordered_json gpuStepsJson(const StepTimes& times) {
+    ordered_json json;
+    std::vector<double> totalMs(times.gpuMs[0].size());
+    for (int i = 0; i < stepCount; ++i) {
+        json[stepName(static_cast<Step>(i))] = samplesJson(times.gpuMs[i]);
+        std::transform(totalMs.begin(), totalMs.end(), times.gpuMs[i].begin(), totalMs.begin(),
+                       std::plus<>());
+    }
+    json["total"] = samplesJson(totalMs);
+    return json;
+}
+
+// Of all modes together: a clock that is wrong in one is not believed in the others.
+std::string gpuClockText(const TimingsReport& report) {
+    for (const auto& [mode, times] : report.modes)
+        if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())
+            return "not used: " + reason + " (" + modeName(mode) + ")";
+    return "GL_EXT_disjoint_timer_query, GL_TIME_ELAPSED_EXT around each step of the same frames, "
+           "milliseconds";
+}
+
 ordered_json settingsJson(const TimingsReport& report) {
     const Settings& s = report.settings;
     return {{"preset", report.preset},
@@ -49,9 +71,6 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"height", s.size.y},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
-            {"shadow", shadowName(s.shadow)},
-            {"blocker_taps", s.blockerTaps},
-            {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};
@@ -90,12 +109,18 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
                       {"warm_up_frames", warmUpFrames},
                       {"frames", timedFrames},
                       {"revoxelized_every_frame", true}};
+    const std::string gpuClock = gpuClockText(report);
+    json["method"]["gpu_clock"] = gpuClock;
+    const bool gpu = gpuClock.rfind("not used", 0) != 0;
     if (report.modes.size() == 1) {
         json["mode"] = modeName(report.modes[0].first);
         json["steps"] = stepsJson(report.modes[0].second);
+        if (gpu) json["gpu_steps"] = gpuStepsJson(report.modes[0].second);
     } else {
-        for (const auto& [mode, times] : report.modes)
+        for (const auto& [mode, times] : report.modes) {
             json["modes"][modeName(mode)]["steps"] = stepsJson(times);
+            if (gpu) json["modes"][modeName(mode)]["gpu_steps"] = gpuStepsJson(times);
+        }
     }
     json["active_voxels"] = report.activeVoxels;
     json["resources"] = ordered_json::array();

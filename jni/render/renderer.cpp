@@ -40,7 +40,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       gBuffer_(shaders_, scene_, settings.size),
-      coneTracer_(shaders_, settings) {
+      coneTracer_(shaders_, settings.size),
+      timer_(capabilities.gpuTimerBits) {
     gl::checkErrors("setting up the renderer");
 }
 
@@ -63,6 +64,17 @@ void Renderer::frame(Mode mode, const Camera& camera) {
     timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, voxels); });
     timer_.endFrame();
     gl::checkErrors(std::string("frame, mode ") + modeName(mode));
+}
+
+void Renderer::setShadowConeAngle(float degrees) {
+    Settings changed = settings_;
+    changed.shadowConeAngleDeg = degrees;
+    validate(changed);
+    settings_ = changed;
+}
+
+float Renderer::radianceScale() const {
+    return radianceUnit(light_);
 }
 
 ShadowMap& Renderer::shadowMap() {

@@ -29,6 +29,15 @@ class Renderer {
     // Draws one frame; everything is made anew, the voxels too. Throws vct::Error on any GL error.
     void frame(Mode mode, const Camera& camera);
 
+    // Of frames to come. The light's strength stays as it was, as emission is stored relative to it.
+    void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
+    // Likewise; full opening angle. Throws vct::Error where it is out of range.
+    void setShadowConeAngle(float degrees);
+
+    // The last frame as the cones left it: RGBA16F, relative to radianceScale(), row 0 at the bottom.
+    const gl::Texture& output() const { return coneTracer_.texture(); }
+    float radianceScale() const;
+
     // The last frame, linear RGB in the scene's radiance unit, row 0 at the top.
     Image radiance() const;
 

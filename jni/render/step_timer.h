@@ -1,9 +1,13 @@
-// Time per step of the frame by the thesis's method (5.1.2): glFinish, then the CPU's clock.
+// Time per step of the frame by the thesis's method (5.1.2): glFinish, then the CPU's clock. Beside it, in
+// the same frames, by the GPU's own clock where it has one.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "gl/gpu_timer.h"
 
 namespace vct {
 
@@ -16,13 +20,23 @@ const char* stepName(Step step);  // "shadow_map", "render_data", "voxelize", "m
 struct StepTimes {
     std::array<std::vector<double>, stepCount> stepMs;
     std::vector<double> totalMs;  // the row sum, per frame
+    // By the GPU's clock; empty where it has none.
+    std::array<std::vector<double>, stepCount> gpuMs;
+    bool gpuDisjoint = false;  // the GPU's clock jumped meanwhile
 };
+
+// "" where the GPU's times can be believed beside those of glFinish, or why not: drivers are known that count
+// nothing, or something else.
+std::string whyGpuTimesAreWrong(const StepTimes& times);
 
 double median(std::vector<double> samples);  // 0 for none
 
 // Does nothing (not even glFinish) unless recording.
 class StepTimer {
   public:
+    // `gpuTimerBits`: of the context; 0 without a GPU clock.
+    explicit StepTimer(int gpuTimerBits) : hasGpuClock_(gpuTimerBits > 0) {}
+
     void startRecording();
     StepTimes stopRecording();
 
@@ -43,8 +57,10 @@ class StepTimer {
         Scope(StepTimer& t, Step s);
         ~Scope();
     };
+    bool hasGpuClock_;
     bool recording_ = false;
-    std::array<double, stepCount> frameMs_{};
+    std::optional<gl::GpuTimer> gpuTimer_;
+    std::array<double, stepCount> frameMs_{}, frameGpuMs_{};
     StepTimes times_;
 };
 
