@@ -1,6 +1,7 @@
 // The frame in a window: exposure, sRGB, and scaled from the render resolution to the window's.
 layout(binding = 0) uniform sampler2D radianceTarget;  // rgb relative to E/pi
-layout(location = 0) uniform vec4 presentation;        // x: E/pi times exposure, yz: window in pixels
+layout(location = 0) uniform vec4 scale;      // x: E/pi times exposure
+layout(location = 1) uniform vec4 rectangle;  // of the window: origin and size in pixels
 layout(location = 0) out vec4 outColor;
 
 // IEC 61966-2-1, as srgbEncode() in jni/image. A NaN becomes 0.
@@ -10,8 +11,8 @@ vec3 srgbEncode(vec3 linear) {
 }
 
 void main() {
-    vec2 position = gl_FragCoord.xy / presentation.yz;
+    vec2 position = (gl_FragCoord.xy - rectangle.xy) / rectangle.zw;
     // Texel centres are hit exactly where the two resolutions are the same.
-    vec3 radiance = presentation.x * texture(radianceTarget, position).rgb;
+    vec3 radiance = scale.x * texture(radianceTarget, position).rgb;
     outColor = vec4(srgbEncode(radiance), 1.0);
 }

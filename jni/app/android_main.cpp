@@ -1,0 +1,61 @@
+// The app's entry: native_app_glue calls android_main on a thread of its own, which ends when it returns.
+#include <android/trace.h>
+#include <android_native_app_glue.h>
+
+#include "app/app.h"
+#include "app/intent.h"
+#include "app/log.h"
+#include "core/trace.h"
+
+namespace {
+
+using vct::app::App;
+
+void onCommand(android_app* glue, int32_t command) {
+    static_cast<App*>(glue->userData)->onCommand(command);
+}
+
+int32_t onInput(android_app* glue, AInputEvent* event) {
+    return static_cast<App*>(glue->userData)->onInput(event) ? 1 : 0;
+}
+
+// Handles what has happened; waits for something where no frame is wanted.
+void handleEvents(android_app* glue, bool wait) {
+    android_poll_source* source = nullptr;
+    while (!glue->destroyRequested &&
+           ALooper_pollOnce(wait ? -1 : 0, nullptr, nullptr, reinterpret_cast<void**>(&source)) >= 0) {
+        if (source != nullptr) source->process(glue, source);
+        wait = false;
+        source = nullptr;
+    }
+}
+
+void run(android_app* glue) {
+    // The extra belongs to the first start, not to one after the system took the app away.
+    const bool restored = glue->savedState != nullptr;
+    App app(*glue, restored ? "" : vct::app::intentExtra(*glue->activity, "vct"));
+    glue->userData = &app;
+    glue->onAppCmd = onCommand;
+    glue->onInputEvent = onInput;
+    while (!glue->destroyRequested) {
+        handleEvents(glue, !app.animating());
+        app.frame();
+    }
+}
+
+}  // namespace
+
+void android_main(android_app* glue) {
+    vct::setTraceFunctions({ATrace_beginSection, ATrace_endSection});
+    try {
+        run(glue);
+    } catch (const std::exception& error) {
+        vct::app::log(vct::app::LogLevel::error, error.what());
+    }
+    glue->onAppCmd = nullptr;
+    glue->onInputEvent = nullptr;
+    // Ended by itself: the glue still wants to be told of the activity's end.
+    if (!glue->destroyRequested) ANativeActivity_finish(glue->activity);
+    while (!glue->destroyRequested)
+        handleEvents(glue, true);
+}

@@ -1,0 +1,72 @@
+#include "app/assets.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "core/error.h"
+
+namespace vct::app {
+
+namespace {
+
+struct CloseAsset {
+    void operator()(AAsset* asset) const { AAsset_close(asset); }
+};
+struct CloseAssetDir {
+    void operator()(AAssetDir* folder) const { AAssetDir_close(folder); }
+};
+
+std::vector<unsigned char> readAsset(AAssetManager* assets, const std::string& path) {
+    const std::unique_ptr<AAsset, CloseAsset> asset(
+        AAssetManager_open(assets, path.c_str(), AASSET_MODE_STREAMING));
+    if (!asset) throw Error("cannot read " + path + ": the APK has no such file; install it again");
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(AAsset_getLength64(asset.get())));
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const int count = AAsset_read(asset.get(), bytes.data() + done, bytes.size() - done);
+        if (count <= 0) throw Error("cannot read " + path + ": the APK is damaged; install it again");
+        done += static_cast<std::size_t>(count);
+    }
+    return bytes;
+}
+
+bool isScene(const std::string& name) {
+    const std::string ending = std::filesystem::path(name).extension().string();
+    return ending == ".glb" || ending == ".gltf";
+}
+
+}  // namespace
+
+gl::ReadShader shadersFromAssets(AAssetManager* assets) {
+    return [assets](const std::string& path) {
+        const std::vector<unsigned char> bytes = readAsset(assets, "shaders/" + path);
+        return std::string(bytes.begin(), bytes.end());
+    };
+}
+
+std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder) {
+    std::vector<SceneFile> scenes;
+    const std::unique_ptr<AAssetDir, CloseAssetDir> bundled(AAssetManager_openDir(assets, "scenes"));
+    if (bundled)
+        while (const char* name = AAssetDir_getNextFileName(bundled.get()))
+            if (isScene(name)) scenes.push_back({name, std::string("scenes/") + name, true});
+    std::error_code ignored;
+    if (!folder.empty())
+        for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+            if (isScene(entry.path().string()) && entry.is_regular_file(ignored))
+                scenes.push_back({entry.path().filename().string(), entry.path().string(), false});
+    std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) {
+        return a.bundled != b.bundled ? a.bundled : a.name < b.name;
+    });
+    return scenes;
+}
+
+ReadFile sceneReader(AAssetManager* assets, bool bundled, const std::atomic<bool>& cancelled) {
+    return [assets, bundled, &cancelled](const std::string& path) {
+        if (cancelled) throw Error("loading was cancelled");
+        return bundled ? readAsset(assets, path) : readFileFromDisk(path);
+    };
+}
+
+}  // namespace vct::app

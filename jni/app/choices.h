@@ -1,0 +1,42 @@
+// What the display lets a person change, and what it means for the renderer.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/settings.h"
+#include "scene/scene.h"
+
+namespace vct::app {
+
+// The pixels that are rendered, which the window then shows larger.
+struct Resolution {
+    const char* name;
+    int divisor;       // of the window's sides; 0: `fixed`
+    glm::ivec2 fixed;  // keeps its shape
+};
+const std::vector<Resolution>& resolutions();
+
+struct Choices {
+    std::string preset = "thesis";
+    Mode mode = Mode::giConeShadow;
+    int grid = 256;  // voxels along a side
+    float coneAngleDeg = 5.0F;
+    int resolution = 2;  // index into resolutions()
+    // Where the light comes from: degrees from +Z towards +X, and above the horizon. Empty: as in the scene.
+    std::optional<glm::vec2> lightAnglesDeg;
+    bool timeSteps = true;
+
+    bool operator==(const Choices& other) const;
+    bool operator!=(const Choices& other) const { return !(*this == other); }
+};
+
+Settings settingsFor(const Choices& choices, glm::ivec2 window);
+
+// The scene's light, turned to where it was chosen to come from.
+DirectionalLight lightFor(const Choices& choices, const Scene& scene);
+glm::vec2 lightAnglesDeg(const DirectionalLight& light);
+
+}  // namespace vct::app

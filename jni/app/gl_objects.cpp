@@ -1,0 +1,55 @@
+#include "app/gl_objects.h"
+
+#include <EGL/egl.h>
+
+#include "app/log.h"
+#include "core/memory.h"
+#include "gl/debug.h"
+
+namespace vct::app {
+
+GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
+    try {
+        gl::load([](const char* name, const void*) { return eglGetProcAddress(name); }, nullptr);
+    } catch (const Error& error) {
+        missing_ = error.what();  // the display needs none of those that may be absent
+    }
+    capabilities_ = gl::queryCapabilities();
+    // Asking an old driver for limits that it does not know is an error to it.
+    for (int i = 0; i < 64 && gl::GetError() != GL_NO_ERROR; ++i) {
+    }
+    gl::installDebugCallback();
+    log(gl::describe(capabilities_));
+    try {
+        capabilities_.requireAll();
+    } catch (const Error& error) {
+        missing_ = error.what();
+    }
+    if (!missing_.empty()) log(LogLevel::error, missing_);
+    hud_.emplace(gl::ShaderLibrary{shaders_, gl::Language::essl300});
+    if (missing_.empty()) presenter_.emplace(gl::ShaderLibrary{shaders_, capabilities_.language()});
+    gl::checkErrors("setting up the display");
+}
+
+Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
+                                 glm::ivec2 window) {
+    const Settings settings = settingsFor(choices, window);
+    const DirectionalLight light = lightFor(choices, *scene);
+    if (!renderer_ || scene != scene_ || choices.preset != preset_ || settings.grid != grid_ ||
+        settings.size != size_) {
+        // The old one goes first: a phone may not have room for the voxels of both.
+        renderer_.reset();
+        requireMemory(VoxelPyramid::bytesFor(settings.grid, 0),
+                      "the voxels at " + std::to_string(settings.grid) + "^3");
+        renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
+        scene_ = scene;
+        preset_ = choices.preset;
+        grid_ = settings.grid;
+        size_ = settings.size;
+    }
+    renderer_->setLightDirection(light.towardsLight);
+    renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);
+    return *renderer_;
+}
+
+}  // namespace vct::app

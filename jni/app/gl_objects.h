@@ -1,0 +1,48 @@
+// Everything of the app that lives in a GL context, and goes with it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/choices.h"
+#include "app/hud_renderer.h"
+#include "app/presenter.h"
+#include "gl/capabilities.h"
+#include "render/renderer.h"
+
+namespace vct::app {
+
+class GlObjects {
+  public:
+    // In the current context. Where the driver lacks what the pipeline needs, `missing()` says so and only
+    // the display can be drawn.
+    explicit GlObjects(const gl::ReadShader& shaders);
+
+    const gl::Capabilities& capabilities() const { return capabilities_; }
+    const std::string& missing() const { return missing_; }
+    const HudRenderer& hud() const { return *hud_; }
+    const Presenter& presenter() const { return *presenter_; }
+
+    // The renderer for a scene and its settings; the last one where these need no other. Throws vct::Error,
+    // and then there is none.
+    Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
+                          glm::ivec2 window);
+    Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
+    void dropRenderer() { renderer_.reset(); }
+
+  private:
+    gl::ReadShader shaders_;
+    gl::Capabilities capabilities_;
+    std::string missing_;
+    std::optional<HudRenderer> hud_;
+    std::optional<Presenter> presenter_;
+    std::optional<Renderer> renderer_;
+    // What renderer_ was made for.
+    std::shared_ptr<const Scene> scene_;
+    std::string preset_;
+    int grid_ = 0;
+    glm::ivec2 size_{0};
+};
+
+}  // namespace vct::app

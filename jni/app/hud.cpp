@@ -1,0 +1,251 @@
+#include "app/hud.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace vct::app {
+
+namespace {
+
+constexpr float fontPixels = 13.0F;  // the built-in font is drawn for whole multiples of it
+constexpr const char* stepTitles[stepCount] = {"shadow map", "G-buffer", "voxelize", "mipmap", "trace"};
+constexpr int grids[] = {64, 128, 256, 512};
+constexpr float panelCharacters = 48.0F;
+
+ImVec4 warningColor() {
+    return {1.0F, 0.75F, 0.3F, 1.0F};
+}
+
+std::string titleOf(const SceneFile& scene) {
+    return scene.bundled ? scene.name : scene.name + " (files)";
+}
+
+// A list to choose from; returns true where another entry was chosen.
+template <typename NameOf>
+bool choose(const char* label, int count, int& chosen, const std::string& current, const NameOf& nameOf) {
+    bool changed = false;
+    if (!ImGui::BeginCombo(label, current.c_str(), ImGuiComboFlags_HeightLargest)) return false;
+    for (int i = 0; i < count; ++i)
+        if (ImGui::Selectable(nameOf(i).c_str(), i == chosen) && i != chosen) {
+            chosen = i;
+            changed = true;
+        }
+    ImGui::EndCombo();
+    return changed;
+}
+
+}  // namespace
+
+Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // a phone's working folder cannot be written
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    scale_ = std::max(1.0F, std::round(1.1F * pixelsPerDp));
+    ImFontConfig font;
+    font.SizePixels = fontPixels * scale_;
+    font.OversampleH = 1;
+    io.Fonts->AddFontDefault(&font);
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    // A finger is about 40 dp wide.
+    style.FramePadding = ImVec2(6.0F, 7.0F);
+    style.ItemSpacing = ImVec2(6.0F, 6.0F);
+    style.ScrollbarSize = 22.0F;
+    style.GrabMinSize = 26.0F;
+    style.WindowRounding = 0.0F;
+    style.Colors[ImGuiCol_WindowBg].w = 0.72F;
+    style.ScaleAllSizes(scale_);
+}
+
+Hud::~Hud() {
+    ImGui::DestroyContext(context_);
+}
+
+bool Hud::covers(const glm::vec2& position) const {
+    return std::any_of(covered_.begin(), covered_.end(), [&](const glm::vec4& r) {
+        return position.x >= r.x && position.y >= r.y && position.x < r.z && position.y < r.w;
+    });
+}
+
+void Hud::touch(const glm::vec2& position, bool down) {
+    touches_.push_back({position, down});
+}
+
+void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(window.x), static_cast<float>(window.y));
+    io.DeltaTime = static_cast<float>(std::max(secondsPassed, 1e-4));
+    // This version of Dear ImGui sees the finger once a frame: a tap that began and ended since the last one
+    // would be lost if both were told at once.
+    while (!touches_.empty()) {
+        const TouchEvent event = touches_.front();
+        touches_.pop_front();
+        io.MousePos = ImVec2(event.position.x, event.position.y);
+        const bool changed = event.down != touchDown_;
+        touchDown_ = event.down;
+        if (changed) break;
+    }
+    io.MouseDown[0] = touchDown_;
+    ImGui::NewFrame();
+}
+
+void Hud::endFrame() {
+    ImGui::Render();
+    // A finger that was lifted points at nothing, or what it touched last would stay highlighted.
+    if (!touchDown_ && touches_.empty()) ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+    covered_.clear();
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->WasActive && !(window->Flags & ImGuiWindowFlags_ChildWindow) &&
+            !window->IsFallbackWindow) {
+            const ImRect r = window->Rect();
+            covered_.emplace_back(r.Min.x, r.Min.y, r.Max.x, r.Max.y);
+        }
+}
+
+const ImDrawData& Hud::drawData() const {
+    ImGui::SetCurrentContext(context_);
+    return *ImGui::GetDrawData();
+}
+
+// A panel in the corner, as high as its contents or the screen.
+void Hud::beginPanel(const char* name, const glm::ivec4& free, float widest) {
+    const ImVec2 room(static_cast<float>(free.z - free.x), static_cast<float>(free.w - free.y));
+    const float width = std::min(widest, room.x);
+    ImGui::SetNextWindowPos(ImVec2(static_cast<float>(free.x), static_cast<float>(free.y)));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, room.y));
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
+HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::ivec4& free,
+                      double secondsPassed) {
+    beginFrame(window, secondsPassed);
+    HudActions actions;
+    if (hidden_) {
+        beginPanel("hidden", free, 12.0F * ImGui::GetFontSize() * 0.54F);
+        if (ImGui::Button("Show")) hidden_ = false;
+    } else {
+        beginPanel("display", free, panelCharacters * ImGui::GetFontSize() * 0.54F);
+        if (ImGui::Button("Hide")) hidden_ = true;
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::Text("%.1f ms, %.1f a second", content.frameMs,
+                    content.frameMs > 0.0 ? 1000.0 / content.frameMs : 0.0);
+        if (!content.status.empty()) ImGui::TextWrapped("%s", content.status.c_str());
+        if (!content.message.empty()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, warningColor());
+            ImGui::TextWrapped("%s", content.message.c_str());
+            ImGui::PopStyleColor();
+            actions.dismiss = ImGui::Button("Dismiss");
+        }
+        buildTimes(content);
+        if (!content.measuring) buildChoices(content, actions);
+        if (ImGui::Button(content.measuring ? "Stop measuring" : "Measure")) actions.measure = true;
+        scrollByTouch();
+    }
+    ImGui::End();
+    endFrame();
+    return actions;
+}
+
+void Hud::buildMessage(const std::string& title, const std::string& text, glm::ivec2 window,
+                       const glm::ivec4& free) {
+    beginFrame(window, 0.1);
+    beginPanel("message", free, static_cast<float>(free.z - free.x));
+    ImGui::PushStyleColor(ImGuiCol_Text, warningColor());
+    ImGui::TextWrapped("%s", title.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+    ImGui::TextWrapped("%s", text.c_str());
+    scrollByTouch();
+    ImGui::End();
+    endFrame();
+}
+
+void Hud::buildTimes(const HudContent& content) const {
+    ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
+    if (content.stepMs == nullptr) return;
+    double total = 0.0;
+    if (!ImGui::BeginTable("times", 3)) return;
+    const auto cell = [](const char* title, double ms) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", title);
+        ImGui::Text("%.2f ms", ms);
+    };
+    for (int i = 0; i < stepCount; ++i) {
+        cell(stepTitles[i], (*content.stepMs)[static_cast<std::size_t>(i)]);
+        total += (*content.stepMs)[static_cast<std::size_t>(i)];
+    }
+    cell("all", total);
+    ImGui::EndTable();
+}
+
+void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
+    Choices& choices = *content.choices;
+    const std::vector<SceneFile>& scenes = *content.scenes;
+    ImGui::PushItemWidth(-11.0F * 0.54F * ImGui::GetFontSize());
+    const int scene = *content.scene;
+    choose("scene", static_cast<int>(scenes.size()), *content.scene,
+           scene >= 0 ? titleOf(scenes[static_cast<std::size_t>(scene)]) : "none",
+           [&](int i) { return titleOf(scenes[static_cast<std::size_t>(i)]); });
+    if (ImGui::IsItemClicked()) actions.rescan = true;
+
+    const std::vector<std::string>& presets = presetNames();
+    int preset =
+        static_cast<int>(std::find(presets.begin(), presets.end(), choices.preset) - presets.begin());
+    if (choose("preset", static_cast<int>(presets.size()), preset, choices.preset,
+               [&](int i) { return presets[static_cast<std::size_t>(i)]; }))
+        choices.preset = presets[static_cast<std::size_t>(preset)];
+
+    const std::vector<Mode>& modes = allModes();
+    int mode = static_cast<int>(std::find(modes.begin(), modes.end(), choices.mode) - modes.begin());
+    if (choose("mode", static_cast<int>(modes.size()), mode, modeName(choices.mode),
+               [&](int i) { return std::string(modeName(modes[static_cast<std::size_t>(i)])); }))
+        choices.mode = modes[static_cast<std::size_t>(mode)];
+
+    const auto gridName = [](int grid) { return std::to_string(grid) + "^3"; };
+    int grid =
+        static_cast<int>(std::find(std::begin(grids), std::end(grids), choices.grid) - std::begin(grids));
+    if (choose("grid", static_cast<int>(std::size(grids)), grid, gridName(choices.grid),
+               [&](int i) { return gridName(grids[i]); }))
+        choices.grid = grids[grid];
+
+    choose("pixels", static_cast<int>(resolutions().size()), choices.resolution,
+           resolutions()[static_cast<std::size_t>(choices.resolution)].name,
+           [](int i) { return std::string(resolutions()[static_cast<std::size_t>(i)].name); });
+    ImGui::SliderFloat("cone", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
+                       ImGuiSliderFlags_AlwaysClamp);
+    buildLight(content);
+    ImGui::PopItemWidth();
+    ImGui::Checkbox("time each step", &choices.timeSteps);
+    if (ImGui::Button("Reset view and light")) {
+        actions.resetView = true;
+        choices.lightAnglesDeg.reset();
+    }
+    ImGui::SameLine();
+}
+
+void Hud::buildLight(const HudContent& content) const {
+    glm::vec2 angles = content.choices->lightAnglesDeg.value_or(content.sceneLightDeg);
+    bool changed = ImGui::SliderFloat("light from", &angles.x, -180.0F, 180.0F, "%.0f degrees",
+                                      ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::SliderFloat("light up", &angles.y, -90.0F, 90.0F, "%.0f degrees",
+                                  ImGuiSliderFlags_AlwaysClamp);
+    if (changed) content.choices->lightAnglesDeg = angles;
+}
+
+// A finger that began on no widget moves a panel that is higher than the screen.
+void Hud::scrollByTouch() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (touchDown_ && ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())
+        ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+}
+
+}  // namespace vct::app

@@ -1,0 +1,30 @@
+// Draws Dear ImGui's triangles through gl::. (Its own back ends load a desktop GL by themselves.) All that it
+// needs is OpenGL ES 3.0, so that it can say what a driver lacks.
+#pragma once
+
+#include <imgui.h>
+
+#include <glm/glm.hpp>
+
+#include "gl/program.h"
+
+namespace vct::app {
+
+class HudRenderer {
+  public:
+    // Uploads the font atlas of the current ImGui context.
+    explicit HudRenderer(const gl::ShaderLibrary& shaders);
+
+    // Into the framebuffer that is bound, `window` pixels in size. Blending and the scissor test are off
+    // before and after.
+    void draw(const ImDrawData& data, glm::ivec2 window) const;
+
+  private:
+    gl::Program program_;
+    GLint windowUniform_;
+    gl::Texture font_;
+    gl::VertexArray vertexArray_;
+    gl::Buffer vertices_, indices_;
+};
+
+}  // namespace vct::app

@@ -1,0 +1,77 @@
+#include "app/orbit_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/camera.h"
+
+namespace vct::app {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double highestRad = 0.49 * pi;  // short of straight up or down, where left and right change places
+
+}  // namespace
+
+OrbitView::OrbitView(const Scene& scene)
+    : start_(scene.cameras.empty() ? frameScene(scene) : scene.cameras.front()), now_(start_) {
+    const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
+    const glm::dvec3 eye(start_.worldFromCamera[3]);
+    const glm::dvec3 forward(-start_.worldFromCamera[2]);
+    size_ = std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9);
+    // The point of the view axis nearest to the scene's centre; a camera that looks away turns around a point
+    // close before it.
+    startDistance_ = distance_ = std::max(glm::dot(centre - eye, forward), 0.1 * size_);
+}
+
+void OrbitView::apply(const Gesture& gesture, glm::ivec2 viewport) {
+    if (gesture.doubleTap) {
+        now_ = start_;
+        distance_ = startDistance_;
+        return;
+    }
+    const double height = std::max(viewport.y, 1);
+    // The height of the window turns by half a turn, as if the scene lay in a ball of that size.
+    orbit(-gesture.orbit.x * pi / height, -gesture.orbit.y * pi / height);
+    // What is orbited stays under the fingers.
+    const double metresPerPixel = 2.0 * distance_ * std::tan(0.5 * now_.verticalFovRad) / height;
+    const glm::dvec3 moved = glm::dmat3(now_.worldFromCamera) *
+                             glm::dvec3(-gesture.pan.x * metresPerPixel, gesture.pan.y * metresPerPixel, 0.0);
+    const double distance = std::clamp(distance_ / std::max(gesture.zoom, 1e-3F), 1e-3 * size_, 10.0 * size_);
+    const glm::dvec3 forward(-now_.worldFromCamera[2]);
+    now_.worldFromCamera[3] += glm::dvec4(moved + forward * (distance_ - distance), 0.0);
+    distance_ = distance;
+}
+
+void OrbitView::orbit(double yawRad, double pitchRad) {
+    if (yawRad == 0.0 && pitchRad == 0.0) return;
+    const glm::dvec3 target =
+        glm::dvec3(now_.worldFromCamera[3]) - distance_ * glm::dvec3(now_.worldFromCamera[2]);
+    // The eye's height over the target as an angle; positive pitch lowers it, as the scene follows the
+    // finger.
+    const double elevation = std::asin(std::clamp(now_.worldFromCamera[2].y, -1.0, 1.0));
+    const double limit =
+        std::max(highestRad, std::abs(elevation));  // a scene's camera may look straight down
+    const double pitch = elevation - std::clamp(elevation - pitchRad, -limit, limit);
+    const glm::dvec3 right(now_.worldFromCamera[0]);
+    glm::dmat4 turn = glm::translate(glm::dmat4(1.0), target);
+    turn = glm::rotate(turn, yawRad, glm::dvec3(0.0, 1.0, 0.0));
+    turn = glm::rotate(turn, pitch, right);
+    now_.worldFromCamera = glm::translate(turn, -target) * now_.worldFromCamera;
+    // Thousands of turns must not add up to a scale.
+    glm::dvec3 z = glm::normalize(glm::dvec3(now_.worldFromCamera[2]));
+    glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(now_.worldFromCamera[1]), z));
+    now_.worldFromCamera[0] = glm::dvec4(x, 0.0);
+    now_.worldFromCamera[1] = glm::dvec4(glm::cross(z, x), 0.0);
+    now_.worldFromCamera[2] = glm::dvec4(z, 0.0);
+}
+
+Camera OrbitView::camera(double aspect) const {
+    Camera camera = now_;
+    if (aspect < 1.0) camera.verticalFovRad = 2.0 * std::atan(std::tan(0.5 * now_.verticalFovRad) / aspect);
+    return camera;
+}
+
+}  // namespace vct::app

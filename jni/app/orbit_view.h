@@ -1,0 +1,29 @@
+// The camera under the fingers. Starts exactly as the scene's.
+#pragma once
+
+#include "app/touch.h"
+#include "scene/scene.h"
+
+namespace vct::app {
+
+class OrbitView {
+  public:
+    // The scene's first camera, or one that sees all of it.
+    explicit OrbitView(const Scene& scene);
+
+    // `viewport`: pixels in which the gesture was made.
+    void apply(const Gesture& gesture, glm::ivec2 viewport);
+
+    // In a picture of `aspect` (width over height). One that is higher than wide shows at least the square
+    // that the scene's camera shows, or a phone held upright would see a slit.
+    Camera camera(double aspect) const;
+
+  private:
+    void orbit(double yawRad, double pitchRad);
+
+    Camera start_, now_;
+    double startDistance_, distance_;  // metres from the eye to the point that is orbited
+    double size_;                      // the scene's diagonal, metres
+};
+
+}  // namespace vct::app

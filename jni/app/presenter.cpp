@@ -1,0 +1,61 @@
+#include "app/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct::app {
+
+namespace {
+
+// The names of present.frag's layout qualifiers.
+constexpr int radianceUnit = 0;
+constexpr GLint scaleUniform = 0;
+constexpr GLint rectangleUniform = 1;
+
+// Where in the window the frame goes: origin and size. The rounding of a resolution is no other shape.
+glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
+    const glm::dvec2 ratio = glm::dvec2(window) / glm::dvec2(frame);
+    glm::ivec2 size = window;
+    if (std::abs(ratio.x / ratio.y - 1.0) > 0.02)
+        size = glm::max(glm::ivec2(glm::dvec2(frame) * std::min(ratio.x, ratio.y)), glm::ivec2(1));
+    return {(window - size) / 2, size};
+}
+
+void bindWindow(glm::ivec2 window) {
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::Viewport(0, 0, window.x, window.y);
+    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace
+
+Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
+
+void Presenter::draw(const Renderer& renderer, glm::ivec2 window) const {
+    const gl::DebugGroup group("present");
+    const gl::Texture& frame = renderer.output();
+    frame.setFilter(GL_LINEAR, GL_LINEAR);
+    const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
+    clearWindow(window, glm::vec3(0.0F));
+    gl::Viewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
+    gl::Disable(GL_DEPTH_TEST);
+    gl::Disable(GL_CULL_FACE);
+    program_.use();
+    frame.bind(radianceUnit);
+    const glm::vec4 r(rectangle);
+    gl::Uniform4f(scaleUniform, renderer.radianceScale(), 0.0F, 0.0F, 0.0F);
+    gl::Uniform4f(rectangleUniform, r.x, r.y, r.z, r.w);
+    noVertices_.bind();
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void clearWindow(glm::ivec2 window, const glm::vec3& color) {
+    bindWindow(window);
+    const GLfloat value[4] = {color.r, color.g, color.b, 1.0F};
+    gl::ClearBufferfv(GL_COLOR, 0, value);
+}
+
+}  // namespace vct::app

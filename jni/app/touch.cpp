@@ -1,0 +1,75 @@
+#include "app/touch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vct::app {
+
+namespace {
+
+// Android's ViewConfiguration: a longer touch is no tap, and taps further apart are two.
+constexpr double longestTapS = 0.3;
+constexpr double longestDoubleTapS = 0.3;
+
+bool sameFingers(const std::vector<TouchPoint>& a, const std::vector<TouchPoint>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const TouchPoint& x, const TouchPoint& y) { return x.id == y.id; });
+}
+
+}  // namespace
+
+void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
+    std::vector<TouchPoint> points = all;
+    std::sort(points.begin(), points.end(),
+              [](const TouchPoint& a, const TouchPoint& b) { return a.id < b.id; });
+    if (points.size() > 2) points.resize(2);
+
+    if (!sameFingers(points, points_)) {
+        // A finger more or less moves nothing by itself: the next positions are compared with these.
+        if (points_.empty() && points.size() == 1) {
+            mayBeTap_ = true;
+            downAt_ = points[0].position;
+            downS_ = timeS;
+        } else if (points.empty() && mayBeTap_) {
+            finishTap(timeS);
+        }
+        if (points.size() != 1) mayBeTap_ = false;
+        points_ = std::move(points);
+        return;
+    }
+    if (points.size() == 1) {
+        if (mayBeTap_ && glm::distance(points[0].position, downAt_) < slop_) return;
+        mayBeTap_ = false;
+        gesture_.orbit += points[0].position - points_[0].position;
+    } else if (points.size() == 2) {
+        const glm::vec2 before = points_[0].position - points_[1].position;
+        const glm::vec2 after = points[0].position - points[1].position;
+        gesture_.pan +=
+            0.5F * (points[0].position + points[1].position - points_[0].position - points_[1].position);
+        // Fingers closer than the slop say nothing about a ratio.
+        if (std::min(glm::length(before), glm::length(after)) > slop_)
+            gesture_.zoom *= glm::length(after) / glm::length(before);
+    }
+    points_ = std::move(points);
+}
+
+void Touch::finishTap(double timeS) {
+    mayBeTap_ = false;
+    if (timeS - downS_ > longestTapS) return;
+    const bool second = lastTapS_ >= 0.0 && downS_ - lastTapS_ <= longestDoubleTapS &&
+                        glm::distance(downAt_, lastTapAt_) <= tapDistance_;
+    gesture_.doubleTap = gesture_.doubleTap || second;
+    lastTapS_ = second ? -1.0 : timeS;  // a third tap begins anew
+    lastTapAt_ = downAt_;
+}
+
+void Touch::cancel() {
+    points_.clear();
+    mayBeTap_ = false;
+}
+
+Gesture Touch::take() {
+    return std::exchange(gesture_, Gesture{});
+}
+
+}  // namespace vct::app

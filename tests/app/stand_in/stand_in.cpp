@@ -1,0 +1,190 @@
+#include "stand_in.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace vct::test {
+
+namespace {
+StandIn* current = nullptr;
+}
+
+StandIn* currentStandIn() {
+    return current;
+}
+
+StandIn::StandIn() : scenes(VCT_SOURCE_DIR "/assets") {}
+
+StandIn::~StandIn() {
+    std::free(glue.savedState);
+}
+
+void StandIn::command(int command) {
+    script_.push_back([this, command] { pending_ = [this, command] { deliver(command); }; });
+}
+
+void StandIn::window(int width, int height) {
+    script_.push_back([this, width, height] {
+        pending_ = [this, width, height] {
+            windows_.push_back(std::make_unique<ANativeWindow>(ANativeWindow{width, height, true}));
+            glue.window = windows_.back().get();
+            glue.contentRect = {0, 0, width, height};
+            deliver(APP_CMD_INIT_WINDOW);
+        };
+    });
+}
+
+void StandIn::loseWindow() {
+    script_.push_back([this] {
+        pending_ = [this] {
+            if (glue.window == nullptr) return;
+            deliver(APP_CMD_TERM_WINDOW);
+            // The system frees it as soon as the app has answered.
+            glue.window->alive = false;
+            glue.window = nullptr;
+        };
+    });
+}
+
+void StandIn::resize(int width, int height) {
+    script_.push_back([this, width, height] {
+        pending_ = [this, width, height] {
+            if (glue.window == nullptr) return;
+            glue.window->width = width;
+            glue.window->height = height;
+            deliver(APP_CMD_CONFIG_CHANGED);
+            deliver(APP_CMD_WINDOW_RESIZED);
+            glue.contentRect = {0, 0, width, height};
+            deliver(APP_CMD_CONTENT_RECT_CHANGED);
+            deliver(APP_CMD_WINDOW_REDRAW_NEEDED);
+        };
+    });
+}
+
+void StandIn::frames(int count) {
+    script_.push_back([this, count] { framesLeft_ = count; });
+}
+
+void StandIn::framesUntilLogged(const std::string& text, int most) {
+    script_.push_back([this, text, most] {
+        untilLogged_ = text;
+        framesLeft_ = most;
+    });
+}
+
+void StandIn::touch(int action, const std::vector<AInputEvent::Pointer>& pointers) {
+    script_.push_back([this, action, pointers] {
+        pending_ = [this, action, pointers] {
+            timeNs_ += 16'000'000;
+            AInputEvent event;
+            event.action = action;
+            event.pointers = pointers;
+            event.timeNs = timeNs_;
+            lastHandled = glue.onInputEvent(&glue, &event);
+        };
+    });
+}
+
+void StandIn::key() {
+    script_.push_back([this] {
+        pending_ = [this] {
+            AInputEvent event;
+            event.type = AINPUT_EVENT_TYPE_KEY;
+            lastHandled = glue.onInputEvent(&glue, &event);
+        };
+    });
+}
+
+void StandIn::start(int width, int height) {
+    command(APP_CMD_START);
+    command(APP_CMD_RESUME);
+    window(width, height);
+    command(APP_CMD_GAINED_FOCUS);
+}
+
+void StandIn::startUntilSceneShown(int width, int height) {
+    start(width, height);
+    framesUntilLogged(" triangles");
+    frames(2);
+}
+
+void StandIn::run() {
+    current = this;
+    activity_.externalDataPath = files.c_str();
+    activity_.internalDataPath = "";
+    activity_.assetManager = &assets_;
+    configuration_.density = density;
+    glue.activity = &activity_;
+    glue.config = &configuration_;
+    if (restored) {
+        glue.savedState = std::malloc(1);
+        glue.savedStateSize = 1;
+    }
+    source_ = {LOOPER_ID_MAIN, &glue, [](android_app*, android_poll_source*) { current->pending_(); }};
+    android_main(&glue);
+    if (traceDepth != 0) misuse.push_back("a trace section was not ended");
+    current = nullptr;
+}
+
+// A command as native_app_glue brings it.
+void StandIn::deliver(int command) {
+    if (command == APP_CMD_DESTROY) glue.destroyRequested = 1;
+    if (command == APP_CMD_SAVE_STATE) {
+        std::free(glue.savedState);
+        glue.savedState = nullptr;
+    }
+    if (glue.onAppCmd != nullptr) glue.onAppCmd(&glue, command);
+}
+
+int StandIn::poll(int timeoutMs, void** data) {
+    while (true) {
+        if (!untilLogged_.empty() && logged(untilLogged_)) {
+            untilLogged_.clear();
+            framesLeft_ = 0;
+        }
+        // An app that waits draws nothing: what comes next in the script wakes it.
+        if (framesLeft_ > 0 && timeoutMs == 0) {
+            if (--framesLeft_ == 0 && !untilLogged_.empty()) {
+                misuse.push_back("never logged: " + untilLogged_);
+                untilLogged_.clear();
+            }
+            return ALOOPER_POLL_TIMEOUT;
+        }
+        framesLeft_ = 0;
+        untilLogged_.clear();
+        pending_ = nullptr;
+        if (script_.empty()) {
+            pending_ = [this] {
+                if (glue.window != nullptr) {
+                    deliver(APP_CMD_PAUSE);
+                    deliver(APP_CMD_TERM_WINDOW);
+                    glue.window->alive = false;
+                    glue.window = nullptr;
+                }
+                deliver(APP_CMD_STOP);
+                deliver(APP_CMD_DESTROY);
+            };
+        } else {
+            const std::function<void()> next = std::move(script_.front());
+            script_.pop_front();
+            next();
+        }
+        if (!pending_) continue;
+        *data = &source_;
+        return LOOPER_ID_MAIN;
+    }
+}
+
+bool StandIn::logged(const std::string& text) const {
+    return std::any_of(log.begin(), log.end(),
+                       [&](const LogLine& line) { return line.text.find(text) != std::string::npos; });
+}
+
+std::string StandIn::errors() const {
+    std::string text;
+    for (const LogLine& line : log)
+        if (line.priority >= 6) text += line.text + "\n";
+    return text;
+}
+
+}  // namespace vct::test

@@ -1,0 +1,123 @@
+// Android for one run of the app on a desktop: events from a script, windows that are pbuffers, assets from
+// the source tree. Everything else (EGL, GL, the renderer) is real. EGL's entry points are wrapped by the
+// linker, so that the use of a dead window, a leaked GL object and the loss of a context can be seen or made
+// to happen.
+#pragma once
+
+#include <android_native_app_glue.h>
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+struct ANativeWindow {
+    int width, height;
+    bool alive;
+};
+
+struct AConfiguration {
+    int density;
+};
+
+struct AAssetManager {};
+
+struct AInputEvent {
+    int type = AINPUT_EVENT_TYPE_MOTION;
+    int action = AMOTION_EVENT_ACTION_DOWN;
+    struct Pointer {
+        int id;
+        float x, y;
+    };
+    std::vector<Pointer> pointers;
+    std::int64_t timeNs = 0;
+};
+
+namespace vct::test {
+
+class StandIn {
+  public:
+    StandIn();
+    ~StandIn();
+    StandIn(const StandIn&) = delete;
+    StandIn& operator=(const StandIn&) = delete;
+
+    // The script: what happens, in order. The activity is destroyed at its end.
+    void command(int command);
+    void window(int width, int height);  // the system makes one
+    void loseWindow();
+    void resize(int width, int height);
+    void frames(int count);  // as many as the app wants to draw, but no more
+    // Frames until the app has logged a line with `text`; at most `most`.
+    void framesUntilLogged(const std::string& text, int most = 20000);
+    void touch(int action, const std::vector<AInputEvent::Pointer>& pointers);
+    void key();
+    void then(std::function<void()> what) { script_.push_back(std::move(what)); }
+    // started, resumed, with a window.
+    void start(int width, int height);
+    void startUntilSceneShown(int width, int height);
+
+    // Runs the app from its start to its end.
+    void run();
+
+    // What it starts with.
+    std::string intentExtra;
+    std::string scenes;                  // folder of the APK's scenes; the source tree's otherwise
+    std::string files;                   // the app's external files folder
+    std::string shadersFrom, shadersTo;  // text of the shaders, replaced
+    int density = 160;
+    bool restored = false;
+
+    // What happens to it, once: the context is lost at the n-th glGetError or eglSwapBuffers from now.
+    void loseContextAtGlError(int n) { lossAtGlError_ = n; }
+    void loseContextAtSwap(int n) { lossAtSwap_ = n; }
+    void failSurface() { failSurface_ = true; }
+
+    // What it did.
+    struct LogLine {
+        int priority;
+        std::string text;
+    };
+    std::vector<LogLine> log;
+    bool logged(const std::string& text) const;
+    std::string errors() const;       // lines of the log that are errors
+    std::vector<std::string> misuse;  // of windows, surfaces, the context; leaks of GL objects
+    int shown = 0;                    // frames on the screen
+    int contextsMade = 0;
+    int lastHandled = -1;   // what the app said of the last input event
+    bool capture = false;   // keep what is shown
+    Image screen;           // the last frame shown, while `capture`; 8-bit values over 255
+    bool finished = false;  // ANativeActivity_finish
+    int traceDepth = 0;
+    std::vector<std::string> traceSections;
+
+    android_app glue{};
+
+    // For the entry points of the NDK and EGL.
+    int poll(int timeoutMs, void** data);
+    int lossAtGlError_ = 0, lossAtSwap_ = 0;
+    bool contextLost = false;
+    bool failSurface_ = false;
+
+  private:
+    void deliver(int command);
+
+    ANativeActivity activity_{};
+    AAssetManager assets_;
+    AConfiguration configuration_{160};
+    std::deque<std::function<void()>> script_;
+    std::vector<std::unique_ptr<ANativeWindow>> windows_;
+    int framesLeft_ = 0;
+    std::string untilLogged_;
+    android_poll_source source_{};
+    std::function<void()> pending_;  // run by the app through source_
+    std::int64_t timeNs_ = 0;
+};
+
+// The one that runs; null outside run().
+StandIn* currentStandIn();
+
+}  // namespace vct::test
