@@ -2,8 +2,9 @@
 #include "shared/cones.glsl"
 #include "shared/octahedral.glsl"
 #include "shared/precision.glsl"
-#if VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
 #include "shared/shadow.glsl"
+#ifdef VCT_SOFT_SHADOW
+#include "shared/soft_shadow.glsl"
 #endif
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
@@ -60,13 +61,21 @@ void main() {
 
     mediump float light = 1.0;
 #if VCT_MODE == VCT_MODE_GI_CONE_SHADOW || VCT_MODE == VCT_VIEW_CONE_SHADOW
+#ifdef VCT_SOFT_SHADOW
+    light = HALF(softShadow(position, normal));
+#else
     light = cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
+#endif
 #elif VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
     light = HALF(shadowMapLight(position, cosTheta));
 #endif
 
+#ifdef VCT_SOFT_SHADOW
+    mediump float total = light;  // what the sun's disc shows is the direct light; nothing else dims or lifts it
+#else
     // Eq. 4.9.
     mediump float total = HALF(mix(gather.openness, light * gather.openness, shadowStrength));
+#endif
     mediump vec3 radiance;
 #if VCT_MODE == VCT_VIEW_AO
     radiance = vec3(gather.openness);

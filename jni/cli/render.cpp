@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -24,6 +25,9 @@ struct RenderOptions {
     std::string size = "400x400";
     std::string camera, light;
     std::string sky = "0,0,0";
+    // Over the preset's, where given.
+    std::optional<std::string> shadow;
+    std::optional<int> blockerTaps, filterTaps;
     std::string backend = "egl";
     int device = -1;
     int grid = 256;
@@ -46,6 +50,9 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.size = sizeFromText(options.size);
     settings.shadowMapSize = options.shadowMap;
     settings.shadowConeAngleDeg = options.coneAngleDeg;
+    if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
+    settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
+    settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
     settings.aoDistance = options.aoDistance;
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
@@ -191,6 +198,14 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--cone-angle", options->coneAngleDeg, "Shadow cone's full angle in degrees, 0.1 to 170")
         ->capture_default_str();
+    command->add_option("--shadow", options->shadow,
+                        "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
+                        "filtered as wide as the penumbra); default: the preset's");
+    command->add_option(
+        "--blocker-taps", options->blockerTaps,
+        "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");
+    command->add_option("--filter-taps", options->filterTaps,
+                        "Comparisons of soft-map in a penumbra (default: the preset's)");
     command
         ->add_option("--ao-distance", options->aoDistance, "Reach of ambient occlusion, of the volume's side")
         ->capture_default_str();

@@ -19,6 +19,7 @@ namespace vct::gl {
     X(BINDBUFFERRANGE, BindBufferRange)                 \
     X(BINDFRAMEBUFFER, BindFramebuffer)                 \
     X(BINDIMAGETEXTURE, BindImageTexture)               \
+    X(BINDSAMPLER, BindSampler)                         \
     X(BINDTEXTURE, BindTexture)                         \
     X(BINDVERTEXARRAY, BindVertexArray)                 \
     X(BLENDEQUATION, BlendEquation)                     \
@@ -38,6 +39,7 @@ namespace vct::gl {
     X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
     X(DELETEPROGRAM, DeleteProgram)                     \
     X(DELETEQUERIES, DeleteQueries)                     \
+    X(DELETESAMPLERS, DeleteSamplers)                   \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
     X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
@@ -62,6 +64,7 @@ namespace vct::gl {
     X(GENERATEMIPMAP, GenerateMipmap)                   \
     X(GENFRAMEBUFFERS, GenFramebuffers)                 \
     X(GENQUERIES, GenQueries)                           \
+    X(GENSAMPLERS, GenSamplers)                         \
     X(GENTEXTURES, GenTextures)                         \
     X(GENVERTEXARRAYS, GenVertexArrays)                 \
     X(GETERROR, GetError)                               \
@@ -82,6 +85,7 @@ namespace vct::gl {
     X(PIXELSTOREI, PixelStorei)                         \
     X(READBUFFER, ReadBuffer)                           \
     X(READPIXELS, ReadPixels)                           \
+    X(SAMPLERPARAMETERI, SamplerParameteri)             \
     X(SCISSOR, Scissor)                                 \
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXPARAMETERI, TexParameteri)                     \

@@ -107,6 +107,17 @@ void Texture::setParameter(GLenum parameter, GLenum value) const {
     TexParameteri(target_, parameter, static_cast<GLint>(value));
 }
 
+PlainSampler::PlainSampler() {
+    GLuint name = 0;
+    GenSamplers(1, &name);
+    handle_ = Handle<Traits>(name);
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        SamplerParameteri(name, filter, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        SamplerParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    SamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+}
+
 Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage)
     : bytes_(bytes), label_(label) {
     GLuint name = 0;

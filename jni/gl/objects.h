@@ -66,6 +66,21 @@ class Texture {
     std::string label_;
 };
 
+// A second way to read a texture, beside the texture's own parameters. Reads single texels, not compared:
+// NEAREST, CLAMP_TO_EDGE, no comparison.
+class PlainSampler {
+  public:
+    PlainSampler();
+    // For whatever texture is bound to `unit`, until another sampler is.
+    void bind(int unit) const { BindSampler(static_cast<GLuint>(unit), handle_.get()); }
+
+  private:
+    struct Traits {
+        static void destroy(GLuint name) { DeleteSamplers(1, &name); }
+    };
+    Handle<Traits> handle_;
+};
+
 // Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.
 std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
 

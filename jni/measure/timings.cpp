@@ -71,6 +71,9 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"height", s.size.y},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
+            {"shadow", shadowName(s.shadow)},
+            {"blocker_taps", s.blockerTaps},
+            {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};

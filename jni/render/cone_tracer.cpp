@@ -6,16 +6,19 @@
 
 namespace vct {
 
-ConeTracer::ConeTracer(gl::ShaderLibrary shaders, glm::ivec2 size)
+ConeTracer::ConeTracer(gl::ShaderLibrary shaders, const Settings& settings)
     : shaders_(std::move(shaders)),
-      radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, size.x, size.y)),
+      settings_(settings),
+      radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, settings.size.x, settings.size.y)),
       framebuffer_("radiance", {&radiance_}, nullptr) {}
 
 const gl::Program& ConeTracer::program(int mode, bool emissiveTarget) {
     const auto key = std::make_pair(mode, emissiveTarget);
     auto found = programs_.find(key);
     if (found == programs_.end())
-        found = programs_.emplace(key, gl::Program(shaders_, coneTracerProgram(mode, emissiveTarget))).first;
+        found =
+            programs_.emplace(key, gl::Program(shaders_, coneTracerProgram(mode, emissiveTarget, settings_)))
+                .first;
     return found->second;
 }
 
@@ -30,7 +33,11 @@ const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, c
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
-    if (shadowMap != nullptr) shadowMap->bind(VCT_TEX_SHADOW_MAP);
+    if (shadowMap != nullptr) {
+        shadowMap->bind(VCT_TEX_SHADOW_MAP);
+        shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
+        plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
+    }
     if (voxels != nullptr) voxels->bind(VCT_TEX_VOXELS);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);

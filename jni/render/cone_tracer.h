@@ -5,13 +5,14 @@
 
 #include "gl/program.h"
 #include "render/g_buffer.h"
+#include "render/settings.h"
 #include "render/voxel_pyramid.h"
 
 namespace vct {
 
 class ConeTracer {
   public:
-    ConeTracer(gl::ShaderLibrary shaders, glm::ivec2 size);
+    ConeTracer(gl::ShaderLibrary shaders, const Settings& settings);
 
     // `mode`: one of VCT_MODE_* and VCT_VIEW_*. What a mode does not use may be null. Returns RGBA16F: rgb
     // relative to E/pi, a 1 on surfaces.
@@ -24,10 +25,12 @@ class ConeTracer {
     const gl::Program& program(int mode, bool emissiveTarget);
 
     gl::ShaderLibrary shaders_;
+    Settings settings_;
     std::map<std::pair<int, bool>, gl::Program> programs_;  // compiled when first asked for
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;
+    gl::PlainSampler plainDepth_;  // the shadow map for shared/soft_shadow.glsl
 };
 
 }  // namespace vct

@@ -53,8 +53,9 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     shared::FrameUniforms frame{};
     frame.clipFromVolume = glm::mat4(clipFromVolume);
     frame.volumeFromClip = glm::mat4(glm::inverse(clipFromVolume));
-    frame.shadowFromVolume =
-        glm::mat4(shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume);
+    const glm::dmat4 shadowFromVolume =
+        shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
+    frame.shadowFromVolume = glm::mat4(shadowFromVolume);
     frame.eye = glm::vec4(eye);
     frame.towardsLight = glm::vec4(glm::vec3(light.towardsLight), 0.0F);
     frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
@@ -62,7 +63,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     // NaN.
     frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
-    frame.cone = glm::vec4(std::sin(halfAngleRad), settings.aoDistance, 0.0F, 0.0F);
+    // The map's axes in volume space; their lengths are coordinates per volume unit.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
+    const glm::dvec2 radius = std::tan(halfAngleRad) *
+                              glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);
+    frame.cone = glm::vec4(std::sin(halfAngleRad), settings.aoDistance, radius);
     frame.grid = glm::ivec4(volume.grid, static_cast<int>(std::log2(volume.grid)), 0, 0);
     return frame;
 }

@@ -76,9 +76,15 @@ gl::ProgramDescription sparseClearProgram() {
     return {"sparse_clear", {"sparse_clear.comp"}, {}};
 }
 
-gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget) {
+gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
-    if (emissiveTarget) defines.push_back("VCT_EMISSIVE_TARGET");
+    if (emissiveTarget) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
+    if (softShadow && settings.shadow == Shadow::softMap) {
+        defines.emplace_back("VCT_SOFT_SHADOW");
+        defines.push_back("VCT_BLOCKER_TAPS " + std::to_string(settings.blockerTaps));
+        defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
+    }
     return {"cone_tracer " + std::to_string(mode), {"full_screen.vert", "cone_tracer.frag"}, defines};
 }
 
@@ -110,9 +116,12 @@ std::vector<gl::ProgramDescription> everyProgram() {
         for (bool emissiveTarget : {false, true})
             programs.push_back(gBufferProgram(features, emissiveTarget));
     }
-    for (int mode = VCT_MODE_PHONG; mode <= VCT_VIEW_CONE_SHADOW; ++mode)
-        for (bool emissiveTarget : {false, true})
-            programs.push_back(coneTracerProgram(mode, emissiveTarget));
+    Settings softMap;
+    softMap.shadow = Shadow::softMap;
+    for (const Settings& settings : {Settings{}, softMap})
+        for (int mode = VCT_MODE_PHONG; mode <= VCT_VIEW_CONE_SHADOW; ++mode)
+            for (bool emissiveTarget : {false, true})
+                programs.push_back(coneTracerProgram(mode, emissiveTarget, settings));
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
     return programs;

@@ -31,7 +31,7 @@ gl::ProgramDescription voxelizerProgram(unsigned features);
 gl::ProgramDescription mipmapperProgram();
 gl::ProgramDescription sparseClearProgram();
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.
-gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget);
+gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings);
 gl::ProgramDescription voxelViewProgram();
 // `stage` is one of VCT_STAGE_*.
 gl::ProgramDescription stageViewProgram(int stage);

@@ -40,7 +40,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       gBuffer_(shaders_, scene_, settings.size),
-      coneTracer_(shaders_, settings.size),
+      coneTracer_(shaders_, settings),
       timer_(capabilities.gpuTimerBits) {
     gl::checkErrors("setting up the renderer");
 }

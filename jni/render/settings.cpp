@@ -50,6 +50,16 @@ std::vector<Mode> modesFromText(const std::string& text) {
     return modes;
 }
 
+const char* shadowName(Shadow shadow) {
+    return shadow == Shadow::cone ? "cone" : "soft-map";
+}
+
+Shadow shadowFromText(const std::string& text) {
+    for (Shadow shadow : {Shadow::cone, Shadow::softMap})
+        if (text == shadowName(shadow)) return shadow;
+    throw Error("--shadow '" + text + "' does not exist; use cone or soft-map");
+}
+
 const std::vector<Experiment>& allExperiments() {
     static const std::vector<Experiment> experiments{
         {"coverage-opacity", "VCT_COVERAGE_OPACITY",
@@ -95,6 +105,9 @@ void validate(const Settings& settings) {
             "--shadow-map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
             "--cone-angle must be between 0.1 and 170 degrees");
+    require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
+                settings.filterTaps <= 64,
+            "--blocker-taps and --filter-taps must be between 1 and 64");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "--ao-distance must be above 0 and at most 1 (the volume's side)");
     for (const std::string& name : settings.experiments) {

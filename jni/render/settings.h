@@ -33,12 +33,24 @@ struct Experiment {
 };
 const std::vector<Experiment>& allExperiments();
 
+// What makes the soft shadow of mode 5.
+enum class Shadow {
+    cone,     // a cone through the voxels (thesis 4.6)
+    softMap,  // percentage-closer filtering of the shadow map (shaders/shared/soft_shadow.glsl)
+};
+const char* shadowName(Shadow shadow);  // "cone", "soft-map"
+// Throws vct::Error listing the names.
+Shadow shadowFromText(const std::string& text);
+
 struct Settings {
     Mode mode = Mode::giConeShadow;
     int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
     glm::ivec2 size{400, 400};             // pixels
     int shadowMapSize = 512;               // texels along a side
     float shadowConeAngleDeg = 5.0F;       // full opening angle of the cone towards the light
+    Shadow shadow = Shadow::cone;          // of mode 5
+    int blockerTaps = 8;                   // of softMap: texels read in search of what blocks the sun
+    int filterTaps = 16;                   // of softMap: comparisons in a penumbra
     float aoDistance = 0.045F;             // of the volume's side
     glm::vec3 skyRadiance{0.0F};           // seen by cones and pixels that leave the volume
     std::vector<std::string> experiments;  // names out of allExperiments()

@@ -51,6 +51,7 @@ using glm::vec4;
 #define VCT_TEX_G_NORMAL 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
+#define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -80,7 +81,8 @@ struct FrameUniforms {
     vec4 towardsLight;      // xyz: unit length
     vec4 lightColor;        // rgb: largest component 1
     vec4 skyRadiance;       // rgb: relative to E/pi
-    vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side)
+    vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
+                            // zw: the cone's radius in the shadow map at one unit of its depth
     ivec4 grid;             // x: voxels along a side, y: last mip level
 };
 

@@ -60,6 +60,7 @@ void expectCommonFields(const json& timings) {
     EXPECT_EQ(settings.at("height"), 64);
     EXPECT_EQ(settings.at("shadow_map"), 512);
     EXPECT_EQ(settings.at("cone_angle_deg"), 5.0);
+    EXPECT_EQ(settings.at("shadow"), "cone");
     EXPECT_NEAR(settings.at("ao_distance").get<double>(), 0.045, 1e-6);
     const json& method = timings.at("method");
     EXPECT_TRUE(method.at("clock").is_string());

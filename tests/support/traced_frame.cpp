@@ -56,7 +56,7 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
       gBuffer_(shaders_, scene_, settings.size),
       pyramid_(shaders_, settings.grid, 0),
-      coneTracer_(shaders_, settings.size) {
+      coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     gBuffer_.draw(scene_);
