@@ -1,15 +1,17 @@
 // The last pass: what each pixel's cones see, and the five modes (thesis 4.6, 5.1.2). One variant per VCT_MODE.
-#include "shared/cones.glsl"
-#include "shared/octahedral.glsl"
 #include "shared/precision.glsl"
+#include "shared/surface.glsl"
+#ifdef VCT_GATHERED
+#include "shared/gathered.glsl"
+#else
+#include "shared/cones.glsl"
+#endif
 #include "shared/shadow.glsl"
 #ifdef VCT_SOFT_SHADOW
 #include "shared/soft_shadow.glsl"
 #endif
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
-layout(binding = VCT_TEX_G_NORMAL) uniform usampler2D normalTarget;
-layout(binding = VCT_TEX_G_DEPTH) uniform sampler2D depthTarget;
 #ifdef VCT_EMISSIVE_TARGET
 layout(binding = VCT_TEX_G_EMISSIVE) uniform mediump sampler2D emissiveTarget;
 #endif
@@ -26,12 +28,6 @@ const float shadowStrength = 0.9;
 // Diffuse cones end at one side of the volume (published program).
 const float diffuseReach = 1.0;
 
-vec3 positionFromDepth(ivec2 pixel, float depth) {
-    vec2 ndc = (vec2(pixel) + 0.5) / vec2(textureSize(depthTarget, 0)) * 2.0 - 1.0;
-    vec4 p = frame.volumeFromClip * vec4(ndc, depth * 2.0 - 1.0, 1.0);
-    return p.xyz / p.w;
-}
-
 mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
     vec3 mirrored = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
@@ -40,18 +36,20 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    float depth = texelFetch(depthTarget, pixel, 0).r;
+    float depth = surfaceDepth(pixel);
     if (depth == 1.0) {
         outRadiance = vec4(frame.skyRadiance.rgb, 0.0);
         return;
     }
-    vec3 position = positionFromDepth(pixel, depth);
-    vec3 normal = decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
+    vec3 position = surfacePosition(pixel, depth);
+    vec3 normal = surfaceNormal(pixel);
     mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);
     mediump vec3 albedo = HALF(root * root);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
 
-#if VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO
+#if defined(VCT_GATHERED) && VCT_MODE >= VCT_MODE_AO && VCT_MODE != VCT_VIEW_CONE_SHADOW
+    Gather gather = gatheredAt(pixel, position, normal);
+#elif VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO
     Gather gather = gatherDiffuse(position, normal, frame.cone.y);
 #elif VCT_MODE == VCT_MODE_GI || VCT_MODE == VCT_MODE_GI_CONE_SHADOW || VCT_MODE == VCT_VIEW_INDIRECT
     Gather gather = gatherDiffuse(position, normal, diffuseReach);
@@ -83,6 +81,9 @@ void main() {
     radiance = HALF(albedo * gather.radiance);
 #elif VCT_MODE == VCT_VIEW_CONE_SHADOW
     radiance = vec3(light);
+#elif VCT_MODE >= VCT_MODE_GI && defined(VCT_GATHERED)
+    // Occlusion is in the gathered light already; it takes nothing from the sun.
+    radiance = HALF(albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance));
 #elif VCT_MODE >= VCT_MODE_GI
     radiance = HALF(albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance));  // eq. 4.10
 #else

@@ -30,12 +30,11 @@ struct RenderOptions {
     std::optional<int> blockerTaps, filterTaps;
     std::string backend = "egl";
     int device = -1;
-    int grid = 256;
-    int shadowMap = 512;
-    float coneAngleDeg = 5.0F;
-    float aoDistance = 0.045F;
+    // Over the preset's, where given.
+    std::optional<int> grid, shadowMap;
+    std::optional<float> coneAngleDeg, aoDistance;
     float exposure = 1.0F;
-    std::vector<std::string> experiments;
+    std::vector<std::string> experiments, gather;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool emulateHalf = false;
@@ -46,14 +45,16 @@ struct RenderOptions {
 
 Settings settingsFrom(const RenderOptions& options) {
     Settings settings = presetSettings(options.preset);
-    settings.grid = options.grid;
     settings.size = sizeFromText(options.size);
-    settings.shadowMapSize = options.shadowMap;
-    settings.shadowConeAngleDeg = options.coneAngleDeg;
+    settings.grid = options.grid.value_or(settings.grid);
+    settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
+    settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
+    settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
-    settings.aoDistance = options.aoDistance;
+    for (const std::string& change : options.gather)
+        changeGather(settings.gather, change);
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
     settings.emulateHalf = options.emulateHalf;
@@ -190,25 +191,29 @@ void addRender(CLI::App& app, int&) {
         ->add_option("--mode", options->mode,
                      "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
         ->capture_default_str();
-    command->add_option("--preset", options->preset, "Set of settings: thesis")->capture_default_str();
-    command->add_option("--grid", options->grid, "Voxels along a side: 64, 128, 256, 512")
+    command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
+    command->add_option("--grid", options->grid,
+                        "Voxels along a side: 64, 128, 256, 512 (default: the preset's)");
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
-    command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
+    command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
+    command->add_option("--cone-angle", options->coneAngleDeg,
+                        "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");
+    command->add_option("--ao-distance", options->aoDistance,
+                        "Reach of ambient occlusion, of the volume's side (default: the preset's)");
     command
-        ->add_option("--cone-angle", options->coneAngleDeg, "Shadow cone's full angle in degrees, 0.1 to 170")
-        ->capture_default_str();
-    command->add_option("--shadow", options->shadow,
-                        "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
-                        "filtered as wide as the penumbra); default: the preset's");
+        ->add_option("--shadow", options->shadow,
+                     "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
+                     "filtered as wide as the penumbra); default: the preset's");
     command->add_option(
         "--blocker-taps", options->blockerTaps,
         "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");
     command->add_option("--filter-taps", options->filterTaps,
                         "Comparisons of soft-map in a penumbra (default: the preset's)");
     command
-        ->add_option("--ao-distance", options->aoDistance, "Reach of ambient occlusion, of the volume's side")
-        ->capture_default_str();
+        ->add_option("--gather", options->gather,
+                     "Change the gather of the preset, NAME=VALUE with commas:\n" + gatherParts())
+        ->delimiter(',');
     command->add_option("--camera", options->camera,
                         "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
                         "(default: its first)");

@@ -20,6 +20,7 @@ std::size_t texelBytes(GLenum format) {
         case GL_DEPTH_COMPONENT32F:
             return 4;
         case GL_RGBA16F:
+        case GL_RGBA16UI:
             return 8;
         case GL_RGBA32F:
             return 16;
@@ -67,6 +68,7 @@ Texture Texture::make2d(const std::string& label, GLenum format, int width, int 
     texture.width_ = width;
     texture.height_ = height;
     texture.levels_ = levels;
+    texture.format_ = format;
     texture.bytes_ = textureBytes(format, width, height, 1, levels);
     TexStorage2D(GL_TEXTURE_2D, levels, format, width, height);
     throwIfOutOfMemory(label, texture.bytes_);
@@ -77,13 +79,16 @@ Texture Texture::make2d(const std::string& label, GLenum format, int width, int 
     return texture;
 }
 
-Texture Texture::make3d(const std::string& label, GLenum format, int side, int levels) {
+Texture Texture::make3d(const std::string& label, GLenum format, int width, int height, int depth,
+                        int levels) {
     Texture texture;
     texture.create(label, GL_TEXTURE_3D);
-    texture.width_ = texture.height_ = side;
+    texture.width_ = width;
+    texture.height_ = height;
     texture.levels_ = levels;
-    texture.bytes_ = textureBytes(format, side, side, side, levels);
-    TexStorage3D(GL_TEXTURE_3D, levels, format, side, side, side);
+    texture.format_ = format;
+    texture.bytes_ = textureBytes(format, width, height, depth, levels);
+    TexStorage3D(GL_TEXTURE_3D, levels, format, width, height, depth);
     throwIfOutOfMemory(label, texture.bytes_);
     texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
@@ -195,6 +200,25 @@ Framebuffer::Framebuffer(const std::string& label, int width, int height) : widt
 void Framebuffer::bind() const {
     BindFramebuffer(GL_FRAMEBUFFER, handle_.get());
     Viewport(0, 0, width_, height_);
+}
+
+// ES has no clear for textures, but each slice can be a colour target.
+void zeroTexture3d(const Texture& texture, int depth) {
+    const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
+    framebuffer.bind();
+    const GLenum target = GL_COLOR_ATTACHMENT0;
+    DrawBuffers(1, &target);
+    ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    const GLuint integers[4] = {0, 0, 0, 0};
+    const GLfloat floats[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    for (int level = 0; level < texture.levels(); ++level)
+        for (int slice = 0; slice < std::max(depth >> level, 1); ++slice) {
+            FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture.name(), level, slice);
+            if (texture.format() == GL_R32UI)
+                ClearBufferuiv(GL_COLOR, 0, integers);
+            else
+                ClearBufferfv(GL_COLOR, 0, floats);
+        }
 }
 
 }  // namespace vct::gl

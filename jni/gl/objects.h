@@ -40,10 +40,12 @@ class Texture {
     Texture() = default;
     // `format` is sized (GL_RGBA16F); filter NEAREST, wrap CLAMP_TO_EDGE.
     static Texture make2d(const std::string& label, GLenum format, int width, int height, int levels = 1);
-    static Texture make3d(const std::string& label, GLenum format, int side, int levels);
+    static Texture make3d(const std::string& label, GLenum format, int width, int height, int depth,
+                          int levels);
 
     GLuint name() const { return handle_.get(); }
     GLenum target() const { return target_; }
+    GLenum format() const { return format_; }
     int width() const { return width_; }
     int height() const { return height_; }
     int levels() const { return levels_; }
@@ -61,6 +63,7 @@ class Texture {
     void create(const std::string& label, GLenum target);
     Handle<Traits> handle_;
     GLenum target_ = GL_TEXTURE_2D;
+    GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
     std::size_t bytes_ = 0;
     std::string label_;
@@ -83,6 +86,9 @@ class PlainSampler {
 
 // Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.
 std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
+
+// Zeroes all levels of a 3D texture whose texels can be rendered to.
+void zeroTexture3d(const Texture& texture, int depth);
 
 class Buffer {
   public:

@@ -30,7 +30,8 @@ std::string header(const std::string& stage, Language language) {
         if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
     }
     text += "precision highp float;\nprecision highp int;\n";
-    for (const char* type : {"sampler2D", "sampler2DShadow", "usampler2D", "usampler3D", "uimage3D"})
+    for (const char* type :
+         {"sampler2D", "sampler2DShadow", "sampler3D", "usampler2D", "usampler3D", "uimage3D"})
         text += "precision highp " + std::string(type) + ";\n";
     return text;
 }

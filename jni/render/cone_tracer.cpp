@@ -23,7 +23,7 @@ const gl::Program& ConeTracer::program(int mode, bool emissiveTarget) {
 }
 
 const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                                    const gl::Texture* voxels) {
+                                    const Light& light) {
     const gl::DebugGroup group("cone trace");
     program(mode, surface.emissive != nullptr).use();
     framebuffer_.bind();
@@ -38,7 +38,11 @@ const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, c
         shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
         plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     }
-    if (voxels != nullptr) voxels->bind(VCT_TEX_VOXELS);
+    if (light.voxels != nullptr) light.voxels->bind(VCT_TEX_VOXELS);
+    if (light.gather.light != nullptr) {
+        light.gather.light->bind(VCT_TEX_GATHER);
+        light.gather.surface->bind(VCT_TEX_GATHER_SURFACE);
+    }
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     return radiance_;

@@ -5,8 +5,8 @@
 
 #include "gl/program.h"
 #include "render/g_buffer.h"
+#include "render/gather.h"
 #include "render/settings.h"
-#include "render/voxel_pyramid.h"
 
 namespace vct {
 
@@ -14,10 +14,15 @@ class ConeTracer {
   public:
     ConeTracer(gl::ShaderLibrary shaders, const Settings& settings);
 
+    // Where a mode's diffuse light comes from: cones through words here, or a gather that was drawn before.
+    struct Light {
+        const gl::Texture* voxels = nullptr;
+        Gather::Targets gather = {};
+    };
     // `mode`: one of VCT_MODE_* and VCT_VIEW_*. What a mode does not use may be null. Returns RGBA16F: rgb
     // relative to E/pi, a 1 on surfaces.
     const gl::Texture& draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                            const gl::Texture* voxels);
+                            const Light& light);
 
     const gl::Texture& texture() const { return radiance_; }
 

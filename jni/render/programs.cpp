@@ -1,6 +1,7 @@
 #include "render/programs.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace vct {
 
@@ -15,6 +16,20 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used) {
     if (features & featureEmissive) defines.push_back("VCT_EMISSIVE");
     if (features & featureEmissiveTexture) defines.push_back("VCT_EMISSIVE_TEXTURE");
     return defines;
+}
+
+std::string number(float value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%#.9g", value);
+    return text;
+}
+
+std::vector<std::string> gatherDefines(const GatherSettings& g) {
+    return {"VCT_GATHER_CONES " + std::to_string(g.cones), "VCT_GATHER_TANGENT " + number(g.tangent()),
+            "VCT_GATHER_START " + number(g.startOffset),   "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
+            "VCT_GATHER_STEP " + number(g.step),           "VCT_GATHER_SKIP " + number(g.skip),
+            "VCT_GATHER_HEIGHT " + number(g.height),       "VCT_GATHER_EXTINCTION " + number(g.extinction),
+            "VCT_GATHER_THRESHOLD " + number(g.threshold), "VCT_GATHER_SCALE " + std::to_string(g.scale)};
 }
 
 bool possible(unsigned features) {
@@ -76,6 +91,45 @@ gl::ProgramDescription sparseClearProgram() {
     return {"sparse_clear", {"sparse_clear.comp"}, {}};
 }
 
+gl::ProgramDescription faceTouchProgram(unsigned features) {
+    if (!(features & featureAlphaMask)) features = 0;
+    return {"face_touch",
+            {"voxelizer.vert", "voxelizer.geom", "face_touch.frag"},
+            featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
+}
+
+gl::ProgramDescription faceVoxelizerProgram(unsigned features) {
+    return {"face_voxelizer",
+            {"voxelizer.vert", "voxelizer.geom", "face_voxelizer.frag"},
+            featureDefines(features, ~0U)};
+}
+
+gl::ProgramDescription faceResolveProgram() {
+    return {"face_resolve", {"face_resolve.comp"}, {}};
+}
+
+gl::ProgramDescription faceParentsProgram() {
+    return {"face_parents", {"face_parents.comp"}, {}};
+}
+
+gl::ProgramDescription faceMipmapperProgram() {
+    return {"face_mipmapper", {"face_mipmapper.comp"}, {}};
+}
+
+gl::ProgramDescription faceClearProgram() {
+    return {"face_clear", {"face_clear.comp"}, {}};
+}
+
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion) {
+    std::vector<std::string> defines = gatherDefines(settings);
+    if (occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
+    return {occlusion ? "gather occlusion" : "gather", {"full_screen.vert", "gather.frag"}, defines};
+}
+
+gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings) {
+    return {"gather_filter", {"full_screen.vert", "gather_filter.frag"}, gatherDefines(settings)};
+}
+
 gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
     if (emissiveTarget) defines.emplace_back("VCT_EMISSIVE_TARGET");
@@ -84,6 +138,11 @@ gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Se
         defines.emplace_back("VCT_SOFT_SHADOW");
         defines.push_back("VCT_BLOCKER_TAPS " + std::to_string(settings.blockerTaps));
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
+    }
+    if (settings.voxels == Voxels::faces) {
+        defines.emplace_back("VCT_GATHERED");
+        for (const std::string& define : gatherDefines(settings.gather))
+            defines.push_back(define);
     }
     return {"cone_tracer " + std::to_string(mode), {"full_screen.vert", "cone_tracer.frag"}, defines};
 }
@@ -107,21 +166,32 @@ gl::ProgramDescription hudProgram() {
 }
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),
-                                                 presentProgram(), hudProgram()};
+    std::vector<gl::ProgramDescription> programs{
+        mipmapperProgram(),   sparseClearProgram(), voxelViewProgram(),     presentProgram(),  hudProgram(),
+        faceResolveProgram(), faceParentsProgram(), faceMipmapperProgram(), faceClearProgram()};
     for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
         if (!possible(features)) continue;
         programs.push_back(shadowMapProgram(features));
         programs.push_back(voxelizerProgram(features));
+        programs.push_back(faceTouchProgram(features));
+        programs.push_back(faceVoxelizerProgram(features));
         for (bool emissiveTarget : {false, true})
             programs.push_back(gBufferProgram(features, emissiveTarget));
     }
     Settings softMap;
     softMap.shadow = Shadow::softMap;
-    for (const Settings& settings : {Settings{}, softMap})
+    std::vector<Settings> variants{softMap};
+    for (const std::string& preset : presetNames())
+        variants.push_back(presetSettings(preset));
+    for (const Settings& settings : variants) {
         for (int mode = VCT_MODE_PHONG; mode <= VCT_VIEW_CONE_SHADOW; ++mode)
             for (bool emissiveTarget : {false, true})
                 programs.push_back(coneTracerProgram(mode, emissiveTarget, settings));
+        if (settings.voxels != Voxels::faces) continue;
+        for (bool occlusion : {false, true})
+            programs.push_back(gatherProgram(settings.gather, occlusion));
+        programs.push_back(gatherFilterProgram(settings.gather));
+    }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
     return programs;

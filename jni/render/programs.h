@@ -30,6 +30,14 @@ gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget);
 gl::ProgramDescription voxelizerProgram(unsigned features);
 gl::ProgramDescription mipmapperProgram();
 gl::ProgramDescription sparseClearProgram();
+gl::ProgramDescription faceTouchProgram(unsigned features);
+gl::ProgramDescription faceVoxelizerProgram(unsigned features);
+gl::ProgramDescription faceResolveProgram();
+gl::ProgramDescription faceParentsProgram();
+gl::ProgramDescription faceMipmapperProgram();
+gl::ProgramDescription faceClearProgram();
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion);
+gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.
 gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings);
 gl::ProgramDescription voxelViewProgram();

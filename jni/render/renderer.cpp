@@ -25,6 +25,10 @@ bool needsShadowMap(Mode mode) {
 bool needsVoxels(Mode mode) {
     return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
 }
+Gather::What gatherFor(int modeOrView) {
+    return modeOrView == VCT_MODE_AO || modeOrView == VCT_VIEW_AO ? Gather::What::occlusion
+                                                                  : Gather::What::light;
+}
 
 }  // namespace
 
@@ -35,6 +39,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
       light_(light),
       boundsWorld_(scene.boundsWorld),
+      triangles_(scene.triangleCount()),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
@@ -48,20 +53,31 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
 void Renderer::frame(Mode mode, const Camera& camera) {
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
-    VoxelPasses* const voxelPass = needsVoxels(mode) ? &voxelPasses() : nullptr;
+    const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
+    const bool faces = needsVoxels(mode) && settings_.voxels == Voxels::faces;
+    WordPasses* const wordPass = words ? &wordPasses() : nullptr;
+    FacePasses* const facePass = faces ? &facePasses() : nullptr;
 
     timer_.beginFrame();
     const gl::Texture* shadow = nullptr;
     if (shadowPass) shadow = timer_.time(Step::shadowMap, [&] { return &shadowPass->draw(scene_); });
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
-    const gl::Texture* voxels = nullptr;
-    if (voxelPass) {
-        VoxelPyramid& pyramid = voxelPass->pyramid;
-        timer_.time(Step::voxelize, [&] { voxelPass->voxelizer.run(scene_, *shadow, pyramid); });
-        timer_.time(Step::mipmap, [&] { voxelPass->mipmapper.run(pyramid); });
-        voxels = &pyramid.texture();
+    ConeTracer::Light light;
+    if (wordPass) {
+        VoxelPyramid& pyramid = wordPass->pyramid;
+        timer_.time(Step::voxelize, [&] { wordPass->voxelizer.run(scene_, *shadow, pyramid); });
+        timer_.time(Step::mipmap, [&] { wordPass->mipmapper.run(pyramid); });
+        light.voxels = &pyramid.texture();
     }
-    timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, voxels); });
+    if (facePass) {
+        FaceVoxels& voxels = facePass->voxels;
+        timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
+        timer_.time(Step::mipmap, [&] { facePass->mipmapper.run(voxels); });
+        light.gather = timer_.time(Step::trace, [&] {
+            return facePass->gather.draw(gatherFor(static_cast<int>(mode)), surface, voxels);
+        });
+    }
+    timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
     timer_.endFrame();
     gl::checkErrors(std::string("frame, mode ") + modeName(mode));
 }
@@ -82,19 +98,38 @@ ShadowMap& Renderer::shadowMap() {
     return *shadowMap_;
 }
 
-Renderer::VoxelPasses& Renderer::voxelPasses() {
-    if (!voxelPasses_) {
+Renderer::WordPasses& Renderer::wordPasses() {
+    if (!wordPasses_) {
         if (softwareDriver_)
             requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        voxelPasses_.emplace(VoxelPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
-                                         Voxelizer(shaders_, scene_, settings_.grid), Mipmapper(shaders_)});
+        wordPasses_.emplace(WordPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                                       Voxelizer(shaders_, scene_, settings_.grid), Mipmapper(shaders_)});
     }
-    return *voxelPasses_;
+    return *wordPasses_;
+}
+
+Renderer::FacePasses& Renderer::facePasses() {
+    if (!facePasses_) {
+        if (softwareDriver_)
+            requireMemory(FaceVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
+                          "the voxels at " + std::to_string(settings_.grid) + "^3");
+        facePasses_.emplace(FacePasses{FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                                       FaceVoxelizer(shaders_, scene_, settings_.grid),
+                                       FaceMipmapper(shaders_),
+                                       Gather(shaders_, settings_.gather, settings_.size)});
+    }
+    return *facePasses_;
+}
+
+// Which voxels are occupied, of either kind.
+const VoxelPyramid& Renderer::occupancy() {
+    return settings_.voxels == Voxels::words ? wordPasses().pyramid : facePasses().voxels.slots();
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
-    const shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
+    shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
+    values.faces.x = faceSumUnits(triangles_);
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
@@ -105,8 +140,13 @@ Image Renderer::radiance() const {
 }
 
 Image Renderer::tracedView(int view) {
-    const gl::Texture& shadow = shadowMap().texture();
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadow, &voxelPasses().pyramid.texture()));
+    const GBuffer::Targets surface = gBuffer_.targets();
+    ConeTracer::Light light;
+    if (settings_.voxels == Voxels::words)
+        light.voxels = &wordPasses().pyramid.texture();
+    else
+        light.gather = facePasses().gather.draw(gatherFor(view), surface, facePasses().voxels);
+    return readImage(coneTracer_.draw(view, surface, &shadowMap().texture(), light));
 }
 
 std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
@@ -150,7 +190,7 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
     }
 
     VoxelView voxelView(shaders_, settings_.size);
-    const VoxelPyramid& pyramid = voxelPasses().pyramid;
+    const VoxelPyramid& pyramid = occupancy();
     for (int level = 0; level < pyramid.levels(); ++level)
         stages.push_back(
             {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
@@ -162,8 +202,9 @@ std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {
-    if (!voxelPasses_) return {};
-    return voxelPasses_->pyramid.readActiveCounts();
+    if (wordPasses_) return wordPasses_->pyramid.readActiveCounts();
+    if (facePasses_) return facePasses_->voxels.slots().readActiveCounts();
+    return {};
 }
 
 std::vector<Renderer::Resource> Renderer::resources() const {
@@ -180,10 +221,18 @@ std::vector<Renderer::Resource> Renderer::resources() const {
     const GBuffer::Targets surface = gBuffer_.targets();
     for (const gl::Texture* target : {surface.albedo, surface.normal, surface.emissive, surface.depth})
         if (target != nullptr) add(*target);
-    if (voxelPasses_) {
-        add(voxelPasses_->pyramid.texture());
-        add(voxelPasses_->pyramid.activeVoxels());
-        add(voxelPasses_->pyramid.commands());
+    const auto addPyramid = [&](const VoxelPyramid& pyramid) {
+        add(pyramid.texture());
+        add(pyramid.activeVoxels());
+        add(pyramid.commands());
+    };
+    if (wordPasses_) addPyramid(wordPasses_->pyramid);
+    if (facePasses_) {
+        addPyramid(facePasses_->voxels.slots());
+        add(facePasses_->voxels.faces());
+        if (facePasses_->voxels.sums() != nullptr) add(*facePasses_->voxels.sums());
+        for (const gl::Texture* texture : facePasses_->gather.textures())
+            add(*texture);
     }
     add(coneTracer_.texture());
     return resources;

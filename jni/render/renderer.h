@@ -9,6 +9,8 @@
 #include "gl/program.h"
 #include "image/image.h"
 #include "render/cone_tracer.h"
+#include "render/face_mipmapper.h"
+#include "render/face_voxelizer.h"
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
 #include "render/mipmapper.h"
@@ -64,17 +66,26 @@ class Renderer {
 
     StepTimer& timer() { return timer_; }
     const Volume& volume() const { return volume_; }
-    // Null until a mode needed voxels.
-    VoxelPyramid* voxels() { return voxelPasses_ ? &voxelPasses_->pyramid : nullptr; }
+    // Null until a mode needed voxels, and where they are of the other kind.
+    VoxelPyramid* voxels() { return wordPasses_ ? &wordPasses_->pyramid : nullptr; }
+    FaceVoxels* faceVoxels() { return facePasses_ ? &facePasses_->voxels : nullptr; }
 
   private:
-    struct VoxelPasses {
+    struct WordPasses {
         VoxelPyramid pyramid;
         Voxelizer voxelizer;
         Mipmapper mipmapper;
     };
+    struct FacePasses {
+        FaceVoxels voxels;
+        FaceVoxelizer voxelizer;
+        FaceMipmapper mipmapper;
+        Gather gather;
+    };
     ShadowMap& shadowMap();
-    VoxelPasses& voxelPasses();
+    WordPasses& wordPasses();
+    FacePasses& facePasses();
+    const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
     Image tracedView(int view);
 
@@ -83,13 +94,15 @@ class Renderer {
     gl::ShaderLibrary shaders_;
     DirectionalLight light_;
     Bounds boundsWorld_;
+    std::size_t triangles_;
     Volume volume_;
     GpuScene scene_;
     gl::Buffer frameUniforms_;
     GBuffer gBuffer_;
     ConeTracer coneTracer_;
     std::optional<ShadowMap> shadowMap_;
-    std::optional<VoxelPasses> voxelPasses_;
+    std::optional<WordPasses> wordPasses_;
+    std::optional<FacePasses> facePasses_;
     StepTimer timer_;
 };
 

@@ -1,6 +1,8 @@
 #include "render/settings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "core/error.h"
@@ -80,15 +82,101 @@ const std::vector<Experiment>& allExperiments() {
     return experiments;
 }
 
+float GatherSettings::tangent() const {
+    // A cone's share of the hemisphere: 1 - cos of half its angle is 1/n.
+    return tangentScale * std::tan(std::acos(1.0F - 1.0F / static_cast<float>(cones)));
+}
+
 const std::vector<std::string>& presetNames() {
-    static const std::vector<std::string> names{"thesis"};
+    static const std::vector<std::string> names{"thesis", "mobile", "quality"};
     return names;
 }
 
 Settings presetSettings(const std::string& name) {
     // The thesis's settings are the defaults of every member: it is the yardstick.
-    if (name == "thesis") return {};
-    throw Error("--preset '" + name + "' does not exist; the presets are: thesis");
+    Settings settings;
+    if (name == "thesis") return settings;
+    settings.voxels = Voxels::faces;
+    if (name == "mobile") {
+        settings.grid = 64;
+        return settings;
+    }
+    if (name == "quality") {
+        settings.grid = 128;
+        settings.gather.cones = 16;
+        settings.gather.startOffset = 1.0F;
+        settings.gather.firstSample = 1.0F;
+        settings.gather.step = 1.0F;
+        settings.gather.threshold = 0.02F;
+        return settings;
+    }
+    throw Error("--preset '" + name + "' does not exist; the presets are: " + presetList());
+}
+
+std::string presetList() {
+    std::string names;
+    for (const std::string& preset : presetNames())
+        names += (names.empty() ? "" : ", ") + preset;
+    return names;
+}
+
+namespace {
+
+struct GatherPart {
+    const char* name;
+    const char* what;
+    float GatherSettings::*value;  // null where it is a whole number
+    int GatherSettings::*number;
+    float smallest, largest;
+};
+
+const std::vector<GatherPart>& allGatherParts() {
+    using G = GatherSettings;
+    static const std::vector<GatherPart> parts{
+        {"cones", "cones over the hemisphere", nullptr, &G::cones, 2, 64},
+        {"tangent", "of half the cone's angle, of what fills the hemisphere", &G::tangentScale, nullptr,
+         0.05F, 2},
+        {"start", "offset along the normal, voxels", &G::startOffset, nullptr, 0, 16},
+        {"first", "first sample along the cone, voxels", &G::firstSample, nullptr, 0.25F, 16},
+        {"step", "of a sample's diameter", &G::step, nullptr, 0.1F, 4},
+        {"skip", "longest step in footprints", &G::skip, nullptr, 0.1F, 100},
+        {"height", "largest footprint, of the height above the plane", &G::height, nullptr, 0.05F, 100},
+        {"extinction", "scales a sample's opacity", &G::extinction, nullptr, 0.1F, 4},
+        {"threshold", "transmittance at which a cone ends", &G::threshold, nullptr, 0.001F, 0.9F},
+        {"scale", "every how many pixels light is gathered", nullptr, &G::scale, 1, 8},
+    };
+    return parts;
+}
+
+}  // namespace
+
+void changeGather(GatherSettings& gather, const std::string& nameIsValue) {
+    const std::size_t equals = nameIsValue.find('=');
+    const std::string name = nameIsValue.substr(0, equals);
+    for (const GatherPart& part : allGatherParts()) {
+        if (name != part.name || equals == std::string::npos) continue;
+        const std::string text = nameIsValue.substr(equals + 1);
+        char* end = nullptr;
+        const float value = std::strtof(text.c_str(), &end);
+        const bool whole = part.number == nullptr || value == std::floor(value);
+        if (text.empty() || *end != '\0' || !(value >= part.smallest && value <= part.largest) || !whole)
+            throw Error("--gather " + nameIsValue + ": expected a " + (part.number ? "whole " : "") +
+                        "number from " + std::to_string(part.smallest) + " to " +
+                        std::to_string(part.largest));
+        if (part.number != nullptr)
+            gather.*part.number = static_cast<int>(value);
+        else
+            gather.*part.value = value;
+        return;
+    }
+    throw Error("--gather '" + nameIsValue + "': expected NAME=VALUE, the names are:\n" + gatherParts());
+}
+
+std::string gatherParts() {
+    std::string text;
+    for (const GatherPart& part : allGatherParts())
+        text += std::string(text.empty() ? "" : "\n") + part.name + ": " + part.what;
+    return text;
 }
 
 void validate(const Settings& settings) {

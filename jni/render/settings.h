@@ -42,8 +42,33 @@ const char* shadowName(Shadow shadow);  // "cone", "soft-map"
 // Throws vct::Error listing the names.
 Shadow shadowFromText(const std::string& text);
 
+// What the cones go through.
+enum class Voxels {
+    words,  // the thesis's: one packed word per voxel, filtered by hand
+    faces,  // directional coverage: six faces per voxel, filtered by the texture unit
+};
+
+// The gather through the faces of directional coverage voxels. Lengths in voxels of the finest level; the
+// defaults are those that a prototype with exact visibility found best at 64^3 with three cones.
+struct GatherSettings {
+    int cones = 3;              // a Fibonacci set over the hemisphere
+    float tangentScale = 0.7F;  // of tan(acos(1 - 1/n)), where n cones would fill the hemisphere
+    float startOffset = 0.75F;  // along the normal
+    float firstSample = 1.5F;   // along the cone
+    float step = 1.25F;         // of the sample's diameter
+    float skip = 1.5F;          // longest step, in footprints
+    float height = 0.33F;       // largest footprint, of the sample's height above the surface's plane
+    float extinction = 1.0F;    // scales the opacity of a sample
+    float threshold = 0.1F;     // a cone with less transmittance left is done
+    int scale = 2;              // every how many pixels, in x and y, light is gathered
+
+    float tangent() const;  // of half a cone's opening angle
+};
+
 struct Settings {
     Mode mode = Mode::giConeShadow;
+    Voxels voxels = Voxels::words;
+    GatherSettings gather;                 // where voxels are faces
     int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
     glm::ivec2 size{400, 400};             // pixels
     int shadowMapSize = 512;               // texels along a side
@@ -59,8 +84,13 @@ struct Settings {
 };
 
 const std::vector<std::string>& presetNames();
+std::string presetList();  // with commas
 // Throws vct::Error listing the presets.
 Settings presetSettings(const std::string& name);
+
+// "cones=4": throws vct::Error listing the names.
+void changeGather(GatherSettings& gather, const std::string& nameIsValue);
+std::string gatherParts();  // a line each, name and meaning
 
 // Throws vct::Error where a value is outside what the pipeline can do.
 void validate(const Settings& settings);

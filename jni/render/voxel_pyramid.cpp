@@ -47,7 +47,7 @@ std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
 
 VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
     : grid_(grid),
-      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, levelsOf(grid))),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, levelsOf(grid))),
       initialCommands_(emptyCommands(grid, texture_.levels(), baseCapacity)),
       sparseClear_(shaders, sparseClearProgram()) {
     const std::size_t commandBytes = initialCommands_.size() * sizeof initialCommands_[0];
@@ -57,28 +57,13 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
                            GL_DYNAMIC_COPY);
     activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_),
                                nullptr, GL_DYNAMIC_COPY);
-    zeroTexture();
+    gl::zeroTexture3d(texture_, grid);
 }
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
     const int levels = levelsOf(grid);
     return gl::textureBytes(GL_R32UI, grid, grid, grid, levels) +
            listBytes(emptyCommands(grid, levels, baseCapacity));
-}
-
-// ES has no clear for textures, but each slice can be a colour target.
-void VoxelPyramid::zeroTexture() const {
-    const gl::Framebuffer framebuffer("voxels, to be emptied", 1, 1);
-    framebuffer.bind();
-    const GLenum target = GL_COLOR_ATTACHMENT0;
-    gl::DrawBuffers(1, &target);
-    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const GLuint zero[4] = {0, 0, 0, 0};
-    for (int level = 0; level < levels(); ++level)
-        for (int slice = 0; slice < (grid_ >> level); ++slice) {
-            gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_.name(), level, slice);
-            gl::ClearBufferuiv(GL_COLOR, 0, zero);
-        }
 }
 
 void VoxelPyramid::clear() {

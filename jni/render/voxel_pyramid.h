@@ -43,8 +43,6 @@ class VoxelPyramid {
     std::uint32_t firstEntry(int level) const { return initialCommands_[level].firstEntry; }
 
   private:
-    void zeroTexture() const;
-
     int grid_;
     gl::Texture texture_;
     std::vector<shared::LevelCommands> initialCommands_;

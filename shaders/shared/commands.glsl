@@ -9,13 +9,15 @@ layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];
 };
 
-// Appends a voxel that was empty until now to its level's list; past the capacity it is only counted.
-void appendVoxel(uint level, uvec3 voxel) {
+// Appends a voxel that was empty until now to its level's list; past the capacity it is only counted. Returns its
+// place in the list, which may be past the capacity.
+uint appendVoxel(uint level, uvec3 voxel) {
     uint index = atomicAdd(commands[level].instanceCount, 1u);
-    if (index >= commands[level].capacity) return;
+    if (index >= commands[level].capacity) return index;
     activeVoxels[commands[level].firstEntry + index] = packEntry(voxel);
     if (index % uint(VCT_LIST_GROUP) == 0u && index / uint(VCT_LIST_GROUP) < VCT_MAX_GROUPS)
         atomicAdd(commands[level].groupsX, 1u);
+    return index;
 }
 
 // Entries of a level that can be visited.

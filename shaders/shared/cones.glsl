@@ -1,4 +1,5 @@
 // The thesis's two cone traces (4.6), with the constants of the published program.
+#include "shared/orthonormal.glsl"
 #include "shared/precision.glsl"
 #include "shared/voxel_sample.glsl"
 
@@ -11,16 +12,6 @@ const float opaque = 0.998;
 bool outsideVolume(vec3 p, int level) {
     vec3 fromCentre = abs(p - 0.5);
     return max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + 0.5 / float(frame.grid.x >> level);
-}
-
-// The pixel's right-handed frame around its normal (Duff et al. 2017, "Building an Orthonormal Basis,
-// Revisited"). Columns: tangent, normal, bitangent.
-mat3 frameAround(vec3 n) {
-    float s = n.z >= 0.0 ? 1.0 : -1.0;
-    float a = -1.0 / (s + n.z);
-    float b = n.x * n.y * a;
-    vec3 tangent = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
-    return mat3(tangent, n, cross(tangent, n));
 }
 
 struct Gather {

@@ -41,6 +41,7 @@ using glm::vec4;
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
+#define VCT_SSBO_FACE_SUMS 2
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -52,10 +53,14 @@ using glm::vec4;
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
+#define VCT_TEX_FACES 9
+#define VCT_TEX_GATHER 10
+#define VCT_TEX_GATHER_SURFACE 11
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
+#define VCT_IMAGE_FACES 2
 
 // Vertex attributes.
 #define VCT_ATTRIBUTE_POSITION 0
@@ -69,6 +74,10 @@ using glm::vec4;
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
+// Directional coverage voxels: their 8 bits hold radiance up to this (relative to E/pi), room for bounces.
+#define VCT_FACE_RADIANCE_RANGE 2
+#define VCT_FACE_SUM_WORDS 7u  // per face while voxelizing: coverage, radiance, albedo
+
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
 // Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to E/pi
@@ -83,6 +92,7 @@ struct FrameUniforms {
     vec4 skyRadiance;       // rgb: relative to E/pi
     vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
                             // zw: the cone's radius in the shadow map at one unit of its depth
+    vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl)
     ivec4 grid;             // x: voxels along a side, y: last mip level
 };
 

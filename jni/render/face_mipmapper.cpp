@@ -1,0 +1,31 @@
+#include "render/face_mipmapper.h"
+
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct {
+
+FaceMipmapper::FaceMipmapper(const gl::ShaderLibrary& shaders)
+    : parents_(shaders, faceParentsProgram()), mipmap_(shaders, faceMipmapperProgram()) {}
+
+void FaceMipmapper::run(FaceVoxels& voxels) {
+    const gl::DebugGroup group("mipmap");
+    const VoxelPyramid& slots = voxels.slots();
+    slots.bindLists();
+    parents_.use();
+    for (int level = 0; level + 1 < voxels.levels(); ++level) {
+        slots.bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
+        slots.dispatchOverLevel(level);
+        // The next level's list and command are this dispatch's output.
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    }
+    mipmap_.use();
+    voxels.faces().bind(VCT_TEX_FACES);
+    for (int level = 1; level < voxels.levels(); ++level) {
+        voxels.bindLevel(VCT_IMAGE_FACES, level);
+        slots.dispatchOverLevel(level);
+        gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
+}
+
+}  // namespace vct

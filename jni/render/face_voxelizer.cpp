@@ -1,0 +1,42 @@
+#include "render/face_voxelizer.h"
+
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct {
+
+FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid)
+    : touch_(shaders, scene, faceTouchProgram),
+      accumulate_(shaders, scene, faceVoxelizerProgram),
+      resolve_(shaders, faceResolveProgram()),
+      framebuffer_("face voxelizer", grid, grid) {}
+
+void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels) {
+    const gl::DebugGroup group("voxelize");
+    voxels.clear();
+    framebuffer_.bind();
+    gl::Disable(GL_DEPTH_TEST);
+    gl::DepthMask(GL_FALSE);
+    const VoxelPyramid& slots = voxels.slots();
+    slots.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    slots.bindLists();
+    scene.draw(GpuScene::Culling::none, touch_);
+    // Next: the places in the list are fetched as a texture.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+
+    voxels.reserveSums();
+    voxels.sums()->bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
+    shadowMap.bind(VCT_TEX_SHADOW_MAP);
+    slots.texture().bind(VCT_TEX_VOXELS);
+    scene.draw(GpuScene::Culling::none, accumulate_);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+
+    resolve_.use();
+    voxels.bindLevel(VCT_IMAGE_FACES, 0);
+    slots.dispatchOverLevel(0);
+    // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+}  // namespace vct

@@ -1,0 +1,61 @@
+#include "render/face_voxels.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct {
+
+namespace {
+constexpr int blocksX = 3, blocksY = 2;
+}
+
+float faceSumUnits(std::size_t triangles) {
+    return static_cast<float>(
+        std::clamp<std::size_t>(0xFFFFFFFFU / std::max<std::size_t>(triangles, 1), 1, 4096));
+}
+
+FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity)
+    : slots_(shaders, grid, listCapacity),
+      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
+                                 slots_.levels())),
+      clear_(shaders, faceClearProgram()) {
+    faces_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    gl::zeroTexture3d(faces_, grid);
+}
+
+std::size_t FaceVoxels::bytesFor(int grid, std::uint32_t listCapacity) {
+    return VoxelPyramid::bytesFor(grid, listCapacity) +
+           gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, grid, 1) * 8 / 7;
+}
+
+void FaceVoxels::clear() {
+    const gl::DebugGroup group("clear faces");
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    clear_.use();
+    slots_.bindLists();
+    for (int level = 0; level < levels(); ++level) {
+        bindLevel(VCT_IMAGE_FACES, level);
+        slots_.dispatchOverLevel(level);
+    }
+    slots_.clear();
+}
+
+void FaceVoxels::reserveSums() {
+    if (sums_) return;
+    const std::size_t voxels = slots_.readActiveCounts()[0];
+    const std::size_t words = std::max<std::size_t>(voxels, 1) * 6 * VCT_FACE_SUM_WORDS;
+    const std::vector<std::uint32_t> zeros(words);
+    sums_.emplace("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
+                  GL_DYNAMIC_COPY);
+}
+
+void FaceVoxels::bindLevel(int unit, int level) const {
+    gl::BindImageTexture(static_cast<GLuint>(unit), faces_.name(), level, GL_TRUE, 0, GL_WRITE_ONLY,
+                         GL_RGBA8);
+}
+
+}  // namespace vct

@@ -1,0 +1,47 @@
+// Directional coverage voxels: six faces per voxel, filterable, with mip levels, and the list of what is
+// occupied. shaders/shared/face_voxels.glsl says what a face holds.
+#pragma once
+
+#include <optional>
+
+#include "render/voxel_pyramid.h"
+
+namespace vct {
+
+// The fixed-point units of a whole face in the sums of voxelization: 4096, or fewer where a scene has so many
+// triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
+float faceSumUnits(std::size_t triangles);
+
+class FaceVoxels {
+  public:
+    // `listCapacity`: of the base level's list, as for VoxelPyramid.
+    FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity);
+
+    static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
+
+    int grid() const { return slots_.grid(); }
+    int levels() const { return faces_.levels(); }
+
+    // RGBA8, 3 x 2 blocks of grid^3, sampled trilinearly.
+    const gl::Texture& faces() const { return faces_; }
+    // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
+    const VoxelPyramid& slots() const { return slots_; }
+    // Null before the first frame made room for what is occupied.
+    const gl::Buffer* sums() const { return sums_ ? &*sums_ : nullptr; }
+
+    // Empties everything through the last frame's lists.
+    void clear();
+    // Makes room for the sums of every voxel in the list, where the last room was too small. Reads the list's
+    // length back when called for the first time.
+    void reserveSums();
+
+    void bindLevel(int unit, int level) const;
+
+  private:
+    VoxelPyramid slots_;
+    gl::Texture faces_;
+    std::optional<gl::Buffer> sums_;
+    gl::Program clear_;
+};
+
+}  // namespace vct

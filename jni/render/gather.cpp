@@ -1,0 +1,40 @@
+#include "render/gather.h"
+
+#include "gl/debug.h"
+#include "render/programs.h"
+
+namespace vct {
+
+Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, glm::ivec2 pictureSize)
+    : trace_(shaders, gatherProgram(settings, false)),
+      occlusion_(shaders, gatherProgram(settings, true)),
+      filter_(shaders, gatherFilterProgram(settings)) {
+    const glm::ivec2 size = (pictureSize + settings.scale - 1) / settings.scale;
+    raw_ = gl::Texture::make2d("gathered light", GL_RGBA16F, size.x, size.y);
+    surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16UI, size.x, size.y);
+    filtered_ = gl::Texture::make2d("filtered light", GL_RGBA16F, size.x, size.y);
+    traceTarget_ = gl::Framebuffer("gather", {&raw_, &surface_}, nullptr);
+    filterTarget_ = gl::Framebuffer("gather filter", {&filtered_}, nullptr);
+}
+
+Gather::Targets Gather::draw(What what, const GBuffer::Targets& surface, const FaceVoxels& voxels) {
+    const gl::DebugGroup group("gather");
+    gl::Disable(GL_DEPTH_TEST);
+    gl::Disable(GL_CULL_FACE);
+    noVertices_.bind();
+    (what == What::light ? trace_ : occlusion_).use();
+    traceTarget_.bind();
+    surface.normal->bind(VCT_TEX_G_NORMAL);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
+    voxels.faces().bind(VCT_TEX_FACES);
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+
+    filter_.use();
+    filterTarget_.bind();
+    raw_.bind(VCT_TEX_GATHER);
+    surface_.bind(VCT_TEX_GATHER_SURFACE);
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    return {&filtered_, &surface_};
+}
+
+}  // namespace vct

@@ -1,0 +1,33 @@
+// The diffuse light and the occlusion of the visible surfaces, by cones through the directional coverage
+// voxels, at a fraction of the picture's resolution.
+#pragma once
+
+#include "gl/program.h"
+#include "render/face_voxels.h"
+#include "render/g_buffer.h"
+#include "render/settings.h"
+
+namespace vct {
+
+class Gather {
+  public:
+    Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, glm::ivec2 pictureSize);
+
+    struct Targets {
+        const gl::Texture* light;    // RGBA16F: radiance before albedo, relative to E/pi; openness
+        const gl::Texture* surface;  // RGBA16UI: shaders/shared/gather_surface.glsl
+    };
+    // `what`: the whole light, or occlusion within the AO distance only.
+    enum class What { light, occlusion };
+    Targets draw(What what, const GBuffer::Targets& surface, const FaceVoxels& voxels);
+
+    std::vector<const gl::Texture*> textures() const { return {&raw_, &surface_, &filtered_}; }
+
+  private:
+    gl::Program trace_, occlusion_, filter_;
+    gl::Texture raw_, surface_, filtered_;
+    gl::Framebuffer traceTarget_, filterTarget_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace vct

@@ -1,0 +1,35 @@
+// One mip level of the faces from the one below, over that level's occupied voxels. Per face: of each of the four pairs
+// of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
+// voxel stays opaque at every level, and is seen from one side only.
+#include "shared/commands.glsl"
+#include "shared/face_voxels.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
+layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D parents;
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
+
+void main() {
+    uint count = activeVoxelCount(level);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    int childGrid = textureSize(faces, int(level) - 1).z;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        ivec3 parent = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + i]));
+        for (int axis = 0; axis < 3; ++axis) {
+            ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
+            ivec3 across = along.zxy;
+            ivec3 third = along.yzx;
+            for (int side = 0; side < 2; ++side) {
+                vec4 sum = vec4(0.0);
+                for (int pair = 0; pair < 4; ++pair) {
+                    ivec3 near = parent * 2 + across * (pair & 1) + third * (pair >> 1) + along * (1 - side);
+                    ivec3 far = near - along * (1 - 2 * side);
+                    vec4 front = texelFetch(faces, faceTexel(near, axis, side, childGrid), int(level) - 1);
+                    vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
+                    sum += front + (1.0 - front.a) * back;
+                }
+                imageStore(parents, faceTexel(parent, axis, side, childGrid >> 1), sum * 0.25);
+            }
+        }
+    }
+}

@@ -1,0 +1,56 @@
+// Second of two passes over the triangles: each fragment adds its coverage, albedo and radiance to the faces of its
+// voxel that it looks towards. Sums of integers: the order of the fragments changes nothing.
+#include "shared/material.glsl"
+#include "shared/face_sums.glsl"
+#include "shared/octahedral.glsl"
+#include "shared/shadow.glsl"
+
+in vec3 fragmentPosition;
+in vec3 fragmentNormal;
+#ifdef VCT_BASE_COLOR_TEXTURE
+in vec2 fragmentUv;
+#else
+const vec2 fragmentUv = vec2(0.0);
+#endif
+#ifdef VCT_EMISSIVE_TEXTURE
+in vec2 fragmentEmissiveUv;
+#else
+const vec2 fragmentEmissiveUv = vec2(0.0);
+#endif
+
+layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;
+
+// `facing`: n.l on this side of the surface.
+vec3 directRadiance(vec3 albedo, float facing) {
+    float cosTheta = max(facing, 0.0);
+    float light = cosTheta > 0.0 ? shadowMapLight(fragmentPosition, cosTheta) : 0.0;
+    return albedo * cosTheta * light * frame.lightColor.rgb;
+}
+
+// One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
+void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (weights[axis] != 0.0)
+            addToFace(slot, 2 * axis + (weights[axis] > 0.0 ? 0 : 1), abs(weights[axis]), albedo, radiance);
+}
+
+void main() {
+    vec4 baseColor = materialBaseColor(fragmentUv);
+    // Before any discard: derivatives need the whole quad. A pixel is a voxel wide, so this is the face's normal over
+    // its component along the projection: what the surface covers of each of the voxel's cross-sections.
+    vec3 positionVoxels = fragmentPosition * float(frame.grid.x);
+    vec3 coverage = clamp(cross(dFdx(positionVoxels), dFdy(positionVoxels)), -1.0, 1.0);
+    if (!gl_FrontFacing) coverage = -coverage;
+    if (materialIsHole(baseColor.a)) discard;
+
+    ivec3 voxel = clamp(ivec3(floor(positionVoxels)), ivec3(0), ivec3(frame.grid.x - 1));
+    uint slot = texelFetch(slots, voxel, 0).r - 1u;
+    if (slot >= faceSlots()) return;  // no room in the list: reported by the program
+
+    vec3 normal = safeNormalize(fragmentNormal);
+    vec3 emissive = materialEmissive(fragmentEmissiveUv);
+    float facing = dot(normal, frame.towardsLight.xyz);
+    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
+    if (draw.surface.y > 0.5)
+        addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+}

@@ -1,0 +1,47 @@
+// What the hemisphere over each gather pixel sends: VCT_GATHER_CONES cones, a Fibonacci set with weights that contain
+// the cosine, turned from pixel to pixel over a pattern of 4 x 4 that the filter after it averages.
+#include "shared/face_cones.glsl"
+#include "shared/gather_surface.glsl"
+#include "shared/surface.glsl"
+
+layout(location = 0) out mediump vec4 outGather;  // rgb: radiance relative to E/pi, before albedo; a: openness
+layout(location = 1) out uvec4 outSurface;
+
+// Ordered as Bayer's matrix, so that any 2 x 2 pixels are turned by about quarters.
+float turnOf(ivec2 pixel) {
+    int x = pixel.x & 3, y = pixel.y & 3;
+    int even = (x ^ y) & 1, odd = ((x ^ y) >> 1) & 1;
+    return float(8 * even + 4 * (y & 1) + 2 * odd + (y >> 1)) / 16.0;
+}
+
+void main() {
+    ivec2 gatherPixel = ivec2(gl_FragCoord.xy);
+    ivec2 pixel = gatheredPixel(gatherPixel, textureSize(depthTarget, 0));
+    float depth = surfaceDepth(pixel);
+    outGather = vec4(0.0);
+    outSurface = noSurface;
+    if (depth == 1.0) return;
+
+    vec3 position = surfacePosition(pixel, depth);
+    vec3 normal = surfaceNormal(pixel);
+    outSurface = packSurface(position, normal);
+    vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
+    mat3 volumeFromCone = frameAround(normal);
+    float turn = turnOf(gatherPixel);
+#ifdef VCT_GATHER_OCCLUSION
+    float reach = frame.cone.y * float(frame.grid.x);
+#else
+    float reach = 2.0 * float(frame.grid.x);
+#endif
+    for (int i = 0; i < VCT_GATHER_CONES; ++i) {
+        float cosTilt = sqrt(1.0 - (float(i) + 0.5) / float(VCT_GATHER_CONES));
+        float sinTilt = sqrt((float(i) + 0.5) / float(VCT_GATHER_CONES));
+        // Multiples of the golden angle, as fractions of a turn.
+        float phi = 6.2831853 * fract(0.381966 * float(i) + turn);
+        vec3 direction = volumeFromCone * vec3(sinTilt * cos(phi), cosTilt, sinTilt * sin(phi));
+        ConeResult cone = traceCone(start, direction, cosTilt, VCT_GATHER_TANGENT, reach);
+        outGather.rgb += cone.radiance + cone.transmittance * frame.skyRadiance.rgb;
+        outGather.a += cone.transmittance;
+    }
+    outGather = HALF(outGather / float(VCT_GATHER_CONES));
+}

@@ -1,0 +1,30 @@
+// The mean over the 4 x 4 turns of the cones, of those gather pixels that share the surface.
+#include "shared/blocks.glsl"
+#include "shared/gather_surface.glsl"
+#include "shared/precision.glsl"
+
+layout(binding = VCT_TEX_GATHER) uniform mediump sampler2D gatherTarget;
+layout(binding = VCT_TEX_GATHER_SURFACE) uniform mediump usampler2D gatherSurface;
+
+layout(location = 0) out mediump vec4 outGather;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(gatherTarget, 0) - 1;
+    uvec4 surface = texelFetch(gatherSurface, pixel, 0);
+    outGather = vec4(0.0);
+    if (surface == noSurface) return;
+    vec3 position = packedPosition(surface);
+    vec3 normal = packedNormal(surface);
+    float voxel = 1.0 / float(frame.grid.x);
+    mediump vec4 sum = vec4(0.0);
+    mediump float count = 0.0;
+    for (int y = -2; y < 2; ++y)
+        for (int x = -2; x < 2; ++x) {
+            ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
+            if (!sharesSurface(position, normal, texelFetch(gatherSurface, other, 0), voxel)) continue;
+            sum = HALF(sum + texelFetch(gatherTarget, other, 0));
+            count += 1.0;
+        }
+    outGather = HALF(sum / max(count, 1.0));
+}

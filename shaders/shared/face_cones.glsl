@@ -1,0 +1,66 @@
+// Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
+// the settings (jni/render/settings.h: Gather), as VCT_GATHER_*.
+#include "shared/blocks.glsl"
+#include "shared/face_voxels.glsl"
+#include "shared/orthonormal.glsl"
+#include "shared/precision.glsl"
+
+layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
+
+// A direction, and what sampling along it needs: each axis's share, and the side of the faces that look against it.
+struct Ray {
+    vec3 direction;
+    vec3 share;
+    vec3 side;  // in texture coordinates
+};
+
+Ray rayAlong(vec3 direction) {
+    return Ray(direction, abs(direction), mix(vec3(0.0), vec3(0.5), greaterThan(direction, vec3(0.0))));
+}
+
+// Radiance (premultiplied) and coverage that the ray meets around a position (volume space) at a mip level.
+mediump vec4 sampleFaces(vec3 position, Ray ray, float level) {
+    // No texel of the next block may leak in at the coarser of the two levels.
+    float margin = 0.5 * exp2(ceil(level)) / float(frame.grid.x);
+    vec3 p = clamp(position, margin, 1.0 - margin) * vec3(1.0 / 3.0, 0.5, 1.0);
+    mediump vec4 value = HALF(ray.share.x * textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level) +
+                              ray.share.y * textureLod(faces, p + vec3(1.0 / 3.0, ray.side.y, 0.0), level) +
+                              ray.share.z * textureLod(faces, p + vec3(2.0 / 3.0, ray.side.z, 0.0), level));
+    return HALF(value / max(value.a, 1.0));
+}
+
+struct ConeResult {
+    mediump vec3 radiance;        // relative to E/pi
+    mediump float transmittance;  // what is left
+};
+
+// One cone from a surface. `start` and the results of the march in voxels; `cosTilt`: of the angle between cone and
+// normal; `reach`: samples beyond it are not taken.
+ConeResult traceCone(vec3 start, vec3 direction, float cosTilt, float tangent, float reach) {
+    float voxel = 1.0 / float(frame.grid.x);
+    Ray ray = rayAlong(direction);
+    ConeResult result = ConeResult(vec3(0.0), 1.0);
+    float distance = VCT_GATHER_FIRST_SAMPLE;
+    // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
+    for (int i = 0; i < 512 && distance < reach; ++i) {
+        vec3 p = (start + direction * distance) * voxel;
+        vec3 fromCentre = abs(p - 0.5);
+        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5) break;
+        float diameter = max(1.0, 2.0 * distance * tangent);
+        // Wider than its height above the tangent plane, a sample would contain the surface that it starts from.
+        float height = VCT_GATHER_START + distance * cosTilt;
+        float footprint = max(1.0, min(diameter, VCT_GATHER_HEIGHT * height));
+        // Steps longer than the footprint would skip matter.
+        float stride = VCT_GATHER_STEP * min(diameter, VCT_GATHER_SKIP * footprint);
+        mediump vec4 value =
+            HALF(sampleFaces(p, ray, log2(footprint)) * (VCT_GATHER_EXTINCTION * stride / footprint));
+        // Added, and cut off at what is left: multiplied transmittances let too much through.
+        mediump float share = HALF(min(1.0, result.transmittance / max(value.a, 1e-4)));
+        result.radiance = HALF(result.radiance + value.rgb * share);
+        result.transmittance = HALF(result.transmittance - value.a * share);
+        if (result.transmittance < VCT_GATHER_THRESHOLD) break;
+        distance += stride;
+    }
+    result.radiance = HALF(result.radiance * float(VCT_FACE_RADIANCE_RANGE));
+    return result;
+}

@@ -1,0 +1,34 @@
+// What the fragments of each occupied voxel add up to, per face, in fixed point. One unit is 1 / frame.faces.x, chosen
+// so that the sum over all triangles of the scene fits 32 bits: a triangle makes at most one fragment in a voxel.
+#include "shared/blocks.glsl"
+
+layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
+    uint faceSums[];  // per slot, per face: VCT_FACE_SUM_*
+};
+
+#define VCT_FACE_SUM_COVERAGE 0u
+#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over VCT_FACE_RADIANCE_RANGE
+#define VCT_FACE_SUM_ALBEDO 4u    // three
+
+uint faceSlots() {
+    return uint(faceSums.length()) / (6u * VCT_FACE_SUM_WORDS);
+}
+
+uint faceSumIndex(uint slot, int face) {
+    return (slot * 6u + uint(face)) * VCT_FACE_SUM_WORDS;
+}
+
+void addFixed(uint index, vec3 value) {
+    uvec3 fixedPoint = uvec3(clamp(value, 0.0, 1.0) * frame.faces.x + 0.5);
+    if (fixedPoint.x != 0u) atomicAdd(faceSums[index], fixedPoint.x);
+    if (fixedPoint.y != 0u) atomicAdd(faceSums[index + 1u], fixedPoint.y);
+    if (fixedPoint.z != 0u) atomicAdd(faceSums[index + 2u], fixedPoint.z);
+}
+
+// `weight` in 0..1, `radiance` relative to E/pi.
+void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
+    uint index = faceSumIndex(slot, face);
+    atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], uint(weight * frame.faces.x + 0.5));
+    addFixed(index + VCT_FACE_SUM_RADIANCE, weight / float(VCT_FACE_RADIANCE_RANGE) * radiance);
+    addFixed(index + VCT_FACE_SUM_ALBEDO, weight * albedo);
+}

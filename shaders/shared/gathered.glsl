@@ -1,0 +1,48 @@
+// The gathered light at a full-resolution pixel: bilinear between the gather pixels that share its surface.
+#include "shared/blocks.glsl"
+#include "shared/gather_surface.glsl"
+#include "shared/precision.glsl"
+
+layout(binding = VCT_TEX_GATHER) uniform mediump sampler2D gatherTarget;
+layout(binding = VCT_TEX_GATHER_SURFACE) uniform mediump usampler2D gatherSurface;
+
+struct Gather {
+    mediump vec3 radiance;   // relative to E/pi
+    mediump float openness;  // 1 - ambient occlusion
+};
+
+Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
+    ivec2 last = textureSize(gatherTarget, 0) - 1;
+    vec2 gatherPixel = (vec2(pixel) - float(VCT_GATHER_SCALE / 2)) / float(VCT_GATHER_SCALE);
+    ivec2 low = ivec2(floor(gatherPixel));
+    vec2 part = gatherPixel - vec2(low);
+    float voxel = 1.0 / float(frame.grid.x);
+    mediump vec4 sum = vec4(0.0);
+    mediump float total = 0.0;
+    mediump vec4 anySum = vec4(0.0);
+    mediump float anyTotal = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        ivec2 other = clamp(low + corner, ivec2(0), last);
+        mediump vec2 weights = mix(1.0 - part, part, vec2(corner));
+        // Not 0, so that a pixel on top of a foreign neighbour still finds one of its own.
+        mediump float weight = max(weights.x * weights.y, 1e-3);
+        uvec4 surface = texelFetch(gatherSurface, other, 0);
+        mediump vec4 value = texelFetch(gatherTarget, other, 0);
+        if (surface != noSurface) {
+            anySum += weight * value;
+            anyTotal += weight;
+        }
+        if (sharesSurface(position, normal, surface, voxel)) {
+            sum += weight * value;
+            total += weight;
+        }
+    }
+    // Thinner than the gather's pixels: of all neighbours.
+    if (total == 0.0) {
+        sum = anySum;
+        total = max(anyTotal, 1e-3);
+    }
+    mediump vec4 mean = HALF(sum / total);
+    return Gather(mean.rgb, mean.a);
+}
