@@ -5,7 +5,7 @@
 #include "shared/surface.glsl"
 
 layout(location = 0) out mediump vec4 outGather;  // rgb: radiance relative to E/pi, before albedo; a: openness
-layout(location = 1) out uvec4 outSurface;
+layout(location = 1) out vec4 outSurface;
 
 // Ordered as Bayer's matrix, so that any 2 x 2 pixels are turned by about quarters.
 float turnOf(ivec2 pixel) {
@@ -19,12 +19,12 @@ void main() {
     ivec2 pixel = gatheredPixel(gatherPixel, textureSize(depthTarget, 0));
     float depth = surfaceDepth(pixel);
     outGather = vec4(0.0);
-    outSurface = noSurface;
+    outSurface = vec4(0.0);
     if (depth == 1.0) return;
 
     vec3 position = surfacePosition(pixel, depth);
     vec3 normal = surfaceNormal(pixel);
-    outSurface = packSurface(position, normal);
+    outSurface = vec4(normal, dot(normal, position));
     vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
     mat3 volumeFromCone = frameAround(normal);
     float turn = turnOf(gatherPixel);

@@ -1,21 +1,22 @@
 // The mean over the 4 x 4 turns of the cones, of those gather pixels that share the surface.
-#include "shared/blocks.glsl"
 #include "shared/gather_surface.glsl"
 #include "shared/precision.glsl"
+#include "shared/surface.glsl"
 
 layout(binding = VCT_TEX_GATHER) uniform mediump sampler2D gatherTarget;
-layout(binding = VCT_TEX_GATHER_SURFACE) uniform mediump usampler2D gatherSurface;
+layout(binding = VCT_TEX_GATHER_SURFACE) uniform highp sampler2D gatherSurface;
 
 layout(location = 0) out mediump vec4 outGather;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(gatherTarget, 0) - 1;
-    uvec4 surface = texelFetch(gatherSurface, pixel, 0);
     outGather = vec4(0.0);
-    if (surface == noSurface) return;
-    vec3 position = packedPosition(surface);
-    vec3 normal = packedNormal(surface);
+    ivec2 fullPixel = gatheredPixel(pixel, textureSize(depthTarget, 0));
+    float depth = surfaceDepth(fullPixel);
+    if (depth == 1.0) return;
+    vec3 position = surfacePosition(fullPixel, depth);
+    vec3 normal = texelFetch(gatherSurface, pixel, 0).xyz;
     float voxel = 1.0 / float(frame.grid.x);
     mediump vec4 sum = vec4(0.0);
     mediump float count = 0.0;

@@ -22,7 +22,7 @@ FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t
       faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
                                  slots_.levels())),
       clear_(shaders, faceClearProgram()) {
-    faces_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     gl::zeroTexture3d(faces_, grid);
 }
 

@@ -11,7 +11,7 @@ Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
       filter_(shaders, gatherFilterProgram(settings)) {
     const glm::ivec2 size = (pictureSize + settings.scale - 1) / settings.scale;
     raw_ = gl::Texture::make2d("gathered light", GL_RGBA16F, size.x, size.y);
-    surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16UI, size.x, size.y);
+    surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16F, size.x, size.y);
     filtered_ = gl::Texture::make2d("filtered light", GL_RGBA16F, size.x, size.y);
     traceTarget_ = gl::Framebuffer("gather", {&raw_, &surface_}, nullptr);
     filterTarget_ = gl::Framebuffer("gather filter", {&filtered_}, nullptr);
@@ -33,6 +33,7 @@ Gather::Targets Gather::draw(What what, const GBuffer::Targets& surface, const F
     filterTarget_.bind();
     raw_.bind(VCT_TEX_GATHER);
     surface_.bind(VCT_TEX_GATHER_SURFACE);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     return {&filtered_, &surface_};
 }

@@ -15,7 +15,7 @@ class Gather {
 
     struct Targets {
         const gl::Texture* light;    // RGBA16F: radiance before albedo, relative to E/pi; openness
-        const gl::Texture* surface;  // RGBA16UI: shaders/shared/gather_surface.glsl
+        const gl::Texture* surface;  // RGBA16F: shaders/shared/gather_surface.glsl
     };
     // `what`: the whole light, or occlusion within the AO distance only.
     enum class What { light, occlusion };

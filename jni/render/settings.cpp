@@ -99,6 +99,7 @@ Settings presetSettings(const std::string& name) {
     settings.voxels = Voxels::faces;
     if (name == "mobile") {
         settings.grid = 64;
+        settings.gather.scale = 4;
         return settings;
     }
     if (name == "quality") {

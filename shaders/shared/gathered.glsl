@@ -4,7 +4,7 @@
 #include "shared/precision.glsl"
 
 layout(binding = VCT_TEX_GATHER) uniform mediump sampler2D gatherTarget;
-layout(binding = VCT_TEX_GATHER_SURFACE) uniform mediump usampler2D gatherSurface;
+layout(binding = VCT_TEX_GATHER_SURFACE) uniform highp sampler2D gatherSurface;
 
 struct Gather {
     mediump vec3 radiance;   // relative to E/pi
@@ -27,9 +27,9 @@ Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
         mediump vec2 weights = mix(1.0 - part, part, vec2(corner));
         // Not 0, so that a pixel on top of a foreign neighbour still finds one of its own.
         mediump float weight = max(weights.x * weights.y, 1e-3);
-        uvec4 surface = texelFetch(gatherSurface, other, 0);
+        vec4 surface = texelFetch(gatherSurface, other, 0);
         mediump vec4 value = texelFetch(gatherTarget, other, 0);
-        if (surface != noSurface) {
+        if (surface != vec4(0.0)) {
             anySum += weight * value;
             anyTotal += weight;
         }

@@ -102,7 +102,8 @@ std::vector<SurfacePixel> TracedFrame::pixels() const {
 
 Image TracedFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), &pyramid_.texture()));
+    return readImage(
+        coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {&pyramid_.texture(), {}}));
 }
 
 }  // namespace vct::test
