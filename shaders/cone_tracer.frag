@@ -47,7 +47,7 @@ void main() {
     mediump vec3 albedo = HALF(root * root);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
 
-#if defined(VCT_GATHERED) && VCT_MODE >= VCT_MODE_AO && VCT_MODE != VCT_VIEW_CONE_SHADOW
+#ifdef VCT_GATHERED
     Gather gather = gatheredAt(pixel, position, normal);
 #elif VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO
     Gather gather = gatherDiffuse(position, normal, frame.cone.y);

@@ -201,10 +201,9 @@ void addRender(CLI::App& app, int&) {
                         "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");
     command->add_option("--ao-distance", options->aoDistance,
                         "Reach of ambient occlusion, of the volume's side (default: the preset's)");
-    command
-        ->add_option("--shadow", options->shadow,
-                     "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
-                     "filtered as wide as the penumbra); default: the preset's");
+    command->add_option("--shadow", options->shadow,
+                        "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
+                        "filtered as wide as the penumbra); default: the preset's");
     command->add_option(
         "--blocker-taps", options->blockerTaps,
         "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <tuple>
 
 namespace vct {
 
@@ -139,7 +140,8 @@ gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Se
         defines.push_back("VCT_BLOCKER_TAPS " + std::to_string(settings.blockerTaps));
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
     }
-    if (settings.voxels == Voxels::faces) {
+    const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
+    if (gathers && settings.voxels == Voxels::faces) {
         defines.emplace_back("VCT_GATHERED");
         for (const std::string& define : gatherDefines(settings.gather))
             defines.push_back(define);
@@ -194,6 +196,13 @@ std::vector<gl::ProgramDescription> everyProgram() {
     }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
+    // Presets share most of them.
+    const auto key = [](const gl::ProgramDescription& p) { return std::tie(p.shaders, p.defines); };
+    std::sort(programs.begin(), programs.end(),
+              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    programs.erase(std::unique(programs.begin(), programs.end(),
+                               [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+                   programs.end());
     return programs;
 }
 

@@ -97,6 +97,7 @@ Settings presetSettings(const std::string& name) {
     Settings settings;
     if (name == "thesis") return settings;
     settings.voxels = Voxels::faces;
+    settings.shadow = Shadow::softMap;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gather.scale = 4;
@@ -197,6 +198,8 @@ void validate(const Settings& settings) {
     require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
                 settings.filterTaps <= 64,
             "--blocker-taps and --filter-taps must be between 1 and 64");
+    require(settings.voxels == Voxels::words || settings.shadow == Shadow::softMap,
+            "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "--ao-distance must be above 0 and at most 1 (the volume's side)");
     for (const std::string& name : settings.experiments) {
