@@ -1,5 +1,6 @@
-// Zeroes the faces of the last frame's voxels of one level, found through its list.
+// Zeroes the faces of the last frame's voxels of one level, found through its list, and with the base level the sums.
 #include "shared/commands.glsl"
+#include "shared/face_sums.glsl"
 #include "shared/face_voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -14,5 +15,8 @@ void main() {
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + i]));
         for (int face = 0; face < 6; ++face)
             imageStore(faces, faceTexel(voxel, face >> 1, face & 1, grid), vec4(0.0));
+        if (level == 0u && i < faceSlots())
+            for (uint word = 0u; word < 6u * VCT_FACE_SUM_WORDS; ++word)
+                faceSums[faceSumIndex(i, 0) + word] = 0u;
     }
 }

@@ -2,7 +2,7 @@
 #include "shared/commands.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D parents;
+layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) coherent uniform uimage3D parents;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
@@ -10,6 +10,7 @@ void main() {
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         uvec3 parent = unpackEntry(activeVoxels[commands[level].firstEntry + i]) >> 1u;
-        if (imageAtomicMax(parents, ivec3(parent), 1u) == 0u) appendVoxel(level + 1u, parent);
+        if (imageAtomicMax(parents, ivec3(parent), 1u) == 0u)
+            imageAtomicMax(parents, ivec3(parent), appendVoxel(level + 1u, parent) + 1u);
     }
 }

@@ -34,14 +34,10 @@ void main() {
     float reach = 2.0 * float(frame.grid.x);
 #endif
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
-        float cosTilt = sqrt(1.0 - (float(i) + 0.5) / float(VCT_GATHER_CONES));
-        float sinTilt = sqrt((float(i) + 0.5) / float(VCT_GATHER_CONES));
-        // Multiples of the golden angle, as fractions of a turn.
-        float phi = 6.2831853 * fract(0.381966 * float(i) + turn);
-        vec3 direction = volumeFromCone * vec3(sinTilt * cos(phi), cosTilt, sinTilt * sin(phi));
-        ConeResult cone = traceCone(start, direction, cosTilt, VCT_GATHER_TANGENT, reach);
-        outGather.rgb += cone.radiance + cone.transmittance * frame.skyRadiance.rgb;
-        outGather.a += cone.transmittance;
+        vec3 cone = gatherCone(i, turn);
+        ConeResult result = traceCone(start, volumeFromCone * cone, cone.y, VCT_GATHER_TANGENT, reach);
+        outGather.rgb += result.radiance + result.transmittance * frame.skyRadiance.rgb;
+        outGather.a += result.transmittance;
     }
     outGather = HALF(outGather / float(VCT_GATHER_CONES));
 }

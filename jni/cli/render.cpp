@@ -31,7 +31,7 @@ struct RenderOptions {
     std::string backend = "egl";
     int device = -1;
     // Over the preset's, where given.
-    std::optional<int> grid, shadowMap;
+    std::optional<int> grid, shadowMap, bounces;
     std::optional<float> coneAngleDeg, aoDistance;
     float exposure = 1.0F;
     std::vector<std::string> experiments, gather;
@@ -53,6 +53,7 @@ Settings settingsFrom(const RenderOptions& options) {
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
+    settings.bounces = options.bounces.value_or(settings.bounces);
     for (const std::string& change : options.gather)
         changeGather(settings.gather, change);
     settings.skyRadiance = colorFromText("--sky", options.sky);
@@ -209,6 +210,8 @@ void addRender(CLI::App& app, int&) {
         "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");
     command->add_option("--filter-taps", options->filterTaps,
                         "Comparisons of soft-map in a penumbra (default: the preset's)");
+    command->add_option("--bounces", options->bounces,
+                        "Bounces of light beyond the first (default: the preset's)");
     command
         ->add_option("--gather", options->gather,
                      "Change the gather of the preset, NAME=VALUE with commas:\n" + gatherParts())

@@ -75,6 +75,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"blocker_taps", s.blockerTaps},
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
+            {"bounces", s.bounces},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};
 }
@@ -133,7 +134,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
 }
 
 std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
-    std::string table = "milliseconds      CS      RT       V       M      Tr     Tot\n";
+    std::string table = "milliseconds      CS      RT       V       M       B      Tr     Tot\n";
     char cell[32];
     for (const auto& [mode, times] : modes) {
         std::snprintf(cell, sizeof cell, "%-14s", modeName(mode));

@@ -8,8 +8,8 @@ namespace vct {
 FaceMipmapper::FaceMipmapper(const gl::ShaderLibrary& shaders)
     : parents_(shaders, faceParentsProgram()), mipmap_(shaders, faceMipmapperProgram()) {}
 
-void FaceMipmapper::run(FaceVoxels& voxels) {
-    const gl::DebugGroup group("mipmap");
+void FaceMipmapper::makeLists(const FaceVoxels& voxels) {
+    const gl::DebugGroup group("lists of the levels");
     const VoxelPyramid& slots = voxels.slots();
     slots.bindLists();
     parents_.use();
@@ -19,6 +19,13 @@ void FaceMipmapper::run(FaceVoxels& voxels) {
         // The next level's list and command are this dispatch's output.
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     }
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+void FaceMipmapper::run(const FaceVoxels& voxels) {
+    const gl::DebugGroup group("mipmap");
+    const VoxelPyramid& slots = voxels.slots();
+    slots.bindLists();
     mipmap_.use();
     voxels.faces().bind(VCT_TEX_FACES);
     for (int level = 1; level < voxels.levels(); ++level) {

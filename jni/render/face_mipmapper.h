@@ -9,8 +9,10 @@ class FaceMipmapper {
   public:
     explicit FaceMipmapper(const gl::ShaderLibrary& shaders);
 
-    // Afterwards the faces are ready to be fetched as a texture.
-    void run(FaceVoxels& voxels);
+    // The lists of every level from the base level's.
+    void makeLists(const FaceVoxels& voxels);
+    // The faces of every level from the base level's. Afterwards they are ready to be fetched as a texture.
+    void run(const FaceVoxels& voxels);
 
   private:
     gl::Program parents_, mipmap_;

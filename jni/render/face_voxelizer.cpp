@@ -25,7 +25,7 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     voxels.reserveSums();
-    voxels.sums()->bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
+    voxels.sums().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     slots.texture().bind(VCT_TEX_VOXELS);
     scene.draw(GpuScene::Culling::none, accumulate_);

@@ -37,6 +37,7 @@ void FaceVoxels::clear() {
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     clear_.use();
     slots_.bindLists();
+    sums_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
     for (int level = 0; level < levels(); ++level) {
         bindLevel(VCT_IMAGE_FACES, level);
         slots_.dispatchOverLevel(level);
@@ -45,12 +46,12 @@ void FaceVoxels::clear() {
 }
 
 void FaceVoxels::reserveSums() {
-    if (sums_) return;
+    if (sums_.bytes() > 0) return;
     const std::size_t voxels = slots_.readActiveCounts()[0];
     const std::size_t words = std::max<std::size_t>(voxels, 1) * 6 * VCT_FACE_SUM_WORDS;
     const std::vector<std::uint32_t> zeros(words);
-    sums_.emplace("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
-                  GL_DYNAMIC_COPY);
+    sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
+                       GL_DYNAMIC_COPY);
 }
 
 void FaceVoxels::bindLevel(int unit, int level) const {

@@ -2,8 +2,6 @@
 // occupied. shaders/shared/face_voxels.glsl says what a face holds.
 #pragma once
 
-#include <optional>
-
 #include "render/voxel_pyramid.h"
 
 namespace vct {
@@ -26,13 +24,14 @@ class FaceVoxels {
     const gl::Texture& faces() const { return faces_; }
     // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
     const VoxelPyramid& slots() const { return slots_; }
-    // Null before the first frame made room for what is occupied.
-    const gl::Buffer* sums() const { return sums_ ? &*sums_ : nullptr; }
+    // What voxelization adds up per occupied voxel: shaders/shared/face_sums.glsl. Empty before
+    // reserveSums().
+    const gl::Buffer& sums() const { return sums_; }
 
     // Empties everything through the last frame's lists.
     void clear();
-    // Makes room for the sums of every voxel in the list, where the last room was too small. Reads the list's
-    // length back when called for the first time.
+    // Makes room for the sums of every voxel in the base level's list, whose length it reads back: only once,
+    // as what is voxelized does not change.
     void reserveSums();
 
     void bindLevel(int unit, int level) const;
@@ -40,7 +39,7 @@ class FaceVoxels {
   private:
     VoxelPyramid slots_;
     gl::Texture faces_;
-    std::optional<gl::Buffer> sums_;
+    gl::Buffer sums_;
     gl::Program clear_;
 };
 

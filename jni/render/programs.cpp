@@ -121,6 +121,16 @@ gl::ProgramDescription faceClearProgram() {
     return {"face_clear", {"face_clear.comp"}, {}};
 }
 
+gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels) {
+    GatherSettings bounces = pixels;
+    bounces.cones = 3;  // no filter follows
+    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces)};
+}
+
+gl::ProgramDescription faceBounceProgram() {
+    return {"face_bounce", {"face_bounce.comp"}, {}};
+}
+
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion) {
     std::vector<std::string> defines = gatherDefines(settings);
     if (occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
@@ -169,8 +179,9 @@ gl::ProgramDescription hudProgram() {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        mipmapperProgram(),   sparseClearProgram(), voxelViewProgram(),     presentProgram(),  hudProgram(),
-        faceResolveProgram(), faceParentsProgram(), faceMipmapperProgram(), faceClearProgram()};
+        mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),   presentProgram(),
+        hudProgram(),       faceResolveProgram(), faceParentsProgram(), faceMipmapperProgram(),
+        faceClearProgram(), faceBounceProgram()};
     for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
         if (!possible(features)) continue;
         programs.push_back(shadowMapProgram(features));
@@ -193,6 +204,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         for (bool occlusion : {false, true})
             programs.push_back(gatherProgram(settings.gather, occlusion));
         programs.push_back(gatherFilterProgram(settings.gather));
+        programs.push_back(faceBounceGatherProgram(settings.gather));
     }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));

@@ -36,6 +36,9 @@ gl::ProgramDescription faceResolveProgram();
 gl::ProgramDescription faceParentsProgram();
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();
+// `pixels`: the gather's settings, from which those of the bounces follow.
+gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels);
+gl::ProgramDescription faceBounceProgram();
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion);
 gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.

@@ -51,6 +51,10 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
 }
 
 void Renderer::frame(Mode mode, const Camera& camera) {
+    draw(mode, camera, settings_.bounces);
+}
+
+void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
     const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
@@ -72,7 +76,11 @@ void Renderer::frame(Mode mode, const Camera& camera) {
     if (facePass) {
         FaceVoxels& voxels = facePass->voxels;
         timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
-        timer_.time(Step::mipmap, [&] { facePass->mipmapper.run(voxels); });
+        timer_.time(Step::mipmap, [&] {
+            facePass->mipmapper.makeLists(voxels);
+            facePass->mipmapper.run(voxels);
+        });
+        timer_.time(Step::bounces, [&] { facePass->bounces.run(bounces, voxels, facePass->mipmapper); });
         light.gather = timer_.time(Step::trace, [&] {
             return facePass->gather.draw(gatherFor(static_cast<int>(mode)), surface, voxels);
         });
@@ -116,7 +124,7 @@ Renderer::FacePasses& Renderer::facePasses() {
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
         facePasses_.emplace(FacePasses{FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
                                        FaceVoxelizer(shaders_, scene_, settings_.grid),
-                                       FaceMipmapper(shaders_),
+                                       FaceMipmapper(shaders_), FaceBounces(shaders_, settings_.gather),
                                        Gather(shaders_, settings_.gather, settings_.size)});
     }
     return *facePasses_;
@@ -150,7 +158,7 @@ Image Renderer::tracedView(int view) {
 }
 
 std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
-    frame(Mode::giConeShadow, camera);
+    draw(Mode::giConeShadow, camera, 0);
     Image indirect = tracedView(VCT_VIEW_INDIRECT);
     for (glm::vec3& p : indirect.pixels)
         p *= radianceUnit(light_);
@@ -230,7 +238,8 @@ std::vector<Renderer::Resource> Renderer::resources() const {
     if (facePasses_) {
         addPyramid(facePasses_->voxels.slots());
         add(facePasses_->voxels.faces());
-        if (facePasses_->voxels.sums() != nullptr) add(*facePasses_->voxels.sums());
+        add(facePasses_->voxels.sums());
+        if (facePasses_->bounces.light().bytes() > 0) add(facePasses_->bounces.light());
         for (const gl::Texture* texture : facePasses_->gather.textures())
             add(*texture);
     }

@@ -9,7 +9,7 @@
 #include "gl/program.h"
 #include "image/image.h"
 #include "render/cone_tracer.h"
-#include "render/face_mipmapper.h"
+#include "render/face_bounces.h"
 #include "render/face_voxelizer.h"
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
@@ -48,8 +48,8 @@ class Renderer {
         Image image;       // linear RGB, scaled for the eye
         bool hasUnits;     // false: made for the eye only, no use as data
     };
-    // What the cones saw, each alone, drawn anew from `camera`: ambient_occlusion, indirect_light,
-    // cone_shadow.
+    // What the cones saw, each alone, drawn anew from `camera`: ambient_occlusion, indirect_light (of one
+    // bounce, whatever the settings), cone_shadow.
     std::vector<Stage> lightParts(const Camera& camera);
     // Every intermediate, the light parts among them, drawn anew from `camera`.
     std::vector<Stage> stages(const Camera& camera);
@@ -80,8 +80,10 @@ class Renderer {
         FaceVoxels voxels;
         FaceVoxelizer voxelizer;
         FaceMipmapper mipmapper;
+        FaceBounces bounces;
         Gather gather;
     };
+    void draw(Mode mode, const Camera& camera, int bounces);
     ShadowMap& shadowMap();
     WordPasses& wordPasses();
     FacePasses& facePasses();

@@ -98,6 +98,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "thesis") return settings;
     settings.voxels = Voxels::faces;
     settings.shadow = Shadow::softMap;
+    settings.bounces = 4;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gather.scale = 4;
@@ -198,6 +199,9 @@ void validate(const Settings& settings) {
     require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
                 settings.filterTaps <= 64,
             "--blocker-taps and --filter-taps must be between 1 and 64");
+    require(settings.bounces >= 0 && settings.bounces <= 100, "--bounces must be between 0 and 100");
+    require(settings.voxels == Voxels::faces || settings.bounces == 0,
+            "--bounces: the preset thesis has one; use another preset");
     require(settings.voxels == Voxels::words || settings.shadow == Shadow::softMap,
             "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,

@@ -68,6 +68,7 @@ struct GatherSettings {
 struct Settings {
     Mode mode = Mode::giConeShadow;
     Voxels voxels = Voxels::words;
+    int bounces = 0;                       // beyond the first, where voxels are faces
     GatherSettings gather;                 // where voxels are faces
     int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
     glm::ivec2 size{400, 400};             // pixels

@@ -28,6 +28,8 @@ const char* stepName(Step step) {
             return "voxelize";
         case Step::mipmap:
             return "mipmap";
+        case Step::bounces:
+            return "bounces";
         case Step::trace:
             return "trace";
     }

@@ -11,10 +11,11 @@
 
 namespace vct {
 
-// The columns of the thesis's table 5.3: CS, RT, V, M, Tr.
-enum class Step { shadowMap, renderData, voxelize, mipmap, trace };
-constexpr int stepCount = 5;
-const char* stepName(Step step);  // "shadow_map", "render_data", "voxelize", "mipmap", "trace"
+// The columns of the thesis's table 5.3: CS, RT, V, M, Tr; and before the last the bounces, which it has not.
+enum class Step { shadowMap, renderData, voxelize, mipmap, bounces, trace };
+constexpr int stepCount = 6;
+// "shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace"
+const char* stepName(Step step);
 
 // Milliseconds of every timed frame.
 struct StepTimes {

@@ -29,6 +29,14 @@ mediump vec4 sampleFaces(vec3 position, Ray ray, float level) {
     return HALF(value / max(value.a, 1.0));
 }
 
+// Cone i of the set around a normal along +y, with its cosine in y: a Fibonacci set, whose equal weights contain the
+// cosine of the gather; the golden angle from one to the next, all turned by `turn` (of a whole turn).
+vec3 gatherCone(int i, float turn) {
+    float fraction = (float(i) + 0.5) / float(VCT_GATHER_CONES);
+    float phi = 6.2831853 * fract(0.381966 * float(i) + turn);
+    return vec3(sqrt(fraction) * cos(phi), sqrt(1.0 - fraction), sqrt(fraction) * sin(phi));
+}
+
 struct ConeResult {
     mediump vec3 radiance;        // relative to E/pi
     mediump float transmittance;  // what is left

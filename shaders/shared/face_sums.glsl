@@ -32,3 +32,24 @@ void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
     addFixed(index + VCT_FACE_SUM_RADIANCE, weight / float(VCT_FACE_RADIANCE_RANGE) * radiance);
     addFixed(index + VCT_FACE_SUM_ALBEDO, weight * albedo);
 }
+
+// A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of
+// surface in a voxel: it is covered, and shines with their mean.
+struct FaceSum {
+    float coverage;
+    vec3 radiance;  // relative to E/pi over VCT_FACE_RADIANCE_RANGE
+    vec3 albedo;
+};
+
+vec3 threeSums(uint index) {
+    return vec3(uvec3(faceSums[index], faceSums[index + 1u], faceSums[index + 2u]));
+}
+
+FaceSum faceSum(uint slot, int face) {
+    uint index = faceSumIndex(slot, face);
+    float sum = float(faceSums[index]);
+    if (sum == 0.0) return FaceSum(0.0, vec3(0.0), vec3(0.0));
+    float scale = 1.0 / max(sum, frame.faces.x);
+    return FaceSum(sum * scale, threeSums(index + VCT_FACE_SUM_RADIANCE) * scale,
+                   threeSums(index + VCT_FACE_SUM_ALBEDO) * scale);
+}

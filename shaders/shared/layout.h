@@ -42,6 +42,7 @@ using glm::vec4;
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACE_SUMS 2
+#define VCT_SSBO_FACE_LIGHT 3
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
