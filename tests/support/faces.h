@@ -1,0 +1,61 @@
+// Directional coverage voxels on the CPU: read back, made by a test, and their mip levels computed plainly.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
+#include <vector>
+
+#include "render/face_voxels.h"
+
+namespace vct::test {
+
+// A direction along an axis: 0..5 for +x, -x, +y, -y, +z, -z.
+constexpr int faceCount = 6;
+glm::dvec3 faceDirection(int face);
+const char* faceName(int face);
+
+// One level. rgb: premultiplied radiance relative to E/pi over VCT_FACE_RADIANCE_RANGE, a: coverage.
+class FaceLevel {
+  public:
+    explicit FaceLevel(int side)
+        : side_(side), texels_(static_cast<std::size_t>(faceCount) * side * side * side, glm::u8vec4(0)) {}
+
+    int side() const { return side_; }  // in voxels
+    glm::u8vec4& at(const glm::ivec3& voxel, int face) { return texels_[index(voxel, face)]; }
+    const glm::u8vec4& at(const glm::ivec3& voxel, int face) const { return texels_[index(voxel, face)]; }
+    // Whether any face of a voxel is not zero.
+    bool occupied(const glm::ivec3& voxel) const;
+    bool operator==(const FaceLevel& other) const { return texels_ == other.texels_; }
+
+    // Calls visit(voxel) for every voxel.
+    template <class Visit>
+    void forEachVoxel(const Visit& visit) const {
+        for (int z = 0; z < side_; ++z)
+            for (int y = 0; y < side_; ++y)
+                for (int x = 0; x < side_; ++x)
+                    visit(glm::ivec3(x, y, z));
+    }
+
+  private:
+    std::size_t index(const glm::ivec3& voxel, int face) const {
+        return ((static_cast<std::size_t>(voxel.z) * side_ + voxel.y) * side_ + voxel.x) * faceCount + face;
+    }
+    int side_;
+    std::vector<glm::u8vec4> texels_;
+};
+
+// The largest difference between two levels of one size, in 1/255.
+int largestDifference(const FaceLevel& a, const FaceLevel& b);
+
+// Every level, the finest first.
+std::vector<FaceLevel> readFaces(const FaceVoxels& voxels);
+
+// The next level: per face, of each of the four pairs of children along its axis the front one over the back
+// one, F + (1 - alpha of F) B; the mean of the pairs, rounded to nearest.
+FaceLevel mipOnCpu(const FaceLevel& children);
+
+// Replaces the base level and gives every other level its CPU mip.
+void writeFacePyramid(const FaceVoxels& voxels, FaceLevel base);
+
+}  // namespace vct::test
