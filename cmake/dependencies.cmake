@@ -1,28 +1,7 @@
-# Third-party libraries, all from the system's packages (scripts/setup.sh installs them), behind one target.
-find_package(glm REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(tinyexr REQUIRED)
-find_package(Threads REQUIRED)
-
-find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
-find_library(TINYGLTF_LIBRARY tinygltf REQUIRED)
-find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
-find_library(STB_LIBRARY stb REQUIRED)
-find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
-find_library(IMGUI_LIBRARY imgui REQUIRED)
-find_path(EGL_INCLUDE_DIR EGL/egl.h REQUIRED)
-find_path(GLES_INCLUDE_DIR GLES3/gl32.h REQUIRED)
-
-add_library(vct_dependencies INTERFACE)
-target_include_directories(vct_dependencies SYSTEM INTERFACE
-    ${TINYGLTF_INCLUDE_DIR} ${STB_INCLUDE_DIR} ${EGL_INCLUDE_DIR} ${GLES_INCLUDE_DIR})
-target_link_libraries(vct_dependencies INTERFACE
-    ${TINYGLTF_LIBRARY} ${STB_LIBRARY} tinyexr::tinyexr nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
-find_library(EGL_LIBRARY EGL REQUIRED)
-target_link_libraries(vct_dependencies INTERFACE ${EGL_LIBRARY})
-
-# The app's display. Without Dear ImGui's own back ends: Debian's OpenGL one is built for desktop GL.
-add_library(vct_imgui INTERFACE)
-target_include_directories(vct_imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR})
-target_link_libraries(vct_imgui INTERFACE ${IMGUI_LIBRARY} ${STB_LIBRARY})
+# Third-party libraries, behind the targets vct_dependencies and vct_imgui. A desktop has packages of them; Android has
+# none, so there they are fetched, in the versions that Debian 12 packages.
+if(ANDROID)
+    include(cmake/dependencies_android.cmake)
+else()
+    include(cmake/dependencies_host.cmake)
+endif()

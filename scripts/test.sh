@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds and runs every test, plain and then under the sanitizers. Ends with ctest's summary: of the last run, or of
-# the first that failed.
+# Builds and checks the Android app where there is an NDK; then builds and runs every test, plain and under the
+# sanitizers. Ends with ctest's summary: of the last run, or of the first that failed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,6 +9,7 @@ jobs="$(nproc)"
 export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$((jobs < 4 ? jobs : 4))}"
 
 scripts/setup.sh
+scripts/apk.sh --or-skip
 for preset in desktop asan; do
     scripts/build.sh "$preset"
     echo "$preset: testing"

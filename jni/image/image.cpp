@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "image/files.h"
-
 namespace vct {
 
 float srgbEncode(float linear) {
@@ -16,11 +14,6 @@ float srgbDecode(float encoded) {
     if (!(encoded > 0.0F)) return 0.0F;
     if (encoded >= 1.0F) return 1.0F;
     return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
-Image readImage(const std::string& path) {
-    const Bytes bytes = readImageFile(path);
-    return imageFormat(path, bytes) == ImageFormat::png ? decodePng(path, bytes) : decodeExr(path, bytes);
 }
 
 }  // namespace vct

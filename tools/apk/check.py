@@ -1,0 +1,206 @@
+"""Checks an APK of this project: would Android install it, load it, and find in it what this repository has?
+
+Prints a line for each check, and ends with 1 where one fails. Needs an NDK, whose stub libraries say what Android has,
+and aapt2, apksigner and zipalign of Android's SDK or of Debian.
+"""
+
+from __future__ import annotations
+
+import argparse
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tomllib
+import zipfile
+from collections.abc import Iterator
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import elf  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = "vct.app"
+PAGE = 16384
+MAX_BYTES = 12_000_000
+TRIPLES = {"arm64-v8a": "aarch64-linux-android", "x86_64": "x86_64-linux-android"}
+# The first NDK whose own libc++_shared.so is aligned to 16 KiB.
+ALIGNED_NDK = 27
+
+
+def versions() -> dict[str, str]:
+    return tomllib.loads((ROOT / "gradle" / "libs.versions.toml").read_text())["versions"]
+
+
+def run(*command: str | pathlib.Path) -> tuple[int, str]:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+class Ndk:
+    def __init__(self, folder: pathlib.Path):
+        self.major = int(re.search(r"Pkg\.Revision = (\d+)", (folder / "source.properties").read_text())[1])
+        self.sysroot = next(folder.glob("toolchains/llvm/prebuilt/*/sysroot"))
+
+    def libraries(self, abi: str, api: str) -> dict[str, elf.Library]:
+        """What each library exports that Android of this API level has for apps."""
+        folder = self.sysroot / "usr" / "lib" / TRIPLES[abi] / api
+        # libc++.so there is a linker script.
+        stubs = [path for path in folder.glob("*.so") if path.read_bytes()[:4] == b"\x7fELF"]
+        return {path.name: elf.read(path.read_bytes()) for path in stubs}
+
+
+class Apk:
+    def __init__(self, path: pathlib.Path):
+        self.path = path
+        self.zip = zipfile.ZipFile(path)
+        self.libraries = [info for info in self.zip.infolist() if re.fullmatch(r"lib/[^/]+/[^/]+\.so", info.filename)]
+        self.abis = sorted({info.filename.split("/")[1] for info in self.libraries})
+
+    def data_offset(self, info: zipfile.ZipInfo) -> int:
+        """Where in the APK the entry's bytes begin: after its local header, whose extra field may be its own."""
+        with self.path.open("rb") as file:
+            file.seek(info.header_offset + 26)
+            name_size, extra_size = struct.unpack("<HH", file.read(4))
+        return info.header_offset + 30 + name_size + extra_size
+
+
+def signature(apk: Apk) -> Iterator[str]:
+    status, text = run("apksigner", "verify", "--min-sdk-version", versions()["minSdk"], apk.path)
+    if status != 0:
+        yield f"apksigner: {text.strip()}"
+
+
+def badging(apk: Apk) -> Iterator[str]:
+    status, text = run("aapt2", "dump", "badging", apk.path)
+    if status != 0:
+        yield f"aapt2: {text.strip()}"
+        return
+    expected = {
+        "the package": f"package: name='{PACKAGE}' ",
+        "minSdk": f"sdkVersion:'{versions()['minSdk']}'\n",
+        "targetSdk": f"targetSdkVersion:'{versions()['targetSdk']}'\n",
+        "OpenGL ES 3.1": "uses-gl-es: '0x30001'\n",
+        "the Android Extension Pack": "uses-feature: name='android.hardware.opengles.aep'\n",
+        "the activity to start": "launchable-activity: name='android.app.NativeActivity' ",
+        "a label": "application-label:'Voxel cone tracing'\n",
+    }
+    yield from (f"aapt2 does not list {what}: {line.strip()}" for what, line in expected.items() if line not in text)
+    native = re.search(r"^native-code:(.*)$", text, re.M)
+    if not native or sorted(re.findall(r"'([^']+)'", native[1])) != apk.abis or not apk.abis:
+        yield f"aapt2 lists {native[0] if native else 'no native-code'}; the APK holds {apk.abis}"
+    tree = run("aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk.path)[1]
+    for attribute in ("hasCode", "extractNativeLibs"):
+        if not re.search(rf":{attribute}\(0x[0-9a-f]+\)=false$", tree, re.M):
+            yield f"the manifest does not say {attribute}=false"
+
+
+def alignment(apk: Apk) -> Iterator[str]:
+    status, text = run("zipalign", "-c", "-p", "4", apk.path)
+    if status != 0:
+        yield f"zipalign: {text.strip() or 'not aligned'}"
+    for info in apk.libraries:
+        if info.compress_type != zipfile.ZIP_STORED:
+            yield f"{info.filename} is compressed: it cannot be mapped"
+        elif apk.data_offset(info) % PAGE:
+            yield f"{info.filename} starts at byte {apk.data_offset(info)}, not on a page of 16 KiB"
+
+
+def size(apk: Apk) -> Iterator[str]:
+    if apk.path.stat().st_size > MAX_BYTES:
+        yield f"{apk.path.stat().st_size} bytes, more than {MAX_BYTES}"
+
+
+def assets(apk: Apk) -> Iterator[str]:
+    expected = {f"assets/shaders/{path.relative_to(ROOT / 'shaders').as_posix()}": path
+                for path in (ROOT / "shaders").rglob("*") if path.is_file()}
+    expected |= {f"assets/scenes/{path.name}": path for path in (ROOT / "assets").glob("*.glb")}
+    held = {name for name in apk.zip.namelist() if name.startswith("assets/")}
+    yield from (f"{name} is missing" for name in sorted(expected.keys() - held))
+    yield from (f"{name} is not in the repository" for name in sorted(held - expected.keys()))
+    for name in sorted(held & expected.keys()):
+        if apk.zip.read(name) != expected[name].read_bytes():
+            yield f"{name} differs from {expected[name].relative_to(ROOT)}"
+
+
+def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library], ndk: Ndk) -> Iterator[str]:
+    _, abi, name = info.filename.split("/")
+    data = apk.zip.read(info)
+    try:
+        found = elf.read(data)
+    except ValueError as error:
+        yield f"{info.filename}: {error}"
+        return
+    if found.machine != elf.MACHINES[abi]:
+        yield f"{info.filename} is for ELF machine {found.machine}, not {abi}"
+    # What an NDK brings cannot be linked again here.
+    old_ndk = name == "libc++_shared.so" and ndk.major < ALIGNED_NDK
+    for segment in found.segments:
+        if old_ndk:
+            break
+        if segment.alignment % PAGE or (segment.address - segment.offset) % PAGE:
+            yield f"{info.filename}: a segment at {segment.address:#x} is aligned to {segment.alignment}, not to {PAGE}"
+    own = {other.filename.split("/")[2]: other for other in apk.libraries if other.filename.split("/")[1] == abi}
+    exported: set[str] = set()
+    for needed in found.needed:
+        if needed in own:
+            exported |= elf.read(apk.zip.read(own[needed])).exported
+        elif needed in android:
+            exported |= android[needed].exported
+        else:
+            yield f"{info.filename} needs {needed}, which neither Android {versions()['minSdk']} nor the APK has"
+    for symbol in sorted(found.undefined - exported):
+        yield f"{info.filename}: nothing that it needs has {symbol}"
+    if name == "libvct.so":
+        if found.exported != {"ANativeActivity_onCreate"}:
+            yield f"{info.filename} exports {sorted(found.exported)[:5]}, not ANativeActivity_onCreate alone"
+        if any(section.startswith(".debug_") for section in found.sections):
+            yield f"{info.filename} is not stripped"
+        if str(ROOT).encode() in data:
+            yield f"{info.filename} names the folder that it was built in, {ROOT}"
+
+
+def libraries(apk: Apk, ndk: Ndk) -> Iterator[str]:
+    for abi in apk.abis:
+        if f"lib/{abi}/libvct.so" not in apk.zip.namelist():
+            yield f"lib/{abi}/libvct.so is missing"
+        if abi not in TRIPLES:
+            yield f"this project is not built for {abi}"
+            continue
+        android = ndk.libraries(abi, versions()["minSdk"])
+        for info in apk.libraries:
+            if info.filename.split("/")[1] == abi:
+                yield from library(apk, info, android, ndk)
+
+
+def problems(path: pathlib.Path, ndk: Ndk) -> dict[str, list[str]]:
+    """What is wrong, per check; an empty list where nothing is."""
+    apk = Apk(path)
+    checks = {
+        "signature": signature(apk), "manifest": badging(apk), "alignment in the file": alignment(apk),
+        "size": size(apk), "assets": assets(apk), "libraries": libraries(apk, ndk),
+    }
+    return {name: list(found) for name, found in checks.items()}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("apk", type=pathlib.Path)
+    parser.add_argument("--ndk", type=pathlib.Path, required=True, help="the NDK that built it")
+    arguments = parser.parse_args()
+    ndk = Ndk(arguments.ndk)
+    found = problems(arguments.apk, ndk)
+    for name, messages in found.items():
+        print(f"{name}: {'FAILED' if messages else 'ok'}")
+        for message in messages:
+            print(f"    {message}")
+    held = Apk(arguments.apk)
+    print(f"{arguments.apk}: {arguments.apk.stat().st_size} bytes, {', '.join(held.abis)}")
+    if ndk.major < ALIGNED_NDK and any(info.filename.endswith("libc++_shared.so") for info in held.libraries):
+        print(f"note: libc++_shared.so of this NDK (r{ndk.major}) is aligned to 4 KiB: the app does not start on phones "
+              f"with pages of 16 KiB. NDK r{ALIGNED_NDK} or newer brings one that does.")
+    return 1 if any(found.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
