@@ -176,6 +176,9 @@ def libraries(apk: Apk, ndk: Ndk) -> Iterator[str]:
 def problems(path: pathlib.Path, ndk: Ndk) -> dict[str, list[str]]:
     """What is wrong, per check; an empty list where nothing is."""
     apk = Apk(path)
+    damaged = apk.zip.testzip()
+    if damaged:
+        return {"signature": list(signature(apk)), "archive": [f"{damaged} is damaged"]}
     checks = {
         "signature": signature(apk), "manifest": badging(apk), "alignment in the file": alignment(apk),
         "size": size(apk), "assets": assets(apk), "libraries": libraries(apk, ndk),
@@ -189,7 +192,11 @@ def main() -> int:
     parser.add_argument("--ndk", type=pathlib.Path, required=True, help="the NDK that built it")
     arguments = parser.parse_args()
     ndk = Ndk(arguments.ndk)
-    found = problems(arguments.apk, ndk)
+    try:
+        found = problems(arguments.apk, ndk)
+    except (OSError, zipfile.BadZipFile) as error:
+        print(f"error: {arguments.apk} is no APK: {error}", file=sys.stderr)
+        return 1
     for name, messages in found.items():
         print(f"{name}: {'FAILED' if messages else 'ok'}")
         for message in messages:

@@ -1,0 +1,258 @@
+"""tools/apk: what pack.py writes, and that check.py sees each thing that can be wrong with an APK.
+
+The checks are run on the real APK, build/android/vct.apk, tampered with; without one they are skipped.
+"""
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import zipfile
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools" / "apk"))
+
+import check  # noqa: E402
+import elf  # noqa: E402
+import pack  # noqa: E402
+
+APK = ROOT / "build" / "android" / "vct.apk"
+OURS = "lib/arm64-v8a/libvct.so"
+CXX = "lib/arm64-v8a/libc++_shared.so"
+
+
+@pytest.fixture(scope="module")
+def ndk():
+    folder = os.environ.get("ANDROID_NDK_HOME")
+    if not folder or not APK.exists():
+        pytest.skip("no ANDROID_NDK_HOME, or scripts/apk.sh has not built an APK with it")
+    return check.Ndk(pathlib.Path(folder))
+
+
+class Copy:
+    """The real APK taken apart, to be put together again with something wrong."""
+
+    def __init__(self, folder):
+        self.path = folder / "tampered.apk"
+        with zipfile.ZipFile(APK) as apk:
+            self.entries = {info.filename: [info.compress_type, apk.read(info)] for info in apk.infolist()
+                            if not info.filename.startswith("META-INF/")}
+
+    def replace(self, name, old, new):
+        data = self.entries[name][1]
+        assert data.count(old) >= 1 and len(old) == len(new)
+        self.entries[name][1] = data.replace(old, new)
+
+    def write(self, signed=True, alignment=pack.PAGE):
+        page, pack.PAGE = pack.PAGE, alignment
+        try:
+            with zipfile.ZipFile(self.path, "w") as apk:
+                for name, (kind, data) in self.entries.items():
+                    if kind == zipfile.ZIP_STORED:
+                        pack.add_stored(apk, name, data)
+                    else:
+                        apk.writestr(zipfile.ZipInfo(name), data, kind)
+        finally:
+            pack.PAGE = page
+        if signed:
+            user = pathlib.Path(os.environ.get("ANDROID_USER_HOME", pathlib.Path.home() / ".android"))
+            subprocess.run(["apksigner", "sign", "--ks", user / "debug.keystore", "--ks-pass", "pass:android", self.path], check=True)
+        return self.path
+
+    def found(self, ndk, **how):
+        return check.problems(self.write(**how), ndk)
+
+
+@pytest.fixture
+def copy(ndk, tmp_path):
+    return Copy(tmp_path)
+
+
+def only(found, name, *words):
+    """That check failed, with these words, and no other did."""
+    assert [key for key, messages in found.items() if messages] == [name], found
+    text = "\n".join(found[name])
+    for word in words:
+        assert word in text
+    return text
+
+
+def test_untouched_copy_has_no_problem(copy, ndk):
+    assert not any(copy.found(ndk).values())
+
+
+def test_command_tells_and_ends_with_1(copy, ndk):
+    copy.entries["assets/scenes/extra.glb"] = [zipfile.ZIP_DEFLATED, b"glTF"]
+    done = subprocess.run([sys.executable, ROOT / "tools/apk/check.py", copy.write(), "--ndk",
+                           os.environ["ANDROID_NDK_HOME"]], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "assets: FAILED\n    assets/scenes/extra.glb is not in the repository" in done.stdout
+
+
+def test_unsigned(copy, ndk):
+    only(copy.found(ndk, signed=False), "signature", "apksigner")
+
+
+def test_byte_changed_after_signing(copy, ndk):
+    path = copy.write()
+    data = bytearray(path.read_bytes())
+    data[check.Apk(path).data_offset(check.Apk(path).libraries[0]) + 5000] ^= 1
+    path.write_bytes(data)
+    found = check.problems(path, ndk)
+    assert found["signature"] and found["archive"] == [f"{OURS} is damaged"]
+
+
+def test_not_an_apk(ndk, tmp_path):
+    for content in (b"", b"no zip file", APK.read_bytes()[:100000]):
+        (tmp_path / "x.apk").write_bytes(content)
+        done = subprocess.run([sys.executable, ROOT / "tools/apk/check.py", tmp_path / "x.apk", "--ndk",
+                               os.environ["ANDROID_NDK_HOME"]], capture_output=True, text=True, check=False)
+        assert done.returncode == 1
+        assert "x.apk is no APK" in done.stderr and "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    ("vct.app", "vct.apq", "the package"),
+    ("android.hardware.opengles.aep", "android.hardware.opengles.aeq", "Android Extension Pack"),
+    ("android.app.NativeActivity", "android.app.NativeActivitx", "the activity to start"),
+])
+def test_manifest(copy, ndk, old, new, words):
+    manifest = copy.entries["AndroidManifest.xml"][1]
+    encoding = "utf-8" if old.encode() in manifest else "utf-16-le"
+    copy.replace("AndroidManifest.xml", old.encode(encoding), new.encode(encoding))
+    assert words in "\n".join(copy.found(ndk)["manifest"])
+
+
+@pytest.mark.parametrize(("name", "value"), [("minSdkVersion", 24), ("targetSdkVersion", 36), ("glEsVersion", 0x30001)])
+def test_numbers_in_the_manifest(copy, ndk, name, value):
+    """Typed values of the binary XML: 8 bytes of size, type and data."""
+    kind = 0x11 if name == "glEsVersion" else 0x10
+    old, new = (struct.pack("<HBBI", 8, 0, kind, number) for number in (value, value + 1))
+    copy.replace("AndroidManifest.xml", old, new)
+    assert copy.found(ndk)["manifest"]
+
+
+@pytest.mark.parametrize("value", [0, 1])
+def test_flags_of_the_manifest(copy, ndk, value):
+    """hasCode and extractNativeLibs are its false ones, beside allowBackup: made true all at once."""
+    old, new = (struct.pack("<HBBI", 8, 0, 0x12, number) for number in (0, 0xFFFFFFFF))
+    copy.replace("AndroidManifest.xml", old, new)
+    text = "\n".join(copy.found(ndk)["manifest"])
+    assert ("hasCode=false", "extractNativeLibs=false")[value] in text
+
+
+def test_library_that_is_compressed(copy, ndk):
+    copy.entries[OURS][0] = zipfile.ZIP_DEFLATED
+    only(copy.found(ndk), "alignment in the file", "is compressed")
+
+
+@pytest.mark.parametrize(("alignment", "words"), [(4096, "not on a page of 16 KiB"), (4, "zipalign")])
+def test_library_that_is_not_on_a_page(copy, ndk, alignment, words):
+    # So that what is a multiple of 4 or 4096 is none of 16384.
+    copy.entries = {"assets/scenes/cornell.glb": copy.entries.pop("assets/scenes/cornell.glb"), **copy.entries}
+    found = copy.found(ndk, alignment=alignment, signed=False)
+    assert words in "\n".join(found["alignment in the file"])
+
+
+def test_size(copy, ndk):
+    copy.entries["res/large"] = [zipfile.ZIP_STORED, os.urandom(check.MAX_BYTES)]
+    only(copy.found(ndk), "size", "bytes, more than 12000000")
+
+
+def test_assets(copy, ndk):
+    del copy.entries["assets/shaders/shared/layout.h"]
+    copy.entries["assets/shaders/cone_tracer.frag"][1] += b"\n"
+    only(copy.found(ndk), "assets", "shared/layout.h is missing", "cone_tracer.frag differs from shaders/cone_tracer.frag")
+
+
+def segment_offsets(data):
+    """Where the program headers of loaded segments begin."""
+    start, size, count = struct.unpack_from("<Q", data, 32)[0], *struct.unpack_from("<HH", data, 54)
+    return [start + i * size for i in range(count) if struct.unpack_from("<I", data, start + i * size)[0] == elf.PT_LOAD]
+
+
+def test_segment_aligned_to_4_kib(copy, ndk):
+    data = bytearray(copy.entries[OURS][1])
+    struct.pack_into("<Q", data, segment_offsets(data)[0] + 48, 4096)
+    copy.entries[OURS][1] = bytes(data)
+    only(copy.found(ndk), "libraries", "is aligned to 4096")
+
+
+def test_segments_of_the_ndks_library_count_from_r27_on(copy, ndk, monkeypatch):
+    data = bytearray(copy.entries[CXX][1])
+    struct.pack_into("<Q", data, segment_offsets(data)[0] + 48, 4096)
+    copy.entries[CXX][1] = bytes(data)
+    monkeypatch.setattr(ndk, "major", 26)
+    assert not copy.found(ndk)["libraries"]
+    monkeypatch.setattr(ndk, "major", 27)
+    assert f"{CXX}: a segment" in "\n".join(copy.found(ndk)["libraries"])
+
+
+@pytest.mark.parametrize(("old", "new", "words"), [
+    (b"\0libEGL.so\0", b"\0libEGX.so\0", "needs libEGX.so, which neither Android 24 nor the APK has"),
+    (b"\0AAssetManager_open\0", b"\0AAssetManager_opeX\0", "nothing that it needs has AAssetManager_opeX"),
+    (b"\0ANativeActivity_onCreate\0", b"\0ANativeActivity_onCreatX\0", "not ANativeActivity_onCreate alone"),
+    (b"\0.comment\0", b"\0.debug_x\0", "is not stripped"),
+])
+def test_names_in_our_library(copy, ndk, old, new, words):
+    copy.replace(OURS, old, new)
+    assert words in only(copy.found(ndk), "libraries")
+
+
+def test_our_library_missing_or_broken(copy, ndk):
+    data = copy.entries[OURS][1]
+    for broken in (b"", data[:100], b"\x7fELF\x01\x01" + data[6:]):
+        copy.entries[OURS][1] = broken
+        assert f"{OURS}: " in only(copy.found(ndk), "libraries")
+    copy.entries[OURS][1] = data.replace(struct.pack("<H", 183), struct.pack("<H", 62), 1)
+    assert "ELF machine 62" in only(copy.found(ndk), "libraries")
+    del copy.entries[OURS]
+    assert f"{OURS} is missing" in only(copy.found(ndk), "libraries")
+
+
+def test_libraries_of_another_processor(copy, ndk):
+    copy.entries["lib/armeabi-v7a/libvct.so"] = copy.entries[OURS]
+    assert "not built for armeabi-v7a" in only(copy.found(ndk), "libraries")
+
+
+def test_folder_of_the_building_machine(copy, ndk):
+    copy.entries[OURS][1] += str(check.ROOT).encode()
+    assert "names the folder that it was built in" in only(copy.found(ndk), "libraries")
+
+
+def test_packing(tmp_path):
+    """Without an NDK: stored libraries begin on pages, assets are compressed, the same input gives the same bytes."""
+    base, library, folder = tmp_path / "base.apk", tmp_path / "libx.so", tmp_path / "shaders"
+    with zipfile.ZipFile(base, "w") as apk:
+        apk.writestr(zipfile.ZipInfo("AndroidManifest.xml"), b"x" * 77)
+    library.write_bytes(os.urandom(5000))
+    (folder / "shared").mkdir(parents=True)
+    (folder / "shared" / "a.glsl").write_text("void main() {}\n" * 20)
+    (folder / "README.md").write_text("not for the phone")
+    results = []
+    for name in ("first.apk", "second.apk"):
+        out = tmp_path / name
+        subprocess.run([sys.executable, ROOT / "tools/apk/pack.py", base, out, "--abi", "arm64-v8a", "--libraries", library,
+                        "--assets", f"{folder}=shaders"], check=True)
+        results.append(out.read_bytes())
+    assert results[0] == results[1]
+    apk = check.Apk(tmp_path / "first.apk")
+    assert apk.zip.testzip() is None
+    assert sorted(apk.zip.namelist()) == ["AndroidManifest.xml", "assets/shaders/shared/a.glsl", "lib/arm64-v8a/libx.so"]
+    offset = apk.data_offset(apk.libraries[0])
+    assert offset % 16384 == 0
+    assert results[0][offset:offset + 5000] == library.read_bytes()
+    assert apk.zip.getinfo("assets/shaders/shared/a.glsl").compress_type == zipfile.ZIP_DEFLATED
+    assert not (tmp_path / "first.apk.tmp").exists()
+
+
+@pytest.mark.skipif(not shutil.which("zipalign"), reason="zipalign is not installed")
+def test_zipalign_agrees_with_the_packing(tmp_path):
+    out = tmp_path / "stored.apk"
+    with zipfile.ZipFile(out, "w") as apk:
+        for size in (1, 16384, 5000):
+            pack.add_stored(apk, f"lib/arm64-v8a/lib{size}.so", bytes(size))
+    assert subprocess.run(["zipalign", "-c", "-p", "4", out], check=False).returncode == 0

@@ -1,0 +1,213 @@
+"""scripts/phone.sh against a stand-in of adb (stand_in_adb.sh): what it asks of a phone, and what it says when the phone
+does something else. No phone takes part; the measurements that it brings are the renderer's own of this machine."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+RESULTS = "sdcard/Android/data/vct.app/files/results"
+DEVICE = "0123456789ABCDEF\tdevice\n"
+
+
+class Phone:
+    """A folder that plays a phone, and the script run against it."""
+
+    def __init__(self, root, folder):
+        self.script = root / "scripts" / "phone.sh"
+        self.folder = folder / "phone"
+        self.bin = folder / "bin"
+        self.out = folder / "out"
+        self.apk = folder / "vct.apk"
+        self.bin.mkdir()
+        (self.bin / "adb").symlink_to(root / "tests" / "tools" / "stand_in_adb.sh")
+        (self.folder / "sdcard").mkdir(parents=True)
+        self.apk.write_bytes(b"an APK, to a stand-in")
+        self.set("devices", DEVICE)
+        self.set("install", "Performing Streamed Install\nSuccess\n")
+        self.set("log", "I vct: frame 1\nI vct: frame 2\n")
+
+    def set(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def app(self, *lines):
+        """What the app does: lines of shell, in the phone's folder, with the results' folder made."""
+        self.set("app", "\n".join(["set -eu", f"mkdir -p {RESULTS}", *lines, "rm -f running"]))
+
+    def run(self, *arguments, path=None):
+        environment = os.environ | {"PHONE": str(self.folder), "VCT_PHONE_POLL_S": "0.1",
+                                    "PATH": path or f"{self.bin}:{os.environ['PATH']}"}
+        environment.pop("ANDROID_SERIAL", None)
+        return subprocess.run([self.script, *arguments], env=environment, capture_output=True, text=True, check=False,
+                              timeout=60)
+
+    def bench(self, *arguments):
+        return self.run("--apk", str(self.apk), "--out", str(self.out), "--timeout", "5", "bench", *arguments)
+
+    def calls(self):
+        return (self.folder / "calls").read_text()
+
+
+@pytest.fixture
+def phone(root, tmp_path):
+    return Phone(root, tmp_path)
+
+
+def failed(done, *words):
+    assert done.returncode == 1, done.stdout + done.stderr
+    assert "phone: error: " in done.stderr
+    for word in words:
+        assert word in done.stderr, done.stderr
+
+
+@pytest.fixture
+def timings(program, root, tmp_path):
+    """A real timings.json."""
+    folder = tmp_path / "timings"
+    subprocess.run([program, "render", root / "assets" / "cornell.glb", "--out", folder, "--mode", "gi", "--grid", "64",
+                    "--size", "64x64", "--timings", folder / "timings.json"], check=True, capture_output=True)
+    return folder / "timings.json"
+
+
+def test_bench_brings_the_results_and_prints_them_beside_others(phone, timings):
+    phone.app(f"cp {timings} {RESULTS}/timings.json", f"echo picture > {RESULTS}/gi.png", f"echo ok > {RESULTS}/done.tmp",
+              f"mv {RESULTS}/done.tmp {RESULTS}/done")
+    done = phone.run("--apk", str(phone.apk), "--out", str(phone.out), "--beside", f"desk={timings}", "bench",
+                     "scene=courtyard.glb", "grid=64")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "--es vct 'bench preset=thesis size=400x400 scene=courtyard.glb grid=64'" in phone.calls()
+    assert "am start -S -n vct.app/android.app.NativeActivity" in phone.calls()
+    assert sorted(path.name for path in phone.out.iterdir()) == ["done", "gi.png", "log.txt", "timings.json"]
+    assert "frame 2" in (phone.out / "log.txt").read_text()
+    assert "Test Phone, 64^3" in done.stdout and "desk, 64^3" in done.stdout
+    total = json.loads(timings.read_text())["steps"]["total"]["median"]
+    row = next(line for line in done.stdout.splitlines() if line.startswith("total"))
+    assert row.split()[1:] == [f"{total:.2f}"] * 2
+
+
+def test_results_of_the_run_before_are_not_taken_for_new_ones(phone):
+    old = phone.folder / RESULTS
+    old.mkdir(parents=True)
+    (old / "done").write_text("old")
+    phone.app("sleep 60")
+    failed(phone.run("--apk", str(phone.apk), "--out", str(phone.out), "--timeout", "1", "bench"), "no result after 1 s")
+    assert not phone.out.exists()
+
+
+def test_timeout_stops_the_app_and_shows_its_last_words(phone):
+    phone.app("sleep 60")
+    done = phone.run("--apk", str(phone.apk), "--out", str(phone.out), "--timeout", "1", "bench")
+    failed(done, "no result after 1 s", "frame 2")
+    assert "am force-stop vct.app" in phone.calls()
+
+
+def test_the_apps_own_failure_is_told_and_its_files_kept(phone):
+    phone.app(f"echo 'no GL_EXT_geometry_shader' > {RESULTS}/failed")
+    failed(phone.bench(), "could not measure: no GL_EXT_geometry_shader")
+    assert (phone.out / "log.txt").exists()
+
+
+def test_crash_is_told_apart_from_waiting(phone):
+    phone.app("sleep 0.3")
+    failed(phone.bench(), "ended without a result", "frame 2")
+
+
+def test_cable_taken_out(phone):
+    phone.app("touch unplugged", "sleep 60")
+    failed(phone.bench(), "connection to the phone was lost")
+
+
+def test_done_without_measurements_is_an_error(phone):
+    phone.app(f"echo ok > {RESULTS}/done")
+    failed(phone.bench(), "neither bench.json nor timings.json")
+
+
+def test_no_adb(phone, tmp_path):
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    for name in ("bash", "dirname", "sed", "env"):
+        (tools / name).symlink_to(shutil.which(name))
+    failed(phone.run("bench", path=str(tools)), "adb is not installed")
+
+
+@pytest.mark.parametrize(("listed", "words"), [
+    ("", "adb finds no phone"),
+    ("0123\tunauthorized\n", "answer the question on its screen"),
+    ("0123\toffline\n", "is 'offline'"),
+    ("0123\tdevice\n4567\tdevice\n", "ANDROID_SERIAL"),
+])
+def test_phone_that_is_not_ready(phone, listed, words):
+    phone.set("devices", listed)
+    failed(phone.bench(), words)
+    assert "install" not in phone.calls()
+
+
+@pytest.mark.parametrize(("printed", "words"), [
+    ("Failure [INSTALL_FAILED_UPDATE_INCOMPATIBLE: signatures do not match]\n", "adb uninstall vct.app"),
+    ("Failure [INSTALL_FAILED_MISSING_FEATURE: android.hardware.opengles.aep]\n", "Android Extension Pack"),
+    ("Failure [INSTALL_FAILED_NO_MATCHING_ABIS]\n", "no library for this phone's processor"),
+    ("Failure [INSTALL_FAILED_INSUFFICIENT_STORAGE]\n", "INSUFFICIENT_STORAGE"),
+])
+def test_installing_fails(phone, printed, words):
+    phone.set("install", printed)
+    failed(phone.bench(), words)
+
+
+def test_missing_apk_is_told(phone):
+    phone.apk.unlink()
+    failed(phone.bench(), "there is no APK")
+
+
+@pytest.mark.parametrize("argument", ["grid", "scene=a b.glb", "scene=x';reboot'", "Grid=64"])
+def test_arguments_that_are_not_key_and_value(phone, argument):
+    failed(phone.bench(argument), "is not KEY=VALUE")
+    assert not (phone.folder / "calls").exists()
+
+
+def test_push(phone, tmp_path):
+    scene = tmp_path / "mine.glb"
+    scene.write_bytes(b"glTF")
+    failed(phone.run("push", str(scene)), "not installed")
+    assert phone.run("--apk", str(phone.apk), "install").returncode == 0
+    done = phone.run("push", str(scene))
+    assert done.returncode == 0, done.stderr
+    assert (phone.folder / "sdcard/Android/data/vct.app/files/mine.glb").read_bytes() == b"glTF"
+    failed(phone.run("push", str(pathlib.Path("nowhere.glb"))), "no file 'nowhere.glb'")
+    failed(phone.run("push", str(phone.apk)), "neither .glb nor .gltf")
+
+
+def test_usage(phone):
+    for arguments in ((), ("fly",), ("--unknown", "x", "bench"), ("--apk",)):
+        done = phone.run(*arguments)
+        assert done.returncode == 2
+        assert "scripts/phone.sh push SCENE.glb" in done.stderr
+    failed(phone.run("--timeout", "soon", "bench"), "not a number of seconds")
+
+
+BENCH = {"version": 1, "tables": {"5.3": {"title": "Steps", "columns": ["CS", "Tot"], "rows": [
+    {"platform": "Here", "source": "measured", "values": [1.0, 12.5], "min": [1, 12], "max": [1, 13]},
+    {"platform": "Mobile", "source": "thesis", "values": [1.93, 856.0]}]}}}
+
+
+def test_tables_of_two_machines_have_the_thesis_once(root, tmp_path):
+    file = tmp_path / "bench.json"
+    file.write_text(json.dumps(BENCH))
+    done = subprocess.run([sys.executable, root / "tools" / "phone_tables.py", f"Phone={file}", f"desk={file}"],
+                          capture_output=True, text=True, check=True)
+    lines = done.stdout.splitlines()
+    assert lines[0] == "Table 5.3: Steps"
+    assert [line.split()[0] for line in lines[2:]] == ["Phone", "desk", "Mobile"]
+    assert lines[2].split() == ["Phone", "1.00", "12.50"]
+
+
+@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1}'])
+def test_tables_refuse_what_they_do_not_know(root, tmp_path, content):
+    file = tmp_path / "bench.json"
+    file.write_text(content)
+    done = subprocess.run([sys.executable, root / "tools" / "phone_tables.py", f"Phone={file}"],
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert str(file) in done.stderr and "Traceback" not in done.stderr

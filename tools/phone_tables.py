@@ -1,0 +1,90 @@
+"""Prints measurements of several machines beside each other: a phone's, this desktop's, the thesis's.
+
+Of a bench.json it prints the thesis's tables 5.2 to 5.5, a row for each machine; of a timings.json the steps of each
+mode, a column for each machine. docs/timings.md describes both files.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import pathlib
+import sys
+from typing import Any
+
+STEPS = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
+         "trace": "trace", "total": "total"}
+# Of bench.json and timings.json: docs/timings.md says when it changes.
+VERSION = 1
+
+
+def read(path: pathlib.Path) -> dict[str, Any]:
+    """Raises ValueError with the file's name where it is neither of the two."""
+    try:
+        content = json.loads(path.read_text())
+    except (OSError, ValueError) as error:
+        raise ValueError(f"cannot read {path}: {error}") from error
+    if not isinstance(content, dict) or content.get("version") != VERSION:
+        raise ValueError(f"{path} is not of version {VERSION}, the one that this program reads")
+    if not {"tables", "steps", "modes"} & content.keys():
+        raise ValueError(f"{path} is neither a bench.json nor a timings.json")
+    return content
+
+
+def modes(timings: dict[str, Any]) -> dict[str, Any]:
+    """Each mode's steps."""
+    if "mode" in timings:
+        return {timings["mode"]: timings["steps"]}
+    return {name: mode["steps"] for name, mode in timings.get("modes", {}).items()}
+
+
+def bench_tables(files: list[tuple[str, dict[str, Any]]]) -> str:
+    """Rows of machines; the thesis's own last, once."""
+    benches = [(name, content["tables"]) for name, content in files if "tables" in content]
+    text = ""
+    for number in benches[0][1] if benches else []:
+        first = benches[0][1][number]
+        rows = [(row["platform"].replace("Here", name), row["values"]) for name, tables in benches
+                for row in tables[number]["rows"] if row["source"] == "measured"]
+        rows += [(f"{row['platform']} (thesis)", row["values"]) for row in first["rows"] if row["source"] == "thesis"]
+        width = max(len(name) for name, _ in rows)
+        text += f"\nTable {number}: {first['title']}\n{'':{width}}"
+        text += "".join(f"{column:>10}" for column in first["columns"]) + "\n"
+        text += "".join(f"{name:{width}}" + "".join(f"{value:10.2f}" for value in values) + "\n"
+                        for name, values in rows)
+    return text
+
+
+def step_tables(files: list[tuple[str, dict[str, Any]]]) -> str:
+    """A table for each mode, in the order of the first file that has it: medians of its steps."""
+    measured = [(f"{name}, {content['settings']['grid']}^3", modes(content)) for name, content in files
+                if "tables" not in content]
+    text = ""
+    for mode in dict.fromkeys(mode for _, found in measured for mode in found):
+        columns = [(name, found[mode]) for name, found in measured if mode in found]
+        text += f"\n{mode}, medians in ms\n{'':10}" + "".join(f"  {name:>18}" for name, _ in columns) + "\n"
+        for key, label in STEPS.items():
+            text += f"{label:10}" + "".join(f"  {steps[key]['median']:{max(18, len(name))}.2f}"
+                                            for name, steps in columns) + "\n"
+    return text
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", metavar="NAME=FILE", help="a bench.json or timings.json")
+    files = []
+    for entry in parser.parse_args().files:
+        name, separator, path = entry.partition("=")
+        if not separator:
+            parser.error(f"'{entry}' is not NAME=FILE")
+        try:
+            files.append((name, read(pathlib.Path(path))))
+        except ValueError as error:
+            print(f"error: {error}", file=sys.stderr)
+            return 1
+    print((bench_tables(files) + step_tables(files)).lstrip("\n"), end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
