@@ -117,7 +117,7 @@ bench() {
     done
     for argument in "$@"; do
         # It passes through two shells.
-        [[ "$argument" =~ ^[a-z-]+=[A-Za-z0-9._,:+-]+$ ]] || fail "'$argument' is not KEY=VALUE of letters, digits and . _ , : + -"
+        [[ "$argument" =~ ^[a-z-]+=[A-Za-z0-9._,:=+-]+$ ]] || fail "'$argument' is not KEY=VALUE of letters, digits and . _ , : = + -"
         arguments+=" $argument"
     done
     for argument in "${beside[@]}"; do
