@@ -81,7 +81,6 @@ install_apk() {
         case "$text" in
             *UPDATE_INCOMPATIBLE*) fail "the phone has the app with another signature: adb uninstall $package (its results and scenes go with it), then run this again" ;;
             *NO_MATCHING_ABIS*) fail "the APK has no library for this phone's processor ($(on_phone getprop ro.product.cpu.abilist)): it is built for 64-bit ARM" ;;
-            *MISSING_FEATURE* | *FEATURE*) fail "the phone lacks the Android Extension Pack, which the app needs: $text" ;;
             *) fail "installing failed: $text" ;;
         esac
     fi
@@ -99,7 +98,7 @@ push_scenes() {
     on_phone mkdir -p "$files"
     for scene in "$@"; do
         text="$(adb push "$scene" "$files/" 2>&1)" || fail "cannot push '$scene': $text"
-        say "pushed $(basename "$scene"); the app lists it when it starts next"
+        say "pushed $(basename "$scene"); it is in the app's list of scenes when that is opened next"
     done
 }
 

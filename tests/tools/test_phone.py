@@ -147,7 +147,6 @@ def test_phone_that_is_not_ready(phone, listed, words):
 
 @pytest.mark.parametrize(("printed", "words"), [
     ("Failure [INSTALL_FAILED_UPDATE_INCOMPATIBLE: signatures do not match]\n", "adb uninstall vct.app"),
-    ("Failure [INSTALL_FAILED_MISSING_FEATURE: android.hardware.opengles.aep]\n", "Android Extension Pack"),
     ("Failure [INSTALL_FAILED_NO_MATCHING_ABIS]\n", "no library for this phone's processor"),
     ("Failure [INSTALL_FAILED_INSUFFICIENT_STORAGE]\n", "INSUFFICIENT_STORAGE"),
 ])
