@@ -50,6 +50,11 @@ done
 [[ -f /usr/share/android-framework-res/framework-res.apk ]] || compgen -G "$sdk/platforms/android-*/android.jar" >/dev/null ||
     missing "no framework to link the manifest against: on Debian, apt install android-framework-res; of the SDK, a platform"
 
+# The last of the libraries that cmake/dependencies_android.cmake fetches.
+[[ -d build/android/_deps/imgui-src ]] ||
+    GIT_TERMINAL_PROMPT=0 timeout 60 git ls-remote --quiet https://github.com/ocornut/imgui.git HEAD >/dev/null 2>&1 ||
+    missing "github.com, from where the app's libraries are fetched once, cannot be reached"
+
 echo "apk: NDK $(sed -n 's/^Pkg.Revision = //p' "$ANDROID_NDK_HOME/source.properties")"
 scripts/build.sh android apk
 python3 tools/apk/check.py build/android/vct.apk --ndk "$ANDROID_NDK_HOME"
