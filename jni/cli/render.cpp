@@ -26,7 +26,7 @@ struct RenderOptions {
     std::string camera, light;
     std::string sky = "0,0,0";
     // Over the preset's, where given.
-    std::optional<std::string> shadow;
+    std::optional<std::string> shadow, voxelization;
     std::optional<int> blockerTaps, filterTaps;
     std::string backend = "egl";
     int device = -1;
@@ -50,6 +50,7 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
+    if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
@@ -196,6 +197,9 @@ void addRender(CLI::App& app, int&) {
         ->capture_default_str();
     command->add_option("--grid", options->grid,
                         "Voxels along a side: 64, 128, 256, 512 (default: the preset's)");
+    command->add_option("--voxelization", options->voxelization,
+                        "What finds the axis along which a triangle is voxelized: geometry-shader, or "
+                        "sorted-axes (once, when the scene is loaded); default: the preset's");
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,

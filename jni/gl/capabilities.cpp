@@ -58,6 +58,14 @@ void Capabilities::requireAll() const {
                 "\nA newer driver may have it, or another back end or device (`vct info --help`).");
 }
 
+void Capabilities::require(const std::string& name, const std::string& remedy) const {
+    for (const Requirement& row : requirements)
+        if (row.name == name && !row.met)
+            throw Error("the GL driver (" + renderer + ", " + version +
+                        ") lacks what these settings need:\n  " + lineOf(row) + ": " + row.neededBy + "\n" +
+                        remedy);
+}
+
 Capabilities queryCapabilities() {
     Capabilities result;
     result.vendor = getString(GL_VENDOR);

@@ -33,6 +33,8 @@ struct Capabilities {
     bool hasExtension(const std::string& name) const;
     // Throws one vct::Error that names every required thing that is missing and what it is needed for.
     void requireAll() const;
+    // The same for a row that only some settings require, found by its name.
+    void require(const std::string& name, const std::string& remedy) const;
 };
 
 // Queries the current context (gl::load must have run).

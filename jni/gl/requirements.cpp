@@ -33,8 +33,10 @@ const std::vector<Feature>& features() {
          2,
          3,
          2,
-         true,
-         "voxelization: turns each triangle along its dominant axis; no global illumination without it"},
+         false,
+         "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it "
+         "that "
+         "preset is lost, unless with --voxelization sorted-axes"},
         {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
          3,
          2,

@@ -69,6 +69,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"grid", s.grid},
             {"width", s.size.x},
             {"height", s.size.y},
+            {"voxelization", voxelizationName(s.voxelization)},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"shadow", shadowName(s.shadow)},

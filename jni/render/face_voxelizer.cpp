@@ -5,9 +5,11 @@
 
 namespace vct {
 
-FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid)
-    : touch_(shaders, scene, faceTouchProgram),
-      accumulate_(shaders, scene, faceVoxelizerProgram),
+FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
+                             Voxelization voxelization)
+    : touch_(shaders, scene, [=](unsigned features) { return faceTouchProgram(features, voxelization); }),
+      accumulate_(shaders, scene,
+                  [=](unsigned features) { return faceVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, faceResolveProgram()),
       framebuffer_("face voxelizer", grid, grid) {}
 
@@ -20,7 +22,7 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     const VoxelPyramid& slots = voxels.slots();
     slots.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     slots.bindLists();
-    scene.draw(GpuScene::Culling::none, touch_);
+    scene.drawForVoxels(touch_);
     // Next: the places in the list are fetched as a texture.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
@@ -28,7 +30,7 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     voxels.sums().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     slots.texture().bind(VCT_TEX_VOXELS);
-    scene.draw(GpuScene::Culling::none, accumulate_);
+    scene.drawForVoxels(accumulate_);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 
     resolve_.use();

@@ -9,7 +9,8 @@ namespace vct {
 
 class FaceVoxelizer {
   public:
-    FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid);
+    FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
+                  Voxelization voxelization);
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels);

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "render/axis_sort.h"
 #include "render/programs.h"
 #include "shared/layout.h"
 
@@ -65,15 +66,57 @@ shared::DrawUniforms drawUniforms(const Instance& instance, const Mesh& mesh, co
     return uniforms;
 }
 
+void drawTriangles(std::size_t firstIndex, int indexCount) {
+    gl::DrawElements(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
+}
+
+// The index buffer: the triangles of each mesh, and behind them the orders that instances need besides.
+class Indices {
+  public:
+    explicit Indices(const Scene& scene) {
+        std::uint32_t firstVertex = 0;
+        for (const Mesh& mesh : scene.meshes) {
+            firstVertex_.push_back(firstVertex);
+            orders_.push_back({all_.size()});
+            append(mesh.indices, firstVertex);
+            firstVertex += static_cast<std::uint32_t>(mesh.vertices.size());
+        }
+    }
+    std::size_t firstOfMesh(int mesh) const { return orders_[mesh][0]; }
+    // Where the mesh's triangles stand in this order; it is added if no instance before had the same.
+    std::size_t firstOf(int mesh, const std::vector<std::uint32_t>& order) {
+        for (const std::size_t first : orders_[mesh]) {
+            const auto same = [&](std::uint32_t index, std::uint32_t shared) {
+                return index + firstVertex_[mesh] == shared;
+            };
+            if (all_.size() - first >= order.size() &&
+                std::equal(order.begin(), order.end(), all_.begin() + static_cast<std::ptrdiff_t>(first),
+                           same))
+                return first;
+        }
+        orders_[mesh].push_back(all_.size());
+        append(order, firstVertex_[mesh]);
+        return orders_[mesh].back();
+    }
+    const std::vector<std::uint32_t>& all() const { return all_; }
+
+  private:
+    // ES 3.1 has no base vertex: it goes into the indices.
+    void append(const std::vector<std::uint32_t>& indices, std::uint32_t firstVertex) {
+        for (std::uint32_t index : indices)
+            all_.push_back(firstVertex + index);
+    }
+    std::vector<std::uint32_t> all_, firstVertex_;
+    std::vector<std::vector<std::size_t>> orders_;  // of each mesh, its own first
+};
+
 }  // namespace
 
-GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment) {
-    std::vector<std::size_t> firstIndex;
-    std::size_t indexCount = 0;
-    for (const Mesh& mesh : scene.meshes) {
-        firstIndex.push_back(indexCount);
-        indexCount += mesh.indices.size();
-    }
+GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
+                   Voxelization voxelization)
+    : voxelization_(voxelization) {
+    Indices indices(scene);
 
     const auto alignment = static_cast<std::size_t>(uniformAlignment);
     const std::size_t stride = (sizeof(shared::DrawUniforms) + alignment - 1) / alignment * alignment;
@@ -87,12 +130,19 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         draw.emissiveTexture = material.emissiveTexture;
         draw.doubleSided = material.doubleSided;
         draw.mirrored = glm::determinant(glm::dmat3(instance.worldFromObject)) < 0.0;
-        draw.firstIndex = firstIndex[instance.mesh];
-        draw.indexCount = static_cast<int>(mesh.indices.size());
+        draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
         draw.uniformOffset = stride * draws_.size();
         const shared::DrawUniforms values =
             drawUniforms(instance, mesh, material, volume.volumeFromWorld(), radianceUnit);
         std::memcpy(&uniforms[draw.uniformOffset], &values, sizeof values);
+        if (voxelization == Voxelization::sortedAxes) {
+            const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
+            std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+                first += static_cast<std::size_t>(sorted.indexCounts[axis]);
+            }
+        }
         draws_.push_back(draw);
     }
     std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
@@ -102,7 +152,7 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
     visibleDraws_ = draws_;
     std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](const Draw& a, const Draw& b) {
         const auto key = [](const Draw& d) {
-            return std::tie(d.features, d.baseColorTexture, d.emissiveTexture, d.firstIndex);
+            return std::tie(d.features, d.baseColorTexture, d.emissiveTexture, d.triangles.first);
         };
         if (key(a) != key(b)) return key(a) < key(b);
         return std::memcmp(&uniforms[a.uniformOffset], &uniforms[b.uniformOffset],
@@ -110,20 +160,14 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
     });
     uniforms_ =
         gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniforms.size(), uniforms.data(), GL_STATIC_DRAW);
-    uploadGeometry(scene);
+    uploadGeometry(scene, indices.all());
     uploadTextures(scene);
 }
 
-void GpuScene::uploadGeometry(const Scene& scene) {
+void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices;
-    for (const Mesh& mesh : scene.meshes) {
-        // ES 3.1 has no base vertex: it goes into the indices.
-        const auto base = static_cast<std::uint32_t>(vertices.size());
+    for (const Mesh& mesh : scene.meshes)
         vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-        for (std::uint32_t index : mesh.indices)
-            indices.push_back(base + index);
-    }
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
                           indices.data(), GL_STATIC_DRAW);
@@ -145,23 +189,42 @@ void GpuScene::uploadTextures(const Scene& scene) {
         textures_.push_back(uploadTexture(texture));
 }
 
+void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
+                        const MaterialPrograms& programs) const {
+    const gl::Program& program = programs(draw.features);
+    if (&program != current) program.use();
+    current = &program;
+    if (draw.features & featureBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
+    if (draw.features & featureEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
+    gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
+    gl::BindBufferRange(GL_UNIFORM_BUFFER, VCT_UBO_DRAW, uniforms_.name(),
+                        static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
+}
+
 void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     vertexArray_.bind();
     gl::CullFace(GL_BACK);
     const gl::Program* current = nullptr;
     for (const Draw& draw : culling == Culling::backFaces ? visibleDraws_ : draws_) {
-        const gl::Program& program = programs(draw.features);
-        if (&program != current) program.use();
-        current = &program;
-        if (draw.features & featureBaseColorTexture)
-            textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
-        if (draw.features & featureEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
+        bindDraw(draw, current, programs);
         (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
-        gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
-        gl::BindBufferRange(GL_UNIFORM_BUFFER, VCT_UBO_DRAW, uniforms_.name(),
-                            static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
-        gl::DrawElements(GL_TRIANGLES, draw.indexCount, GL_UNSIGNED_INT,
-                         reinterpret_cast<const void*>(draw.firstIndex * sizeof(std::uint32_t)));
+        drawTriangles(draw.triangles.first, draw.triangles.count);
+    }
+}
+
+void GpuScene::drawForVoxels(const MaterialPrograms& programs) const {
+    if (voxelization_ == Voxelization::geometryShader) return draw(Culling::none, programs);
+    vertexArray_.bind();
+    gl::Disable(GL_CULL_FACE);
+    const gl::Program* current = nullptr;
+    for (const Draw& draw : draws_) {
+        bindDraw(draw, current, programs);
+        for (GLuint axis = 0; axis < 3; ++axis) {
+            const IndexRange& range = draw.trianglesAlong[axis];
+            if (range.count == 0) continue;
+            gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
+            drawTriangles(range.first, range.count);
+        }
     }
 }
 

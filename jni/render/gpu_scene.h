@@ -2,12 +2,14 @@
 // change as rarely as possible.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <vector>
 
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "render/settings.h"
 #include "render/volume.h"
 #include "scene/scene.h"
 
@@ -17,8 +19,10 @@ class MaterialPrograms;
 
 class GpuScene {
   public:
-    // `radianceUnit`: E/pi of the light, to which emission is made relative.
-    GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment);
+    // `radianceUnit`: E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes
+    // the triangles of each instance are sorted by their axis (axis_sort.h).
+    GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
+             Voxelization voxelization);
 
     enum class Culling { none, backFaces };
 
@@ -26,6 +30,8 @@ class GpuScene {
     // materials are skipped with Culling::backFaces. Of two surfaces in the same place the eye sees the one
     // drawn first: with Culling::backFaces that does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
+    // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
+    void drawForVoxels(const MaterialPrograms& programs) const;
 
     // The material features of each draw, without duplicates.
     std::vector<unsigned> featuresThatOccur() const;
@@ -34,20 +40,26 @@ class GpuScene {
     const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
 
   private:
+    struct IndexRange {
+        std::size_t first = 0;
+        int count = 0;
+    };
     struct Draw {
         unsigned features = 0;
         int baseColorTexture = -1;
         int emissiveTexture = -1;
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
-        std::size_t firstIndex = 0;
-        int indexCount = 0;
+        IndexRange triangles;
+        std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
     };
 
-    void uploadGeometry(const Scene& scene);
+    void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
+    void bindDraw(const Draw& draw, const gl::Program*& current, const MaterialPrograms& programs) const;
 
+    Voxelization voxelization_;
     std::vector<Draw> draws_;         // in the order of the scene's instances, by material features
     std::vector<Draw> visibleDraws_;  // the same in an order that does not depend on that of the instances
     std::vector<gl::Texture> textures_;

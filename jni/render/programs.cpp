@@ -33,6 +33,15 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_THRESHOLD " + number(g.threshold), "VCT_GATHER_SCALE " + std::to_string(g.scale)};
 }
 
+// `name`: also the fragment shader's.
+gl::ProgramDescription voxelizing(const std::string& name, std::vector<std::string> defines,
+                                  Voxelization voxelization) {
+    if (voxelization == Voxelization::geometryShader)
+        return {name, {"voxelizer.vert", "voxelizer.geom", name + ".frag"}, std::move(defines)};
+    defines.emplace_back("VCT_SORTED_AXES");
+    return {name, {"voxelizer.vert", name + ".frag"}, std::move(defines)};
+}
+
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
 }
@@ -79,9 +88,8 @@ gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget) {
     return {"g_buffer", {"g_buffer.vert", "g_buffer.frag"}, defines};
 }
 
-gl::ProgramDescription voxelizerProgram(unsigned features) {
-    return {
-        "voxelizer", {"voxelizer.vert", "voxelizer.geom", "voxelizer.frag"}, featureDefines(features, ~0U)};
+gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("voxelizer", featureDefines(features, ~0U), voxelization);
 }
 
 gl::ProgramDescription mipmapperProgram() {
@@ -92,17 +100,14 @@ gl::ProgramDescription sparseClearProgram() {
     return {"sparse_clear", {"sparse_clear.comp"}, {}};
 }
 
-gl::ProgramDescription faceTouchProgram(unsigned features) {
+gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization) {
     if (!(features & featureAlphaMask)) features = 0;
-    return {"face_touch",
-            {"voxelizer.vert", "voxelizer.geom", "face_touch.frag"},
-            featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
+    return voxelizing("face_touch", featureDefines(features, featureBaseColorTexture | featureAlphaMask),
+                      voxelization);
 }
 
-gl::ProgramDescription faceVoxelizerProgram(unsigned features) {
-    return {"face_voxelizer",
-            {"voxelizer.vert", "voxelizer.geom", "face_voxelizer.frag"},
-            featureDefines(features, ~0U)};
+gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("face_voxelizer", featureDefines(features, ~0U), voxelization);
 }
 
 gl::ProgramDescription faceResolveProgram() {
@@ -185,9 +190,11 @@ std::vector<gl::ProgramDescription> everyProgram() {
     for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
         if (!possible(features)) continue;
         programs.push_back(shadowMapProgram(features));
-        programs.push_back(voxelizerProgram(features));
-        programs.push_back(faceTouchProgram(features));
-        programs.push_back(faceVoxelizerProgram(features));
+        for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
+            programs.push_back(voxelizerProgram(features, voxelization));
+            programs.push_back(faceTouchProgram(features, voxelization));
+            programs.push_back(faceVoxelizerProgram(features, voxelization));
+        }
         for (bool emissiveTarget : {false, true})
             programs.push_back(gBufferProgram(features, emissiveTarget));
     }

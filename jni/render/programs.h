@@ -27,11 +27,11 @@ unsigned materialFeatures(const Material& material);
 gl::ProgramDescription shadowMapProgram(unsigned features);
 // `emissiveTarget`: the G-buffer has a third target because something in the scene emits.
 gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget);
-gl::ProgramDescription voxelizerProgram(unsigned features);
+gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription mipmapperProgram();
 gl::ProgramDescription sparseClearProgram();
-gl::ProgramDescription faceTouchProgram(unsigned features);
-gl::ProgramDescription faceVoxelizerProgram(unsigned features);
+gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceResolveProgram();
 gl::ProgramDescription faceParentsProgram();
 gl::ProgramDescription faceMipmapperProgram();

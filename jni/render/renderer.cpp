@@ -41,12 +41,15 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
-      scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment),
+      scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
+             settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       gBuffer_(shaders_, scene_, settings.size),
       coneTracer_(shaders_, settings),
       timer_(capabilities.gpuTimerBits) {
+    if (settings.voxelization == Voxelization::geometryShader)
+        capabilities.require("GL_EXT_geometry_shader", "--voxelization sorted-axes gives the same voxels");
     gl::checkErrors("setting up the renderer");
 }
 
@@ -112,7 +115,8 @@ Renderer::WordPasses& Renderer::wordPasses() {
             requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
         wordPasses_.emplace(WordPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
-                                       Voxelizer(shaders_, scene_, settings_.grid), Mipmapper(shaders_)});
+                                       Voxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
+                                       Mipmapper(shaders_)});
     }
     return *wordPasses_;
 }
@@ -122,10 +126,10 @@ Renderer::FacePasses& Renderer::facePasses() {
         if (softwareDriver_)
             requireMemory(FaceVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        facePasses_.emplace(FacePasses{FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
-                                       FaceVoxelizer(shaders_, scene_, settings_.grid),
-                                       FaceMipmapper(shaders_), FaceBounces(shaders_, settings_.gather),
-                                       Gather(shaders_, settings_.gather, settings_.size)});
+        facePasses_.emplace(FacePasses{
+            FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
+            FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization), FaceMipmapper(shaders_),
+            FaceBounces(shaders_, settings_.gather), Gather(shaders_, settings_.gather, settings_.size)});
     }
     return *facePasses_;
 }

@@ -62,6 +62,16 @@ Shadow shadowFromText(const std::string& text) {
     throw Error("--shadow '" + text + "' does not exist; use cone or soft-map");
 }
 
+const char* voxelizationName(Voxelization voxelization) {
+    return voxelization == Voxelization::geometryShader ? "geometry-shader" : "sorted-axes";
+}
+
+Voxelization voxelizationFromText(const std::string& text) {
+    for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes})
+        if (text == voxelizationName(voxelization)) return voxelization;
+    throw Error("--voxelization '" + text + "' does not exist; use geometry-shader or sorted-axes");
+}
+
 const std::vector<Experiment>& allExperiments() {
     static const std::vector<Experiment> experiments{
         {"coverage-opacity", "VCT_COVERAGE_OPACITY",
@@ -97,6 +107,7 @@ Settings presetSettings(const std::string& name) {
     Settings settings;
     if (name == "thesis") return settings;
     settings.voxels = Voxels::faces;
+    settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
     settings.bounces = 4;
     if (name == "mobile") {

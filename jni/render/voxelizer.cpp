@@ -5,8 +5,10 @@
 
 namespace vct {
 
-Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid)
-    : programs_(shaders, scene, voxelizerProgram), framebuffer_("voxelizer", grid, grid) {}
+Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
+                     Voxelization voxelization)
+    : programs_(shaders, scene, [=](unsigned features) { return voxelizerProgram(features, voxelization); }),
+      framebuffer_("voxelizer", grid, grid) {}
 
 void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");
@@ -18,7 +20,7 @@ void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPy
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);  // read by the experiment second-atomic only
     voxels.bindLists();
-    scene.draw(GpuScene::Culling::none, programs_);
+    scene.drawForVoxels(programs_);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);

@@ -8,7 +8,7 @@ namespace vct {
 
 class Voxelizer {
   public:
-    Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid);
+    Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, Voxelization voxelization);
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels);

@@ -70,8 +70,10 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_EMISSIVE_UV 3
 #define VCT_ATTRIBUTE_VOXEL 0
 
-// Uniforms outside blocks: the mip level that a pass over the active-voxel list works on.
+// Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
+// the triangles of a draw call are voxelized.
 #define VCT_UNIFORM_LEVEL 0
+#define VCT_UNIFORM_AXIS 0
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list

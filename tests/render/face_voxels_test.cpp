@@ -53,9 +53,10 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
     buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const GpuScene gpuScene(scene, volume, radianceUnit(light),
-                            context.capabilities.uniformBufferOffsetAlignment);
+                            context.capabilities.uniformBufferOffsetAlignment, Voxelization::sortedAxes);
     ShadowMap shadowMap(shaders, gpuScene, mobile().shadowMapSize);
-    FaceVoxelizer(shaders, gpuScene, grid).run(gpuScene, shadowMap.draw(gpuScene), into);
+    FaceVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes)
+        .run(gpuScene, shadowMap.draw(gpuScene), into);
     FaceMipmapper mipmapper(shaders);
     mipmapper.makeLists(into);
     mipmapper.run(into);

@@ -51,7 +51,8 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
                          const Settings& settings, const Volume& volume, const Camera& camera)
     : shaders_(shaderLibrary(settings, context.capabilities, testShaders())),
       uniforms_(frameUniforms(camera, light, scene.boundsWorld, volume, settings)),
-      scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment),
+      scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment,
+             settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
       gBuffer_(shaders_, scene_, settings.size),
@@ -60,7 +61,7 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     gBuffer_.draw(scene_);
-    Voxelizer(shaders_, scene_, settings.grid).run(scene_, shadow, pyramid_);
+    Voxelizer(shaders_, scene_, settings.grid, settings.voxelization).run(scene_, shadow, pyramid_);
     Mipmapper(shaders_).run(pyramid_);
 }
 

@@ -1,0 +1,195 @@
+// Voxelization by triangles sorted by their axis against the geometry shader: the same voxels, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "measure/cpu_mips.h"
+#include "platform/contexts.h"
+#include "render/axis_sort.h"
+#include "render/gpu_scene.h"
+#include "render/read_back.h"
+#include "scene/camera.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "support/triangle_soup.h"
+
+namespace vct::test {
+namespace {
+
+struct VoxelContents {
+    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;  // of each level; of faces: RGBA8
+};
+
+std::vector<std::vector<std::uint32_t>> sortedLists(const VoxelPyramid& pyramid) {
+    std::vector<std::vector<std::uint32_t>> lists;
+    const std::vector<std::uint32_t> counts = pyramid.readActiveCounts();
+    for (int level = 0; level < pyramid.levels(); ++level) {
+        lists.push_back(readEntries(pyramid, level, counts[level]));
+        std::sort(lists.back().begin(), lists.back().end());
+    }
+    return lists;
+}
+
+// RGBA8 texels of one level, each as one word.
+std::vector<std::uint32_t> readFaces(const FaceVoxels& voxels, int level) {
+    const int width = voxels.faces().width() >> level, height = voxels.faces().height() >> level;
+    const std::size_t slice = static_cast<std::size_t>(width) * height;
+    const int depth = voxels.grid() >> level;
+    const gl::Framebuffer framebuffer("read back faces", 1, 1);
+    framebuffer.bind();
+    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+    gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
+    std::vector<std::uint32_t> texels(slice * depth);
+    for (int z = 0; z < depth; ++z) {
+        gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.faces().name(), level, z);
+        gl::ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, &texels[z * slice]);
+    }
+    return texels;
+}
+
+VoxelContents contentsOf(Renderer& renderer) {
+    VoxelContents contents;
+    if (VoxelPyramid* words = renderer.voxels()) {
+        contents.lists = sortedLists(*words);
+        for (int level = 0; level < words->levels(); ++level)
+            contents.words.push_back(readVoxels(words->texture(), level));
+    }
+    if (FaceVoxels* faces = renderer.faceVoxels()) {
+        contents.lists = sortedLists(faces->slots());
+        for (int level = 0; level < faces->levels(); ++level)
+            contents.words.push_back(readFaces(*faces, level));
+    }
+    return contents;
+}
+
+VoxelContents voxelized(Backend backend, const Scene& scene, Settings settings, Voxelization voxelization) {
+    const Context context = openContext(backend);
+    settings.voxelization = voxelization;
+    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), settings);
+    // Twice, so that what a frame leaves behind would show.
+    for (int i = 0; i < 2; ++i)
+        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
+    return contentsOf(renderer);
+}
+
+Settings settingsFor(const std::string& preset, int grid) {
+    Settings settings = presetSettings(preset);
+    settings.grid = grid;
+    settings.size = glm::ivec2(64);
+    settings.shadowMapSize = 256;
+    return settings;
+}
+
+class SortedAxes : public testing::TestWithParam<std::tuple<Backend, std::string>> {};
+INSTANTIATE_TEST_SUITE_P(BackendsAndScenes, SortedAxes,
+                         testing::Combine(testing::Values(Backend::egl, Backend::zink, Backend::osmesa),
+                                          testing::Values("cornell", "courtyard", "corridor", "soup")),
+                         [](const auto& test) {
+                             return std::string(backendName(std::get<0>(test.param))) + "_" +
+                                    std::get<1>(test.param);
+                         });
+
+TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
+    const auto& [backend, name] = GetParam();
+    VCT_SKIP_IF_ABSENT(backend);
+    const Scene scene = name == "soup" ? triangleSoup(1) : loadGltf(asset(name + ".glb"));
+    for (const char* preset : {"thesis", "mobile"})
+        for (int grid : {64, 128}) {
+            const Settings settings = settingsFor(preset, grid);
+            const VoxelContents byShader = voxelized(backend, scene, settings, Voxelization::geometryShader);
+            const VoxelContents bySorting = voxelized(backend, scene, settings, Voxelization::sortedAxes);
+            ASSERT_GT(byShader.lists[0].size(), 1000U);
+            EXPECT_EQ(bySorting.lists, byShader.lists) << preset << " " << grid;
+            // Not EXPECT_EQ: it would print millions of words.
+            for (std::size_t level = 0; level < byShader.words.size(); ++level)
+                EXPECT_TRUE(bySorting.words[level] == byShader.words[level])
+                    << preset << " " << grid << ", level " << level;
+        }
+}
+
+TEST(SortedAxesOfSoups, GiveTheVoxelsOfTheGeometryShaderAt256) {
+    for (unsigned seed = 2; seed <= 4; ++seed) {
+        const Scene scene = triangleSoup(seed);
+        const Settings settings = settingsFor("thesis", 256);
+        const auto byShader = voxelized(Backend::egl, scene, settings, Voxelization::geometryShader);
+        const auto bySorting = voxelized(Backend::egl, scene, settings, Voxelization::sortedAxes);
+        EXPECT_TRUE(bySorting.lists == byShader.lists) << "seed " << seed;
+        EXPECT_TRUE(bySorting.words == byShader.words) << "seed " << seed;
+    }
+}
+
+Mesh triangles(const std::vector<glm::vec3>& corners) {
+    Mesh mesh;
+    for (const glm::vec3& corner : corners) {
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.vertices.push_back({corner, {0, 1, 0}, {}, {}});
+    }
+    return mesh;
+}
+
+TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
+    const glm::vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    const AxisSort sorted = sortByAxis(triangles({o, x, y,        // z
+                                                  o, y, z,        // x
+                                                  o, x, x,        // none
+                                                  o, z, x,        // y
+                                                  o, y, x,        // z
+                                                  o, x + y, z}),  // x, by preference over y
+                                       glm::mat4(1.0F));
+    EXPECT_EQ(sorted.indexCounts, (std::array<int, 3>{6, 3, 6}));
+    EXPECT_EQ(sorted.indices,
+              (std::vector<std::uint32_t>{3, 4, 5, 15, 16, 17, 9, 10, 11, 0, 1, 2, 12, 13, 14}));
+}
+
+std::size_t indexBytes(const Scene& scene) {
+    const Volume volume = volumeAround(scene.boundsWorld, 64);
+    const GpuScene gpu(scene, volume, 1.0F, 256, Voxelization::sortedAxes);
+    for (const gl::Buffer* buffer : gpu.buffers())
+        if (buffer->label() == "indices") return buffer->bytes();
+    return 0;
+}
+
+TEST(AxisSort, InstancesOfOneMeshShareItsOrderWhereItIsTheSame) {
+    const Context context = openContext(Backend::egl);
+    const glm::vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    Scene scene = emptyScene();
+    scene.meshes.push_back(triangles({o, x, y, o, y, z}));
+    for (int i = 0; i < 5; ++i) {
+        glm::dmat4 moved(1.0);
+        moved[3] = glm::dvec4(i, 2 * i, 0, 1);
+        scene.instances.push_back({0, moved});
+    }
+    // Its own order, and one for z after x.
+    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+    // x becomes z and z becomes -x: its own order again.
+    scene.instances.push_back({0, glm::dmat4({0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1})});
+    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+}
+
+TEST(Voxelization, ADriverWithoutGeometryShadersIsRefusedOnlyWhereTheSettingsAskForThem) {
+    const Context context = openContext(Backend::egl);
+    gl::Capabilities without = context.capabilities;
+    for (gl::Requirement& row : without.requirements)
+        if (row.name == "GL_EXT_geometry_shader") row.met = false;
+    const Scene scene = lonePlane(0.0);
+    const auto make = [&](const char* preset) {
+        Renderer(scene, lightFrom({1, 2, 3}), settingsFor(preset, 64), without, testShaders());
+    };
+    EXPECT_NO_THROW(without.requireAll());
+    EXPECT_NO_THROW(make("mobile"));
+    EXPECT_NO_THROW(make("quality"));
+    try {
+        make("thesis");
+        FAIL() << "the geometry shader is missing";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("sorted-axes"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("GL_EXT_geometry_shader"), std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace vct::test
