@@ -13,10 +13,14 @@ void main() {
     int grid = imageSize(faces).z;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + i]));
-        for (int face = 0; face < 6; ++face)
+        for (int face = 0; face < 6; ++face) {
+            if (level == 0u) {
+                uint index = faceSumIndex(i, face);
+                if (i >= faceSlots() || faceSums[index] == 0u) continue;  // nothing was written
+                for (uint word = 0u; word < VCT_FACE_SUM_WORDS; ++word)
+                    faceSums[index + word] = 0u;
+            }
             imageStore(faces, faceTexel(voxel, face >> 1, face & 1, grid), vec4(0.0));
-        if (level == 0u && i < faceSlots())
-            for (uint word = 0u; word < 6u * VCT_FACE_SUM_WORDS; ++word)
-                faceSums[faceSumIndex(i, 0) + word] = 0u;
+        }
     }
 }

@@ -28,7 +28,9 @@ void main() {
                     vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
                     sum += front + (1.0 - front.a) * back;
                 }
-                imageStore(parents, faceTexel(parent, axis, side, childGrid >> 1), sum * 0.25);
+                // Most are empty, and have been cleared.
+                if (sum != vec4(0.0))
+                    imageStore(parents, faceTexel(parent, axis, side, childGrid >> 1), sum * 0.25);
             }
         }
     }

@@ -14,6 +14,7 @@ void main() {
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
         for (int face = 0; face < 6; ++face) {
             FaceSum sum = faceSum(slot, face);
+            if (sum.coverage == 0.0) continue;  // most are, and have been cleared
             imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(sum.radiance, sum.coverage));
         }
     }

@@ -28,7 +28,10 @@ void addFixed(uint index, vec3 value) {
 // `weight` in 0..1, `radiance` relative to E/pi.
 void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
     uint index = faceSumIndex(slot, face);
-    atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], uint(weight * frame.faces.x + 0.5));
+    // Where nothing is covered nothing may be added: by its coverage it is known whether a face is empty.
+    uint coverage = uint(weight * frame.faces.x + 0.5);
+    if (coverage == 0u) return;
+    atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], coverage);
     addFixed(index + VCT_FACE_SUM_RADIANCE, weight / float(VCT_FACE_RADIANCE_RANGE) * radiance);
     addFixed(index + VCT_FACE_SUM_ALBEDO, weight * albedo);
 }
