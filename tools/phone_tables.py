@@ -12,8 +12,8 @@ import pathlib
 import sys
 from typing import Any
 
-STEPS = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-         "trace": "trace", "total": "total"}
+# Steps that are not named as they are written.
+LABELS = {"render_data": "G-buffer"}
 # Of bench.json and timings.json: docs/timings.md says when it changes.
 VERSION = 1
 
@@ -63,9 +63,12 @@ def step_tables(files: list[tuple[str, dict[str, Any]]]) -> str:
     for mode in dict.fromkeys(mode for _, found in measured for mode in found):
         columns = [(name, found[mode]) for name, found in measured if mode in found]
         text += f"\n{mode}, medians in ms\n{'':10}" + "".join(f"  {name:>18}" for name, _ in columns) + "\n"
-        for key, label in STEPS.items():
-            text += f"{label:10}" + "".join(f"  {steps[key]['median']:{max(18, len(name))}.2f}"
-                                            for name, steps in columns) + "\n"
+        for key in dict.fromkeys(key for _, steps in columns for key in steps):
+            text += f"{LABELS.get(key, key.replace('_', ' ')):10}"
+            for name, steps in columns:
+                value = f"{steps[key]['median']:.2f}" if key in steps else "-"
+                text += f"  {value:>{max(18, len(name))}}"
+            text += "\n"
     return text
 
 
