@@ -6,17 +6,6 @@
 
 namespace vct::test {
 
-namespace {
-
-void turn(Scene& scene, double angleDeg) {
-    const glm::dmat4 rotation =
-        glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));
-    for (Instance& instance : scene.instances)
-        instance.worldFromObject = rotation * instance.worldFromObject;
-}
-
-}  // namespace
-
 Scene emptyScene() {
     Scene scene;
     scene.path = "test";
@@ -35,6 +24,14 @@ void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const 
     scene.meshes.push_back(std::move(mesh));
 }
 
+glm::dmat4 turnScene(Scene& scene, double angleDeg) {
+    const glm::dmat4 rotation =
+        glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));
+    for (Instance& instance : scene.instances)
+        instance.worldFromObject = rotation * instance.worldFromObject;
+    return rotation;
+}
+
 Scene closedBox(double angleDeg) {
     Scene scene = emptyScene();
     const glm::dvec3 x(2, 0, 0), y(0, 2, 0), z(0, 0, 2);
@@ -44,14 +41,14 @@ Scene closedBox(double angleDeg) {
     addQuad(scene, {1, -1, -1}, z, y);   // right
     addQuad(scene, {-1, -1, -1}, x, y);  // back, facing +z
     addQuad(scene, {-1, -1, 1}, y, x);   // front
-    turn(scene, angleDeg);
+    turnScene(scene, angleDeg);
     return finished(std::move(scene));
 }
 
 Scene lonePlane(double angleDeg) {
     Scene scene = emptyScene();
     addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
-    turn(scene, angleDeg);
+    turnScene(scene, angleDeg);
     return finished(std::move(scene));
 }
 

@@ -14,7 +14,10 @@ Scene emptyScene();
 void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
              int material = 0);
 
-// A cube of side 2 around the origin whose inside is the front; turned by `angleDeg` around (1, 2, 3).
+// Turns everything around (1, 2, 3) through the origin, and returns the rotation.
+glm::dmat4 turnScene(Scene& scene, double angleDeg);
+
+// A cube of side 2 around the origin whose inside is the front; turned by `angleDeg`.
 Scene closedBox(double angleDeg);
 
 // A square of side 2 in the plane y = 0, facing up; turned likewise.

@@ -12,17 +12,10 @@
 #include "render/mipmapper.h"
 #include "render/shadow_map.h"
 #include "render/voxelizer.h"
+#include "support/surface_pixels.h"
 #include "support/voxels.h"
 
 namespace vct::test {
-
-// What the G-buffer says of a pixel.
-struct SurfacePixel {
-    bool surface = false;  // false: sky, and nothing else is set
-    glm::dvec3 positionVolume{0.0};
-    glm::dvec3 normal{0.0};
-    glm::dvec3 albedo{0.0};
-};
 
 class TracedFrame {
   public:
@@ -37,7 +30,6 @@ class TracedFrame {
     // The other levels follow on the CPU.
     void replaceVoxels(const Words& base) { writePyramid(pyramid_.texture(), base); }
 
-    // Row by row from the top, as in an Image.
     std::vector<SurfacePixel> pixels() const;
 
     // `view`: VCT_VIEW_*.

@@ -1,0 +1,53 @@
+#include "support/gathered_frame.h"
+
+#include "render/programs.h"
+#include "render/read_back.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+
+namespace {
+
+shared::FrameUniforms uniformsOf(const Scene& scene, const DirectionalLight& light, const Settings& settings,
+                                 const Volume& volume, const Camera& camera) {
+    shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
+    uniforms.faces.x = faceSumUnits(scene.triangleCount());
+    return uniforms;
+}
+
+}  // namespace
+
+GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const DirectionalLight& light,
+                             const Settings& settings, const Volume& volume, const Camera& camera)
+    : shaders_(shaderLibrary(settings, context.capabilities, testShaders())),
+      uniforms_(uniformsOf(scene, light, settings, volume, camera)),
+      scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment,
+             settings.voxelization),
+      uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
+      shadowMap_(shaders_, scene_, settings.shadowMapSize),
+      gBuffer_(shaders_, scene_, settings.size),
+      voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
+      gather_(shaders_, settings.gather, settings.size),
+      coneTracer_(shaders_, settings) {
+    uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+    const gl::Texture& shadow = shadowMap_.draw(scene_);
+    gBuffer_.draw(scene_);
+    FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization).run(scene_, shadow, voxels_);
+    FaceMipmapper mipmapper(shaders_);
+    mipmapper.makeLists(voxels_);
+    mipmapper.run(voxels_);
+}
+
+std::vector<SurfacePixel> GatheredFrame::pixels() const {
+    return surfacePixels(shaders_, gBuffer_.targets(), uniforms_);
+}
+
+Image GatheredFrame::view(int view) {
+    uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+    const bool occlusion = view == VCT_VIEW_AO || view == VCT_MODE_AO;
+    const Gather::Targets gathered =
+        gather_.draw(occlusion ? Gather::What::occlusion : Gather::What::light, gBuffer_.targets(), voxels_);
+    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {nullptr, gathered}));
+}
+
+}  // namespace vct::test
