@@ -1,5 +1,7 @@
 #include "app/app.h"
 
+#include <android/window.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +15,7 @@ namespace vct::app {
 namespace {
 
 constexpr const char* firstScene = "cornell.glb";
+const glm::vec3 background(0.08F);
 
 float pixelsPerDp(AConfiguration* configuration) {
     const int density = AConfiguration_getDensity(configuration);
@@ -41,16 +44,27 @@ App::App(android_app& glue, const std::string& command)
       touch_(pixelsPerDp_),
       lastFrame_(std::chrono::steady_clock::now()) {
     log("vct " VCT_VERSION ", files in " + folder_);
-    (void)command;
     rescan();
-    const auto first = std::find_if(scenes_.begin(), scenes_.end(),
-                                    [](const SceneFile& scene) { return scene.name == firstScene; });
+    std::string scene = firstScene;
+    if (command.rfind("show", 0) == 0) {
+        try {
+            const ShowRequest request = showRequestFromText(command);
+            choices_ = request.choices;
+            if (!request.display) hud_.turnOff();
+            if (!request.scene.empty()) scene = request.scene;
+        } catch (const Error& error) {
+            fail(error.what());
+        }
+    }
+    const auto first = findScene(scene);
     if (!scenes_.empty()) chooseScene(first == scenes_.end() ? scenes_.front() : *first);
+    if (!command.empty() && command.rfind("show", 0) != 0) startMeasuring(command);
 }
 
 App::~App() {
     loader_.cancel();
-    gl_.reset();  // in its context
+    bench_.reset();  // in its context
+    gl_.reset();
     log("the app ends");
 }
 
@@ -129,41 +143,67 @@ void App::draw() {
     const double passedS = std::chrono::duration<double>(now - lastFrame_).count();
     lastFrame_ = now;
     frameMs_ = frameMs_ == 0.0 ? 1e3 * passedS : 0.8 * frameMs_ + 0.2 * 1e3 * passedS;
-    const glm::ivec2 window = surface_->size();
+    if (!gl_->missing().empty()) return drawMessage();
 
-    if (!gl_->missing().empty()) {
-        clearWindow(window, glm::vec3(0.08F));
-        hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window, freeArea());
-        gl_->hud().draw(hud_.drawData(), window);
-        return;
-    }
-    drawScene();
-    if (Renderer* const renderer = gl_->renderer())
-        gl_->presenter().draw(*renderer, window);
+    testDriver();
+    const bool measuring = request_ && !loader_.busy() && selfTest_;
+    if (measuring)
+        measure();
     else
-        clearWindow(window, glm::vec3(0.08F));
+        drawScene();
+    const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
+    if (renderer != nullptr)
+        gl_->presenter().draw(*renderer, surface_->size());
+    else
+        clearWindow(surface_->size(), background);
+    drawHud(passedS);
+}
+
+// On a driver that lacks something.
+void App::drawMessage() {
+    if (request_) endMeasuring(gl_->missing());
+    const glm::ivec2 window = surface_->size();
+    clearWindow(window, background);
+    hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window, freeArea());
+    gl_->hud().draw(hud_.drawData(), window);
+    gl::checkErrors("message");
+}
+
+void App::drawHud(double passedS) {
+    const glm::ivec2 window = surface_->size();
     const Gesture gesture = touch_.take();
     if (view_) view_->apply(gesture, window);
 
     HudContent content;
     content.choices = &choices_;
-    int wantedScene = sceneIndex();
-    content.scene = &wantedScene;
+    int scene = sceneIndex();
+    const int sceneBefore = scene;
+    content.scene = &scene;
     content.scenes = &scenes_;
     if (scene_) content.sceneLightDeg = lightAnglesDeg(chooseLight(*scene_));
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
-    if (loader_.busy()) content.status = "loading " + loading_.name;
+    content.measuring = request_.has_value();
+    if (loader_.busy())
+        content.status = "loading " + loading_.name;
+    else if (!selfTest_)
+        content.status = "testing the driver";
+    else if (bench_)
+        content.status = "measuring " + bench_->progress();
     content.message = message_;
     const HudActions actions = hud_.build(content, window, freeArea(), passedS);
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("display");
 
-    if (wantedScene != sceneIndex()) chooseScene(scenes_[static_cast<std::size_t>(wantedScene)]);
+    if (scene != sceneBefore) chooseScene(scenes_[static_cast<std::size_t>(scene)]);
     if (actions.rescan) rescan();
     if (actions.resetView && scene_) view_.emplace(*scene_);
     if (actions.dismiss) message_.clear();
+    if (actions.measure && request_)
+        endMeasuring("stopped by hand");
+    else if (actions.measure)
+        startMeasuring("bench preset=" + choices_.preset);
 }
 
 void App::drawScene() {
@@ -195,6 +235,7 @@ void App::drawScene() {
 void App::show() {
     switch (context_->swap(*surface_)) {
         case GlContext::Shown::yes:
+            ++shownFrames_;
             return;
         case GlContext::Shown::surfaceLost:
             log(LogLevel::warning, "the window's surface was lost");
@@ -216,6 +257,7 @@ void App::dropSurface() {
 void App::loseContext(const std::string& how) {
     log(LogLevel::warning,
         std::string("the GL context was lost (") + how + "); everything in it is made anew");
+    if (bench_) endMeasuring("the GL context was lost");
     gl_.reset();
     surface_.reset();
     context_.reset();
@@ -225,6 +267,7 @@ void App::loseContext(const std::string& how) {
 void App::halt(const std::string& why) {
     log(LogLevel::error, why);
     halted_ = true;
+    if (request_) endMeasuring(why);
     gl_.reset();
     surface_.reset();
     context_.reset();
@@ -249,8 +292,86 @@ void App::fail(const std::string& message) {
     log(LogLevel::error, message);
 }
 
+// Once, and not before the window has shown something: it takes a moment.
+void App::testDriver() {
+    if (selfTest_ || shownFrames_ == 0) return;
+    selfTest_ = runSelfTest(gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager));
+    const std::string text =
+        (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
+    if (selfTest_->passed)
+        log(text);
+    else
+        fail(text);
+}
+
+void App::startMeasuring(const std::string& command) {
+    log(command);
+    try {
+        results_ = std::make_unique<ResultsFolder>(folder_ + "/results");
+        BenchRequest request = benchRequestFromText(command);
+        rescan();
+        const std::string current = loader_.busy() ? loading_.path : scene_ ? scene_->path : "";
+        const auto found = findScene(request.scene.empty() ? current : request.scene);
+        if (found == scenes_.end())
+            throw Error("there is no scene " + request.scene + "; copy it into " + folder_);
+        request.scene = found->name;
+        if (found->path != current) chooseScene(*found);
+        request_ = request;
+        // A screen that goes dark pauses the app.
+        ANativeActivity_setWindowFlags(glue_.activity, AWINDOW_FLAG_KEEP_SCREEN_ON, 0);
+    } catch (const std::exception& error) {
+        endMeasuring(error.what());
+    }
+}
+
+// A frame of it.
+void App::measure() {
+    try {
+        if (!bench_) {
+            gl_->dropRenderer();
+            stepMs_.reset();
+            bench_ = std::make_unique<BenchRun>(
+                BenchRun::Input{*request_, scene_, gl_->capabilities(),
+                                shadersFromAssets(glue_.activity->assetManager), "android",
+                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
+                *results_);
+        }
+        if (!bench_->advance()) endMeasuring("");
+    } catch (const gl::ContextLost&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (gl::GetError() == GL_CONTEXT_LOST) throw gl::ContextLost(error.what());
+        endMeasuring(error.what());
+    }
+}
+
+void App::endMeasuring(const std::string& failure) {
+    bench_.reset();
+    request_.reset();
+    ANativeActivity_setWindowFlags(glue_.activity, 0, AWINDOW_FLAG_KEEP_SCREEN_ON);
+    if (failure.empty()) {
+        message_ = "measured: " + folder_ + "/results";
+        log(message_);
+    } else {
+        fail("measuring failed: " + failure);
+    }
+    try {
+        if (results_ && failure.empty()) results_->done(selfTest_->text);
+        if (results_ && !failure.empty()) results_->failed(failure);
+    } catch (const Error& error) {
+        fail(error.what());
+    }
+    results_.reset();
+}
+
 void App::rescan() {
     scenes_ = findScenes(glue_.activity->assetManager, folder_);
+}
+
+std::vector<SceneFile>::const_iterator App::findScene(const std::string& nameOrPath) const {
+    return std::find_if(scenes_.begin(), scenes_.end(), [&](const SceneFile& scene) {
+        return scene.name == nameOrPath || scene.path == nameOrPath;
+    });
 }
 
 int App::sceneIndex() const {
@@ -269,7 +390,13 @@ void App::chooseScene(const SceneFile& scene) {
 void App::takeLoadedScene() {
     std::optional<SceneLoader::Result> result = loader_.take();
     if (!result) return;
-    if (!result->scene) return fail(result->error);
+    if (!result->scene) {
+        if (request_)
+            endMeasuring(result->error);
+        else
+            fail(result->error);
+        return;
+    }
     for (const std::string& warning : result->scene->warnings)
         log(LogLevel::warning, warning);
     log(result->file.path + ": " + std::to_string(result->scene->triangleCount()) + " triangles");

@@ -19,12 +19,15 @@
 #include "app/orbit_view.h"
 #include "app/scene_loader.h"
 #include "app/touch.h"
+#include "measure/bench_run.h"
+#include "measure/self_test.h"
 
 namespace vct::app {
 
 class App {
   public:
-    // `command`: a measurement to start with (measure/bench_options.h), or "".
+    // `command`: a measurement to start with ("bench ...", measure/bench_run.h), or what to show first ("show
+    // ...", choices.h), or "".
     App(android_app& glue, const std::string& command);
     ~App();
     App(const App&) = delete;
@@ -52,7 +55,9 @@ class App {
 
     void prepare();
     void draw();
+    void drawMessage();
     void drawScene();
+    void drawHud(double passedS);
     void show();
 
     void dropSurface();
@@ -60,7 +65,13 @@ class App {
     void halt(const std::string& why);
     void revert(const std::string& why);
 
+    void testDriver();
+    void startMeasuring(const std::string& command);
+    void measure();
+    void endMeasuring(const std::string& failure);  // "": all is written
+
     void rescan();
+    std::vector<SceneFile>::const_iterator findScene(const std::string& nameOrPath) const;
     void chooseScene(const SceneFile& scene);
     int sceneIndex() const;  // of what is being loaded or shown; -1: it is not among the scenes any more
     void takeLoadedScene();
@@ -83,6 +94,12 @@ class App {
     std::optional<Wanted> good_;    // of the last frame that could be rendered
     std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
     std::string message_;
+
+    std::optional<SelfTest> selfTest_;
+    std::unique_ptr<ResultsFolder> results_;  // while something is measured
+    std::optional<BenchRequest> request_;     // what is to be measured once its scene is there
+    std::unique_ptr<BenchRun> bench_;         // in the context, as gl_
+    int shownFrames_ = 0;
 
     float pixelsPerDp_;
     Hud hud_;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <tuple>
 
+#include "core/error.h"
 #include "scene/camera.h"
 
 namespace vct::app {
@@ -23,6 +26,53 @@ bool Choices::operator==(const Choices& other) const {
                         c.timeSteps);
     };
     return all(*this) == all(other);
+}
+
+ShowRequest showRequestFromText(const std::string& text) {
+    ShowRequest request;
+    const auto onOff = [](const std::string& key, const std::string& value) {
+        if (value != "on" && value != "off")
+            throw Error("show: " + key + " is on or off, not '" + value + "'");
+        return value == "on";
+    };
+    std::istringstream words(text);
+    std::string word;
+    words >> word;
+    while (words >> word) {
+        const std::size_t equals = word.find('=');
+        const std::string key = word.substr(0, equals);
+        const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+        Choices& choices = request.choices;
+        if (key == "scene") {
+            request.scene = value;
+        } else if (key == "preset") {
+            choices.preset = value;
+        } else if (key == "mode") {
+            choices.mode = modesFromText(value).front();
+        } else if (key == "grid") {
+            choices.grid = std::atoi(value.c_str());
+        } else if (key == "cone-angle") {
+            choices.coneAngleDeg = std::strtof(value.c_str(), nullptr);
+        } else if (key == "pixels") {
+            const int divisor = value == "thesis" ? 0 : std::atoi(value.c_str());
+            const auto found = std::find_if(resolutions().begin(), resolutions().end(),
+                                            [&](const Resolution& r) { return r.divisor == divisor; });
+            if (found == resolutions().end() || (divisor == 0 && value != "thesis"))
+                throw Error("show: pixels is 1, 2, 3, 4 or thesis, not '" + value + "'");
+            choices.resolution = static_cast<int>(found - resolutions().begin());
+        } else if (key == "display") {
+            request.display = onOff(key, value);
+        } else if (key == "steps") {
+            choices.timeSteps = onOff(key, value);
+        } else {
+            throw Error(
+                "show: unknown '" + word +
+                "'; there are scene, preset, mode, grid, cone-angle, pixels, display and steps, each as "
+                "name=value");
+        }
+    }
+    validate(settingsFor(request.choices, glm::ivec2(1)));
+    return request;
 }
 
 Settings settingsFor(const Choices& choices, glm::ivec2 window) {

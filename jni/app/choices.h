@@ -33,6 +33,17 @@ struct Choices {
     bool operator!=(const Choices& other) const { return !(*this == other); }
 };
 
+// What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off
+// steps=off", each but the first word may be left out; pixels: 1 to 4, the divisor of the window's sides, or
+// thesis.
+struct ShowRequest {
+    std::string scene;
+    Choices choices;
+    bool display = true;
+};
+// Throws vct::Error.
+ShowRequest showRequestFromText(const std::string& text);
+
 Settings settingsFor(const Choices& choices, glm::ivec2 window);
 
 // The scene's light, turned to where it was chosen to come from.

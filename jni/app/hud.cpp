@@ -128,6 +128,10 @@ HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::i
                       double secondsPassed) {
     beginFrame(window, secondsPassed);
     HudActions actions;
+    if (off_) {
+        endFrame();
+        return actions;
+    }
     if (hidden_) {
         beginPanel("hidden", free, 12.0F * ImGui::GetFontSize() * 0.54F);
         if (ImGui::Button("Show")) hidden_ = false;

@@ -59,7 +59,8 @@ class Hud {
     // Of the last build.
     const ImDrawData& drawData() const;
 
-    bool hidden() const { return hidden_; }
+    // A hidden display is only a button; without one there is not even that.
+    void turnOff() { off_ = true; }
 
   private:
     void beginFrame(glm::ivec2 window, double secondsPassed);
@@ -72,7 +73,7 @@ class Hud {
 
     ImGuiContext* context_;
     float scale_;
-    bool hidden_ = false;
+    bool hidden_ = false, off_ = false;
     struct TouchEvent {
         glm::vec2 position;
         bool down;

@@ -59,6 +59,7 @@ ordered_json benchJson(const ordered_json& timings, const Measurements& measurem
         json[key] = timings.at(key);
     json["settings"] = std::move(settings);
     json["method"] = timings.at("method");
+    json["method"]["fresh"] = runs;
     json["method"]["processes"] = measurements.begin()->second.size();
     json["method"]["statistic"] =
         "mean over " + runs + " of each one's mean over frames; min and max over " + runs;

@@ -26,7 +26,7 @@ const std::vector<BenchConfig>& benchConfigs();
 void collect(const nlohmann::ordered_json& timings, const BenchConfig& config, Measurements& measurements);
 
 // bench.json (docs/timings.md). `timings`: of any run, for what is common to all of them. `runs`: what one
-// configuration is measured in, "processes".
+// configuration is measured in, "processes" or "renderers".
 nlohmann::ordered_json benchJson(const nlohmann::ordered_json& timings, const Measurements& measurements,
                                  const std::string& runs);
 

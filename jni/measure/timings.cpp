@@ -1,6 +1,9 @@
 #include "measure/timings.h"
 
 #include <sys/utsname.h>
+#ifdef __ANDROID__
+#include <sys/system_properties.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +84,24 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"emulate_half", s.emulateHalf}};
 }
 
+// Arm's /proc/cpuinfo has no names, but Android knows what it runs on.
+std::string deviceName() {
+#ifdef __ANDROID__
+    std::string name;
+    for (const char* property : {"ro.product.manufacturer", "ro.product.model", "ro.board.platform"}) {
+        char value[PROP_VALUE_MAX] = "";
+        if (__system_property_get(property, value) > 0)
+            name += (name.empty() ? "" : " ") + std::string(value);
+    }
+    if (!name.empty()) return name;
+#endif
+    return "unknown";
+}
+
 }  // namespace
 
 ordered_json machineJson() {
-    std::string cpu = "unknown";
+    std::string cpu = deviceName();
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
         if (line.rfind("model name", 0) == 0) {

@@ -1,23 +1,264 @@
-// The app's life, step by step.
+// The app's life, step by step: what it draws and when, what it keeps and what it makes anew.
 #include <gtest/gtest.h>
 
 #include "stand_in/stand_in.h"
+#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
+
+constexpr int width = 96;
+constexpr int height = 64;
 
 void expectClean(const StandIn& android) {
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-TEST(Lifecycle, StartsShowsASceneAndEnds) {
-    StandIn android;
-    android.startUntilSceneShown(96, 64);
+// Cheap frames: what is tested here does not depend on them.
+class Small : public StandIn {
+  public:
+    Small() { intentExtra = "show grid=64 mode=ao pixels=2"; }
+};
+
+TEST(Lifecycle, StartsTestsTheDriverShowsASceneAndEnds) {
+    Small android;
+    android.startUntilSceneShown(width, height);
     android.run();
     EXPECT_GT(android.shown, 2);
     EXPECT_EQ(android.contextsMade, 1);
+    EXPECT_TRUE(android.logged("self-test passed")) << android.errors();
+    EXPECT_TRUE(android.logged("GL_OES_shader_image_atomic")) << "what `vct info` prints belongs in the log";
+    EXPECT_TRUE(android.logged("the app ends"));
     expectClean(android);
+}
+
+TEST(Lifecycle, DrawsOnlyWithAWindowAndWhileResumed) {
+    Small android;
+    int before = 0;
+    const auto remember = [&] { before = android.shown; };
+    const auto expectNoFrame = [&](const char* when) {
+        android.frames(3);
+        android.then([&, when] { EXPECT_EQ(android.shown, before) << when; });
+    };
+    android.command(APP_CMD_START);
+    expectNoFrame("before a window");
+    android.command(APP_CMD_RESUME);
+    expectNoFrame("resumed, without a window");
+    android.window(width, height);
+    android.frames(3);
+    android.then([&] { EXPECT_GT(android.shown, before); });
+    android.then(remember);
+    android.command(APP_CMD_PAUSE);
+    expectNoFrame("paused");
+    android.command(APP_CMD_RESUME);
+    android.frames(3);
+    android.then([&] { EXPECT_GT(android.shown, before); });
+    android.loseWindow();
+    android.then(remember);
+    expectNoFrame("without a window");
+    android.run();
+    expectClean(android);
+}
+
+TEST(Lifecycle, ALostWindowKeepsTheContextAndEverythingInIt) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.then([&] { android.log.clear(); });
+    for (int i = 0; i < 3; ++i) {
+        android.loseWindow();
+        android.window(width, height);
+        android.frames(2);
+    }
+    int before = 0;
+    android.then([&] { before = android.shown; });
+    android.frames(2);
+    android.run();
+    EXPECT_GT(android.shown, before);
+    EXPECT_EQ(android.contextsMade, 1);
+    EXPECT_FALSE(android.logged("renderer:")) << "GL objects were made anew";
+    expectClean(android);
+}
+
+TEST(Lifecycle, RotationGivesASurfaceOfTheNewSize) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.resize(height, width);
+    android.then([&] { android.capture = true; });
+    android.frames(2);
+    android.then([&] {
+        EXPECT_EQ(android.screen.width, height);
+        EXPECT_EQ(android.screen.height, width);
+    });
+    android.run();
+    EXPECT_EQ(android.contextsMade, 1);
+    expectClean(android);
+}
+
+TEST(Lifecycle, AContextLostBetweenFramesIsMadeAnew) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.then([&] { android.loseContextAtSwap(1); });
+    android.frames(3);
+    android.then([&] { android.capture = true; });
+    android.frames(1);
+    android.run();
+    EXPECT_EQ(android.contextsMade, 2);
+    EXPECT_TRUE(android.logged("the GL context was lost"));
+    expectClean(android);
+}
+
+// Wherever in a frame the driver says it first, set-up of the GL objects included.
+TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsMadeAnew) {
+    for (int call : {1, 2, 3, 5, 8, 13, 21, 34}) {
+        Small android;
+        android.startUntilSceneShown(width, height);
+        android.then([&] { android.loseContextAtGlError(call); });
+        android.frames(20);
+        android.run();
+        EXPECT_EQ(android.contextsMade, 2) << call;
+        expectClean(android);
+    }
+    for (int call : {1, 4, 9, 16, 25, 36}) {
+        Small android;
+        android.command(APP_CMD_START);
+        android.command(APP_CMD_RESUME);
+        android.window(width, height);
+        android.then([&] { android.loseContextAtGlError(call); });
+        android.framesUntilLogged(" triangles");
+        android.frames(10);
+        android.run();
+        EXPECT_EQ(android.contextsMade, 2) << call;
+        expectClean(android);
+    }
+}
+
+TEST(Lifecycle, AContextLostWhilePausedIsMadeAnew) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.command(APP_CMD_PAUSE);
+    android.then([&] { android.contextLost = true; });
+    android.loseWindow();
+    android.command(APP_CMD_RESUME);
+    android.window(width, height);
+    int before = 0;
+    android.then([&] { before = android.shown; });
+    android.frames(3);
+    android.run();
+    EXPECT_GT(android.shown, before);
+    EXPECT_EQ(android.contextsMade, 2);
+    expectClean(android);
+}
+
+TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererAndLaterMakesItAgain) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    int before = 0;
+    android.then([&] { before = liveGlObjects("textures"); });
+    android.command(APP_CMD_PAUSE);
+    android.command(APP_CMD_LOW_MEMORY);
+    android.then([&] { EXPECT_LT(liveGlObjects("textures"), before); });
+    android.command(APP_CMD_RESUME);
+    android.frames(3);
+    android.then([&] { EXPECT_EQ(liveGlObjects("textures"), before); });
+    android.run();
+    expectClean(android);
+}
+
+TEST(Lifecycle, LowMemoryOnTheScreenKeepsThePicture) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.command(APP_CMD_LOW_MEMORY);
+    android.frames(2);
+    android.run();
+    expectClean(android);
+}
+
+TEST(Lifecycle, QuittingWhileASceneIsLoadedEndsCleanly) {
+    for (int frames : {0, 1, 2}) {
+        Small android;
+        android.start(width, height);
+        android.frames(frames);
+        android.run();
+        EXPECT_TRUE(android.logged("the app ends"));
+        expectClean(android);
+    }
+}
+
+TEST(Lifecycle, TheBackButtonIsLeftToTheSystem) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.key();
+    android.run();
+    EXPECT_EQ(android.lastHandled, 0);
+    expectClean(android);
+}
+
+TEST(Lifecycle, FocusLostForgetsTheFingers) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.touch(AMOTION_EVENT_ACTION_DOWN, {{0, 90, 60}});
+    android.command(APP_CMD_LOST_FOCUS);
+    android.frames(1);
+    android.command(APP_CMD_GAINED_FOCUS);
+    android.touch(AMOTION_EVENT_ACTION_DOWN, {{0, 20, 60}});
+    android.frames(1);
+    android.run();
+    expectClean(android);
+}
+
+TEST(Lifecycle, SavedStateKeepsACommandFromRunningTwice) {
+    TemporaryFolder files;
+    for (const bool restored : {false, true}) {
+        Small android;
+        android.files = files.path();
+        android.restored = restored;
+        android.intentExtra = "bench scene=none.glb";
+        android.startUntilSceneShown(width, height);
+        android.command(APP_CMD_SAVE_STATE);
+        android.then([&] { EXPECT_NE(android.glue.savedState, nullptr); });
+        android.run();
+        EXPECT_EQ(android.logged("none.glb"), !restored);
+    }
+}
+
+TEST(Lifecycle, ASurfaceThatCannotBeMadeWaitsForTheNextWindow) {
+    Small android;
+    android.failSurface();
+    android.start(width, height);
+    android.frames(5);
+    int before = -1;
+    android.then([&] { before = android.shown; });
+    android.loseWindow();
+    android.window(width, height);
+    android.framesUntilLogged(" triangles");
+    android.frames(2);
+    android.run();
+    EXPECT_EQ(before, 0);
+    EXPECT_GT(android.shown, 0);
+    EXPECT_TRUE(android.logged("the window cannot be drawn into"));
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(Lifecycle, TraceSectionsNameEveryPass) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.run();
+    for (const char* name : {"shadow map", "G-buffer", "voxelize", "mipmap", "cone trace", "present"})
+        EXPECT_NE(std::find(android.traceSections.begin(), android.traceSections.end(), name),
+                  android.traceSections.end())
+            << name;
+}
+
+// The stand-in is worth as much as what it notices.
+TEST(StandInTest, NoticesADeadWindowsSurface) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    // The window dies without a word to the app, which goes on drawing.
+    android.then([&] { android.glue.window->alive = false; });
+    android.frames(2);
+    android.run();
+    EXPECT_FALSE(android.misuse.empty());
 }
 
 }  // namespace

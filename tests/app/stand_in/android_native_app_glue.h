@@ -19,6 +19,7 @@ struct ANativeActivity {
     AAssetManager* assetManager;
 };
 void ANativeActivity_finish(ANativeActivity* activity);
+void ANativeActivity_setWindowFlags(ANativeActivity* activity, uint32_t add, uint32_t remove);
 
 struct android_app;
 struct android_poll_source {

@@ -259,3 +259,7 @@ Function real(const char* name) {
 }
 
 }  // namespace
+
+int vct::test::liveGlObjects(const std::string& kind) {
+    return liveObjects[kind];
+}

@@ -51,6 +51,11 @@ void ANativeActivity_finish(ANativeActivity*) {
     currentStandIn()->finished = true;
 }
 
+void ANativeActivity_setWindowFlags(ANativeActivity*, uint32_t add, uint32_t remove) {
+    currentStandIn()->windowFlags |= add;
+    currentStandIn()->windowFlags &= ~remove;
+}
+
 int32_t ANativeWindow_getWidth(ANativeWindow* window) {
     if (window == nullptr || !window->alive) {
         currentStandIn()->misuse.push_back("the size of a dead window was asked for");

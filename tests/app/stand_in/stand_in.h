@@ -91,6 +91,7 @@ class StandIn {
     bool capture = false;   // keep what is shown
     Image screen;           // the last frame shown, while `capture`; 8-bit values over 255
     bool finished = false;  // ANativeActivity_finish
+    std::uint32_t windowFlags = 0;
     int traceDepth = 0;
     std::vector<std::string> traceSections;
 
@@ -119,5 +120,8 @@ class StandIn {
 
 // The one that runs; null outside run().
 StandIn* currentStandIn();
+
+// GL objects of the app that live: "textures", "buffers", ...
+int liveGlObjects(const std::string& kind);
 
 }  // namespace vct::test

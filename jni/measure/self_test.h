@@ -1,0 +1,23 @@
+// Whether this driver's image atomics, indirect dispatch and list give the voxels that the CPU expects, on a
+// scene small and simple enough to be known exactly. Drivers are wrong more often than one thinks.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gl/capabilities.h"
+#include "gl/shader_source.h"
+
+namespace vct {
+
+struct SelfTest {
+    bool passed = false;
+    std::string text;  // what was compared, or what is wrong and where
+};
+
+// Throws gl::ContextLost only; every other error is a failed test.
+SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders);
+
+nlohmann::ordered_json selfTestJson(const SelfTest& result);
+
+}  // namespace vct

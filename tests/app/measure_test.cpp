@@ -1,0 +1,184 @@
+// Measuring in the app: started by the intent or by a finger, and what it leaves behind.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program_run.h"
+#include "image/image.h"
+#include "measure/bench_run.h"
+#include "stand_in/stand_in.h"
+#include "support/temporary_folder.h"
+
+namespace vct::test {
+namespace {
+
+using nlohmann::json;
+
+// Every member of `a` is in `b` too, all the way down.
+void expectSameKeys(const json& a, const json& b, const std::string& where = "") {
+    ASSERT_EQ(a.type(), b.type()) << where;
+    if (!a.is_object()) return;
+    for (const auto& [key, value] : a.items()) {
+        ASSERT_TRUE(b.contains(key)) << where << "." << key;
+        expectSameKeys(value, b.at(key), where + "." + key);
+    }
+}
+
+json readJson(const TemporaryFolder& files, const std::string& name) {
+    return json::parse(readBytes(files.file("results/" + name)), nullptr, false);
+}
+
+TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench scene=cornell.glb preset=thesis grid=64 size=32x32 shadow-map=64 repeat=1";
+    android.start(96, 64);
+    android.framesUntilLogged("measured: ");
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+    EXPECT_EQ(android.windowFlags, 0U) << "the screen may go dark again";
+
+    ProgramRun program;
+    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell +
+                          " --mode all --grid 64 --size 32x32 --shadow-map 64 --out out --timings t.json"),
+              0)
+        << program.err;
+    const json ours = readJson(files, "timings.json");
+    ASSERT_FALSE(ours.is_discarded());
+    json theirs = program.json("t.json");
+    expectSameKeys(theirs, ours);
+    EXPECT_EQ(ours.at("driver").at("backend"), "android");
+    EXPECT_EQ(ours.at("self_test").at("passed"), true);
+    theirs.at("settings").erase("preset");
+    for (const auto& [key, value] : theirs.at("settings").items())
+        EXPECT_EQ(ours.at("settings").at(key), value) << key;
+    EXPECT_EQ(ours.at("active_voxels"), theirs.at("active_voxels"));
+
+    // The screenshots are the pictures of `vct render`, to the bit.
+    for (const char* mode : {"phong", "shadow-map", "ao", "gi", "gi-cone-shadow"}) {
+        const std::string name = std::string(mode) + ".png";
+        EXPECT_EQ(readBytes(files.file("results/" + name)), readBytes(program.folder.file("out/" + name)))
+            << mode;
+    }
+    EXPECT_FALSE(readBytes(files.file("results/done")).empty());
+    for (const auto& entry : std::filesystem::directory_iterator(files.file("results")))
+        EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+    EXPECT_FALSE(std::filesystem::exists(files.file("results/failed")));
+}
+
+TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench size=16x16 shadow-map=64 repeat=1";
+    android.start(96, 64);
+    android.framesUntilLogged("measured: ");
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    const json bench = readJson(files, "bench.json");
+    ASSERT_FALSE(bench.is_discarded());
+    EXPECT_EQ(bench.at("version"), 1);
+    for (const char* key : {"program", "scene", "triangles", "driver", "machine", "settings", "method"})
+        EXPECT_TRUE(bench.contains(key)) << key;
+    EXPECT_EQ(bench.at("measurements").size(), 11U);
+    EXPECT_EQ(bench.at("tables").size(), 4U);
+    EXPECT_EQ(bench.at("method").at("fresh"), "renderers");
+    EXPECT_NE(readBytes(files.file("results/bench.txt")).find("Table 5.5"), std::string::npos);
+    EXPECT_TRUE(android.logged("run 1 of 1"));
+    EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
+}
+
+struct Failure {
+    const char* command;
+    const char* says;
+};
+class MeasureFails : public testing::TestWithParam<Failure> {};
+INSTANTIATE_TEST_SUITE_P(
+    Commands, MeasureFails,
+    testing::Values(Failure{"bench scene=none.glb", "none.glb"}, Failure{"sing", "the one command is bench"},
+                    Failure{"bench preset=best", "best"}, Failure{"bench size=1", "WIDTHxHEIGHT"},
+                    Failure{"bench grid=100", "64, 128, 256, 512"}, Failure{"bench repeat=0", "repeat=0"},
+                    Failure{"bench camera=7", "camera \"7\""},
+                    Failure{"bench nonsense", "unknown 'nonsense'"}),
+    [](const auto& test) { return "Case" + std::to_string(test.index); });
+
+TEST_P(MeasureFails, AndSaysWhyInTheFileFailed) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = GetParam().command;
+    android.start(96, 64);
+    android.framesUntilLogged("measuring failed: ");
+    android.frames(2);
+    android.run();
+    const std::string failed = readBytes(files.file("results/failed"));
+    EXPECT_NE(failed.find(GetParam().says), std::string::npos) << failed;
+    EXPECT_FALSE(std::filesystem::exists(files.file("results/done")));
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(MeasureInTheApp, QuittingInTheMiddleSaysFailed) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench size=16x16 grid=64";
+    android.start(96, 64);
+    android.framesUntilLogged("bench: 1 of");
+    android.frames(4);
+    android.run();
+    EXPECT_NE(readBytes(files.file("results/failed")).find("ended before"), std::string::npos);
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(MeasureInTheApp, ALostWindowAndAPauseOnlyDelayIt) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench size=16x16 grid=64 repeat=1";
+    android.start(96, 64);
+    android.framesUntilLogged("bench: 1 of");
+    android.frames(4);
+    android.command(APP_CMD_PAUSE);
+    android.loseWindow();
+    android.window(64, 96);
+    android.command(APP_CMD_RESUME);
+    android.framesUntilLogged("measured: ");
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
+}
+
+TEST(MeasureInTheApp, ALostContextFailsIt) {
+    TemporaryFolder files;
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench size=16x16 grid=64 repeat=1";
+    android.start(96, 64);
+    android.framesUntilLogged("bench: 1 of");
+    android.frames(4);
+    android.then([&] { android.loseContextAtGlError(3); });
+    android.frames(10);
+    android.run();
+    EXPECT_NE(readBytes(files.file("results/failed")).find("context was lost"), std::string::npos);
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(MeasureInTheApp, AScenePushedIntoTheFilesFolderCanBeMeasured) {
+    TemporaryFolder files;
+    std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("my own.glb"));
+    std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("mine.glb"));
+    writeBytes(files.file("notes.txt"), "no scene");
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "bench scene=mine.glb size=16x16 grid=64 repeat=1";
+    android.start(96, 64);
+    android.framesUntilLogged("measured: ");
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(readJson(files, "timings.json").at("scene"), "mine.glb");
+}
+
+}  // namespace
+}  // namespace vct::test

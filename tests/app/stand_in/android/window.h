@@ -1,0 +1,3 @@
+#pragma once
+
+enum { AWINDOW_FLAG_KEEP_SCREEN_ON = 0x80 };

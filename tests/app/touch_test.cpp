@@ -1,0 +1,186 @@
+// Fingers into gestures, and gestures into views.
+#include <gtest/gtest.h>
+
+#include "app/orbit_view.h"
+#include "app/touch.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+using app::Gesture;
+using app::OrbitView;
+using app::Touch;
+
+using Points = std::vector<app::TouchPoint>;
+
+TEST(Touch, OneFingerOrbitsOnceItHasMoved) {
+    Touch touch(1.0F);
+    touch.update({{0, {100, 100}}}, 0.0);
+    touch.update({{0, {103, 100}}}, 0.1);
+    EXPECT_EQ(touch.take().orbit, glm::vec2(0.0F)) << "a tap trembles";
+    touch.update({{0, {120, 90}}}, 0.2);
+    touch.update({{0, {125, 90}}}, 0.3);
+    EXPECT_EQ(touch.take().orbit, glm::vec2(25, -10));
+    touch.update({}, 0.4);
+    const Gesture after = touch.take();
+    EXPECT_EQ(after.orbit, glm::vec2(0.0F));
+    EXPECT_FALSE(after.doubleTap);
+}
+
+TEST(Touch, TwoFingersPanAndPinchWhateverTheirOrder) {
+    Touch touch(1.0F);
+    touch.update({{3, {100, 100}}}, 0.0);
+    touch.update({{3, {100, 100}}, {7, {200, 100}}}, 0.1);
+    touch.update({{7, {310, 120}}, {3, {110, 120}}}, 0.2);
+    const Gesture gesture = touch.take();
+    EXPECT_EQ(gesture.pan, glm::vec2(60, 20));
+    EXPECT_FLOAT_EQ(gesture.zoom, 2.0F);
+    EXPECT_EQ(gesture.orbit, glm::vec2(0.0F));
+}
+
+TEST(Touch, AFingerMoreOrLessMovesNothing) {
+    Touch touch(1.0F);
+    touch.update({{0, {100, 100}}}, 0.0);
+    touch.update({{0, {150, 100}}}, 0.1);
+    touch.take();
+    touch.update({{0, {150, 100}}, {1, {500, 500}}}, 0.2);
+    touch.update({{1, {500, 500}}}, 0.3);
+    const Gesture gesture = touch.take();
+    EXPECT_EQ(gesture.orbit, glm::vec2(0.0F));
+    EXPECT_EQ(gesture.pan, glm::vec2(0.0F));
+    EXPECT_EQ(gesture.zoom, 1.0F);
+    touch.update({{1, {510, 500}}}, 0.4);
+    EXPECT_EQ(touch.take().orbit, glm::vec2(10, 0));
+}
+
+void tap(Touch& touch, glm::vec2 at, double from, double to) {
+    touch.update({{0, at}}, from);
+    touch.update({}, to);
+}
+
+TEST(Touch, TwoQuickTapsInOnePlaceReset) {
+    Touch touch(1.0F);
+    tap(touch, {100, 100}, 0.0, 0.1);
+    EXPECT_FALSE(touch.take().doubleTap);
+    tap(touch, {110, 100}, 0.2, 0.3);
+    EXPECT_TRUE(touch.take().doubleTap);
+    tap(touch, {110, 100}, 0.4, 0.5);
+    EXPECT_FALSE(touch.take().doubleTap) << "three taps are not two double taps";
+}
+
+TEST(Touch, SlowFarOrInterruptedTapsDoNot) {
+    Touch slow(1.0F);
+    tap(slow, {100, 100}, 0.0, 0.1);
+    tap(slow, {100, 100}, 0.9, 1.0);
+    EXPECT_FALSE(slow.take().doubleTap);
+    Touch far(1.0F);
+    tap(far, {100, 100}, 0.0, 0.1);
+    tap(far, {300, 100}, 0.2, 0.3);
+    EXPECT_FALSE(far.take().doubleTap);
+    Touch longTouch(1.0F);
+    tap(longTouch, {100, 100}, 0.0, 0.5);
+    tap(longTouch, {100, 100}, 0.6, 0.7);
+    EXPECT_FALSE(longTouch.take().doubleTap);
+    Touch cancelled(1.0F);
+    tap(cancelled, {100, 100}, 0.0, 0.1);
+    cancelled.update({{0, {100, 100}}}, 0.2);
+    cancelled.cancel();
+    cancelled.update({}, 0.3);
+    EXPECT_FALSE(cancelled.take().doubleTap);
+}
+
+TEST(Touch, DistancesFollowTheDensity) {
+    Touch touch(3.0F);
+    touch.update({{0, {100, 100}}}, 0.0);
+    touch.update({{0, {115, 100}}}, 0.1);
+    EXPECT_EQ(touch.take().orbit, glm::vec2(0.0F));
+}
+
+Scene boxScene() {
+    Scene scene = closedBox(0.0);
+    Camera camera;
+    camera.worldFromCamera[3] = {0.0, 0.0, 4.0, 1.0};
+    scene.cameras.push_back(camera);
+    return scene;
+}
+
+constexpr glm::ivec2 viewport{800, 600};
+
+glm::dvec3 eyeOf(const OrbitView& view) {
+    return view.camera(1.0).worldFromCamera[3];
+}
+
+// Where a point of the world is seen, in the camera's space.
+glm::dvec3 seen(const OrbitView& view, const glm::dvec3& world) {
+    return glm::inverse(view.camera(1.0).worldFromCamera) * glm::dvec4(world, 1.0);
+}
+
+TEST(OrbitView, StartsAsTheScenesCameraAndADoubleTapReturnsThere) {
+    const Scene scene = boxScene();
+    OrbitView view(scene);
+    EXPECT_EQ(view.camera(1.5).worldFromCamera, scene.cameras[0].worldFromCamera);
+    EXPECT_EQ(view.camera(1.5).verticalFovRad, scene.cameras[0].verticalFovRad);
+    Gesture gesture;
+    gesture.orbit = {50, 20};
+    gesture.pan = {10, 10};
+    gesture.zoom = 1.5F;
+    view.apply(gesture, viewport);
+    EXPECT_NE(view.camera(1.5).worldFromCamera, scene.cameras[0].worldFromCamera);
+    Gesture reset;
+    reset.doubleTap = true;
+    view.apply(reset, viewport);
+    EXPECT_EQ(view.camera(1.5).worldFromCamera, scene.cameras[0].worldFromCamera);
+}
+
+TEST(OrbitView, TheSceneFollowsTheFinger) {
+    OrbitView view(boxScene());
+    Gesture gesture;
+    gesture.orbit = {60, 0};
+    view.apply(gesture, viewport);
+    EXPECT_GT(seen(view, {0, 0, 1}).x, 0.1) << "dragged to the right";
+    EXPECT_NEAR(glm::length(eyeOf(view)), 4.0, 1e-9) << "it turns around the box";
+    OrbitView down(boxScene());
+    gesture.orbit = {0, 60};
+    down.apply(gesture, viewport);
+    EXPECT_LT(seen(down, {0, 0, 1}).y, -0.1) << "dragged down";
+    OrbitView panned(boxScene());
+    gesture = {};
+    gesture.pan = {60, 30};
+    panned.apply(gesture, viewport);
+    EXPECT_GT(seen(panned, {0, 0, 0}).x, 0.1);
+    EXPECT_LT(seen(panned, {0, 0, 0}).y, -0.05);
+    OrbitView zoomed(boxScene());
+    gesture = {};
+    gesture.zoom = 2.0F;
+    zoomed.apply(gesture, viewport);
+    EXPECT_NEAR(eyeOf(zoomed).z, 2.0, 1e-9);
+}
+
+TEST(OrbitView, NeverTurnsOverAndStaysRigid) {
+    OrbitView view(boxScene());
+    Gesture gesture;
+    gesture.orbit = {37, 91};
+    for (int i = 0; i < 1000; ++i)
+        view.apply(gesture, viewport);
+    const glm::dmat4 m = view.camera(1.0).worldFromCamera;
+    EXPECT_GT(m[1].y, 0.0);
+    EXPECT_NEAR(glm::determinant(glm::dmat3(m)), 1.0, 1e-9);
+    EXPECT_NEAR(glm::length(eyeOf(view)), 4.0, 1e-6);
+    gesture = {};
+    gesture.zoom = 3.0F;
+    for (int i = 0; i < 1000; ++i)
+        view.apply(gesture, viewport);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_TRUE(std::isfinite(eyeOf(view)[c]));
+}
+
+TEST(OrbitView, AnUprightPictureShowsTheScenesSquare) {
+    const OrbitView view(boxScene());
+    const double upright = view.camera(0.5).verticalFovRad;
+    const double square = view.camera(1.0).verticalFovRad;
+    EXPECT_NEAR(std::tan(0.5 * upright) * 0.5, std::tan(0.5 * square), 1e-12);
+}
+
+}  // namespace
+}  // namespace vct::test
