@@ -12,7 +12,6 @@ vec3 srgbEncode(vec3 linear) {
 
 void main() {
     vec2 position = (gl_FragCoord.xy - rectangle.xy) / rectangle.zw;
-    // Texel centres are hit exactly where the two resolutions are the same.
     vec3 radiance = scale.x * texture(radianceTarget, position).rgb;
     outColor = vec4(srgbEncode(radiance), 1.0);
 }

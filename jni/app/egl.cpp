@@ -1,5 +1,6 @@
 #include "app/egl.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -38,13 +39,24 @@ Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
                                             EGL_ALPHA_SIZE,
                                             0,
                                             EGL_NONE};
+    std::array<EGLConfig, 64> configs{};
     EGLint count = 0;
-    if (!eglChooseConfig(display_, attributes.data(), &config_, 1, &count) || count == 0) {
+    if (!eglChooseConfig(display_, attributes.data(), configs.data(), static_cast<EGLint>(configs.size()),
+                         &count))
+        count = 0;
+    // The sizes asked for are the least, and EGL sorts those with more bits to the front.
+    const auto end = configs.begin() + count;
+    const auto found = std::find_if(configs.begin(), end, [this](EGLConfig config) {
+        EGLint red = 0;
+        return eglGetConfigAttrib(display_, config, EGL_RED_SIZE, &red) && red == 8;
+    });
+    if (found == end) {
         const EGLint error = eglGetError();
         eglTerminate(display_);
         throw Error("EGL has no 8-bit configuration for OpenGL ES 3 in a window, " + errorText(error) +
                     remedy);
     }
+    config_ = *found;
 }
 
 Display::~Display() {

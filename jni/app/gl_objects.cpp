@@ -3,7 +3,6 @@
 #include <EGL/egl.h>
 
 #include "app/log.h"
-#include "core/memory.h"
 #include "gl/debug.h"
 
 namespace vct::app {
@@ -15,6 +14,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
         missing_ = error.what();  // the display needs none of those that may be absent
     }
     capabilities_ = gl::queryCapabilities();
+    capabilities_.texturesInMainMemory = true;  // a phone's GPU has no memory of its own
     // Asking an old driver for limits that it does not know is an error to it.
     for (int i = 0; i < 64 && gl::GetError() != GL_NO_ERROR; ++i) {
     }
@@ -39,8 +39,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         settings.size != size_) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
-        requireMemory(VoxelPyramid::bytesFor(settings.grid, 0),
-                      "the voxels at " + std::to_string(settings.grid) + "^3");
+
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
         scene_ = scene;
         preset_ = choices.preset;

@@ -12,7 +12,6 @@ namespace vct::app {
 namespace {
 
 constexpr float fontPixels = 13.0F;  // the built-in font is drawn for whole multiples of it
-constexpr const char* stepTitles[stepCount] = {"shadow map", "G-buffer", "voxelize", "mipmap", "trace"};
 constexpr int grids[] = {64, 128, 256, 512};
 constexpr float panelCharacters = 48.0F;
 
@@ -184,7 +183,9 @@ void Hud::buildTimes(const HudContent& content) const {
         ImGui::Text("%.2f ms", ms);
     };
     for (int i = 0; i < stepCount; ++i) {
-        cell(stepTitles[i], (*content.stepMs)[static_cast<std::size_t>(i)]);
+        std::string title = stepName(static_cast<Step>(i));
+        std::replace(title.begin(), title.end(), '_', ' ');
+        cell(title.c_str(), (*content.stepMs)[static_cast<std::size_t>(i)]);
         total += (*content.stepMs)[static_cast<std::size_t>(i)];
     }
     cell("all", total);

@@ -37,8 +37,11 @@ Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, prese
 void Presenter::draw(const Renderer& renderer, glm::ivec2 window) const {
     const gl::DebugGroup group("present");
     const gl::Texture& frame = renderer.output();
-    frame.setFilter(GL_LINEAR, GL_LINEAR);
     const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
+    // Nothing is between the pixels of a frame that is as large as its place, but a filter's rounding.
+    const bool same = rectangle.z == frame.width() && rectangle.w == frame.height();
+    const GLenum filter = same ? GL_NEAREST : GL_LINEAR;
+    frame.setFilter(filter, filter);
     clearWindow(window, glm::vec3(0.0F));
     gl::Viewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
     gl::Disable(GL_DEPTH_TEST);

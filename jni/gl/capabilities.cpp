@@ -81,6 +81,7 @@ Capabilities queryCapabilities() {
     result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;
     result.softwareDriver = isSoftwareRenderer(result.renderer);
+    result.texturesInMainMemory = result.softwareDriver;
     result.gpuTimerBits = gpuTimerBits();
     result.max3dTextureSize = getInteger(GL_MAX_3D_TEXTURE_SIZE);
     result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);

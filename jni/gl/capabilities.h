@@ -19,11 +19,12 @@ struct Requirement {
 
 struct Capabilities {
     std::string vendor, renderer, version, shadingLanguage;
-    bool desktopContext = false;  // OSMesa: a desktop core context that compiles the ES sources
-    bool essl320 = false;         // "#version 320 es" is accepted; otherwise 310 es plus extensions
-    bool debugOutput = false;     // KHR_debug entry points are there
-    bool softwareDriver = false;  // textures live in main memory: llvmpipe, softpipe, lavapipe
-    int gpuTimerBits = 0;         // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
+    bool desktopContext = false;        // OSMesa: a desktop core context that compiles the ES sources
+    bool essl320 = false;               // "#version 320 es" is accepted; otherwise 310 es plus extensions
+    bool debugOutput = false;           // KHR_debug entry points are there
+    bool softwareDriver = false;        // runs on the CPU: llvmpipe, softpipe, lavapipe
+    bool texturesInMainMemory = false;  // so how much there is can be asked before they are made
+    int gpuTimerBits = 0;               // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
     int max3dTextureSize = 0;
     int uniformBufferOffsetAlignment = 256;
     std::vector<std::string> extensions;

@@ -35,7 +35,7 @@ Gather::What gatherFor(int modeOrView) {
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings)),
-      softwareDriver_(capabilities.softwareDriver),
+      texturesInMainMemory_(capabilities.texturesInMainMemory),
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
       light_(light),
       boundsWorld_(scene.boundsWorld),
@@ -111,7 +111,7 @@ ShadowMap& Renderer::shadowMap() {
 
 Renderer::WordPasses& Renderer::wordPasses() {
     if (!wordPasses_) {
-        if (softwareDriver_)
+        if (texturesInMainMemory_)
             requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
         wordPasses_.emplace(WordPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
@@ -123,7 +123,7 @@ Renderer::WordPasses& Renderer::wordPasses() {
 
 Renderer::FacePasses& Renderer::facePasses() {
     if (!facePasses_) {
-        if (softwareDriver_)
+        if (texturesInMainMemory_)
             requireMemory(FaceVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
         facePasses_.emplace(FacePasses{

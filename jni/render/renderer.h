@@ -92,7 +92,7 @@ class Renderer {
     Image tracedView(int view);
 
     Settings settings_;
-    bool softwareDriver_;
+    bool texturesInMainMemory_;
     gl::ShaderLibrary shaders_;
     DirectionalLight light_;
     Bounds boundsWorld_;

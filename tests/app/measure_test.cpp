@@ -48,6 +48,8 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
     const json ours = readJson(files, "timings.json");
     ASSERT_FALSE(ours.is_discarded());
     json theirs = program.json("t.json");
+    for (auto& [mode, value] : theirs.at("modes").items())
+        value.erase("gpu_steps");  // where the GPU's clock was believed, which a busy machine may decide
     expectSameKeys(theirs, ours);
     EXPECT_EQ(ours.at("driver").at("backend"), "android");
     EXPECT_EQ(ours.at("self_test").at("passed"), true);

@@ -1,0 +1,138 @@
+// What the app shows is what `vct render` renders.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "cli/program_run.h"
+#include "image/image.h"
+#include "stand_in/stand_in.h"
+
+namespace vct::test {
+namespace {
+
+// The window without the display.
+Image screenOf(const std::string& show, int width, int height) {
+    StandIn android;
+    android.intentExtra = "show display=off " + show;
+    android.startUntilSceneShown(width, height);
+    android.then([&] { android.capture = true; });
+    android.frames(1);
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+    return android.screen;
+}
+
+class Frame : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Modes, Frame, testing::Values("phong", "gi", "gi-cone-shadow"),
+                         [](const auto& test) {
+                             const std::string name = test.param;
+                             return name == "gi-cone-shadow" ? std::string("giConeShadow") : name;
+                         });
+
+TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
+    const std::string mode = GetParam();
+    const Image screen = screenOf("scene=courtyard.glb pixels=1 grid=64 mode=" + mode, 120, 90);
+    ProgramRun program;
+    ASSERT_EQ(program.run("render " VCT_SOURCE_DIR
+                          "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " +
+                          mode),
+              0)
+        << program.err;
+    const Image picture = readImage(program.folder.file("out/" + mode + ".png"));
+    ASSERT_EQ(screen.pixels.size(), picture.pixels.size());
+    int different = 0;
+    long largest = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const long expected = std::lround(srgbEncode(picture.pixels[i][c]) * 255.0F);
+            const long difference = std::abs(expected - std::lround(screen.pixels[i][c] * 255.0F));
+            different += difference != 0;
+            largest = std::max(largest, difference);
+        }
+    EXPECT_EQ(different, 0) << "largest difference " << largest;
+}
+
+// Rendered at half the sides and shown as large as the window: the same picture with fewer details.
+TEST(Frame, ALowerResolutionFillsTheWindow) {
+    const Image full = screenOf("grid=64 mode=phong pixels=1", 96, 64);
+    const Image half = screenOf("grid=64 mode=phong pixels=2", 96, 64);
+    ASSERT_EQ(half.pixels.size(), full.pixels.size());
+    EXPECT_NE(half.pixels, full.pixels);
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < full.pixels.size(); ++i)
+        sum += glm::distance(full.pixels[i], half.pixels[i]);
+    EXPECT_LT(sum / static_cast<float>(full.pixels.size()), 0.06F);
+}
+
+TEST(Frame, TheThesissSquareIsNotStretched) {
+    const Image screen = screenOf("grid=64 mode=phong pixels=thesis", 128, 64);
+    EXPECT_EQ(screen.at(10, 32), glm::vec3(0.0F));
+    EXPECT_EQ(screen.at(117, 32), glm::vec3(0.0F));
+    EXPECT_GT(glm::length(screen.at(64, 32)), 0.05F);
+}
+
+// For people to look at (docs/images are made of these), and with an assertion that holds on any driver:
+// letters are drawn.
+void expectText(const Image& screen, int left, int top, int right, int bottom) {
+    int bright = 0;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x)
+            bright += glm::min(screen.at(x, y).r, screen.at(x, y).g) > 0.6F;
+    const int area = (right - left) * (bottom - top);
+    EXPECT_GT(bright, area / 200);
+    EXPECT_LT(bright, area / 2);
+}
+
+void keep(const Image& screen, const char* name) {
+    const char* folder = std::getenv("VCT_KEEP_PICTURES");
+    if (folder == nullptr) return;
+    Image linear = screen;
+    for (glm::vec3& pixel : linear.pixels)
+        for (int c = 0; c < 3; ++c)
+            pixel[c] = srgbDecode(pixel[c]);
+    writePng(std::string(folder) + "/" + name, linear);
+}
+
+TEST(Display, IsReadableOnAPhone) {
+    StandIn android;
+    android.density = 440;
+    android.intentExtra = "show grid=64 mode=gi pixels=4";
+    android.startUntilSceneShown(1080, 2340);
+    android.then([&] { android.capture = true; });
+    android.frames(2);
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    keep(android.screen, "display.png");
+    expectText(android.screen, 0, 0, 1000, 1200);
+}
+
+TEST(Display, SaysWhichExtensionIsMissing) {
+    // Mesa's own means: the driver is real, and does not have them.
+    for (const auto& [version, extensions] :
+         {std::pair{"3.1", "-GL_EXT_geometry_shader -GL_OES_geometry_shader -GL_OES_shader_image_atomic"},
+          std::pair{"3.0", ""}}) {
+        setenv("MESA_GLES_VERSION_OVERRIDE", version, 1);
+        setenv("MESA_EXTENSION_OVERRIDE", extensions, 1);
+        StandIn android;
+        android.density = 440;
+        android.start(1080, 2340);
+        android.frames(3);
+        android.then([&] { android.capture = true; });
+        android.frames(1);
+        android.run();
+        unsetenv("MESA_GLES_VERSION_OVERRIDE");
+        unsetenv("MESA_EXTENSION_OVERRIDE");
+        EXPECT_EQ(android.misuse, std::vector<std::string>{});
+        const std::string errors = android.errors();
+        EXPECT_NE(errors.find("GL_EXT_geometry_shader"), std::string::npos) << errors;
+        EXPECT_NE(errors.find("GL_OES_shader_image_atomic"), std::string::npos) << errors;
+        EXPECT_EQ(errors.find("halt"), std::string::npos);
+        EXPECT_GE(android.shown, 4);
+        keep(android.screen, (std::string("missing-") + version + ".png").c_str());
+        expectText(android.screen, 0, 0, 1080, 1000);
+    }
+}
+
+}  // namespace
+}  // namespace vct::test
