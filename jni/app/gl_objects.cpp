@@ -33,7 +33,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
                                  glm::ivec2 window) {
-    const Settings settings = settingsFor(choices, window);
+    const Settings settings = forDriver(settingsFor(choices, window), capabilities_);
     const DirectionalLight light = lightFor(choices, *scene);
     if (!renderer_ || scene != scene_ || choices.preset != preset_ || settings.grid != grid_ ||
         settings.size != size_) {

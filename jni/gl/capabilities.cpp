@@ -58,6 +58,11 @@ void Capabilities::requireAll() const {
                 "\nA newer driver may have it, or another back end or device (`vct info --help`).");
 }
 
+bool Capabilities::meets(const std::string& name) const {
+    return std::none_of(requirements.begin(), requirements.end(),
+                        [&](const Requirement& row) { return row.name == name && !row.met; });
+}
+
 void Capabilities::require(const std::string& name, const std::string& remedy) const {
     for (const Requirement& row : requirements)
         if (row.name == name && !row.met)

@@ -36,6 +36,8 @@ struct Capabilities {
     void requireAll() const;
     // The same for a row that only some settings require, found by its name.
     void require(const std::string& name, const std::string& remedy) const;
+    // False only for a row of the requirements that is not met.
+    bool meets(const std::string& name) const;
 };
 
 // Queries the current context (gl::load must have run).

@@ -144,7 +144,7 @@ bool BenchRun::advance() {
 
 void BenchRun::beginRun() {
     input_.log("bench: " + progress());
-    const Settings settings = settingsFor(input_.request, config());
+    const Settings settings = forDriver(settingsFor(input_.request, config()), input_.capabilities);
     renderer_.emplace(*input_.scene, light_, settings, input_.capabilities, input_.shaders);
     modes_ = modesFromText(config().modes);
     mode_ = 0;

@@ -32,6 +32,11 @@ Gather::What gatherFor(int modeOrView) {
 
 }  // namespace
 
+Settings forDriver(Settings settings, const gl::Capabilities& capabilities) {
+    if (!capabilities.meets("GL_EXT_geometry_shader")) settings.voxelization = Voxelization::sortedAxes;
+    return settings;
+}
+
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings)),

@@ -21,6 +21,9 @@
 
 namespace vct {
 
+// The same picture by other means where the driver lacks what `settings` would use.
+Settings forDriver(Settings settings, const gl::Capabilities& capabilities);
+
 class Renderer {
   public:
     // Throws vct::Error where the settings are out of range or the driver has not the memory. Passes that no
