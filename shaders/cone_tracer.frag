@@ -1,4 +1,5 @@
 // The last pass: what each pixel's cones see, and the five modes (thesis 4.6, 5.1.2). One variant per VCT_MODE.
+#include "shared/trips.glsl"
 #include "shared/precision.glsl"
 #include "shared/surface.glsl"
 #ifdef VCT_GATHERED
@@ -35,6 +36,7 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
 }
 
 void main() {
+    TRIP(VCT_TRIPS_CONE_TRACER);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) {

@@ -1,4 +1,5 @@
 // One more bounce, second half: every face shines with its direct light and with what its block received.
+#include "shared/trips.glsl"
 #include "shared/commands.glsl"
 #include "shared/face_bounce.glsl"
 #include "shared/face_sums.glsl"
@@ -10,9 +11,11 @@ layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
+    TRIP(VCT_TRIPS_BOUNCE);
     uint count = min(activeVoxelCount(level), faceSlots());
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint slot = gl_GlobalInvocationID.x; slot < count; slot += stride) {
+        TRIP(VCT_TRIPS_BOUNCE_VOXEL);
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
         uint block = texelFetch(slots, voxel >> 1, 1).r - 1u;
         for (int face = 0; face < 6; ++face) {

@@ -1,5 +1,7 @@
 // One more bounce, first half: what every block of 2 x 2 x 2 voxels receives per face, by a few cones from the middle
 // of the surface that looks that way.
+#define VCT_CONE_TRIPS VCT_TRIPS_BOUNCE_GATHER_STEP
+#include "shared/trips.glsl"
 #include "shared/commands.glsl"
 #include "shared/face_cones.glsl"
 #include "shared/face_bounce.glsl"
@@ -12,6 +14,7 @@ float coverage(ivec3 voxel, int axis, int side, int lod) {
 }
 
 vec3 received(ivec3 block, int axis, int side) {
+    TRIP(VCT_TRIPS_BOUNCE_GATHER_RECEIVED);
     float facing = coverage(block, axis, side, 1);
     // The mean normal of what looks this way: from the other axes, what one side covers more than the other.
     vec3 normal;
@@ -31,6 +34,7 @@ vec3 received(ivec3 block, int axis, int side) {
     float turn = float((block.x * 5 + block.y * 3 + block.z * 7) & 15) / 16.0;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
+        TRIP(VCT_TRIPS_BOUNCE_GATHER_CONE);
         vec3 cone = gatherCone(i, turn);
         ConeResult result =
             traceCone(start, volumeFromCone * cone, cone.y, VCT_GATHER_TANGENT, 2.0 * float(frame.grid.x));
@@ -40,11 +44,13 @@ vec3 received(ivec3 block, int axis, int side) {
 }
 
 void main() {
+    TRIP(VCT_TRIPS_BOUNCE_GATHER);
     uint blocks = min(activeVoxelCount(level), faceLightBlocks());
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     // An invocation per block and face, one face after the other: neighbours in the list mostly look the same way, so
     // those that have nothing to do are idle together.
     for (uint i = gl_GlobalInvocationID.x; i < blocks * 6u; i += stride) {
+        TRIP(VCT_TRIPS_BOUNCE_GATHER_FACE);
         uint place = i % blocks;
         int face = int(i / blocks);
         int axis = face >> 1, side = face & 1;

@@ -1,6 +1,7 @@
 // One mip level of the faces from the one below, over that level's occupied voxels. Per face: of each of the four pairs
 // of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
 // voxel stays opaque at every level, and is seen from one side only.
+#include "shared/trips.glsl"
 #include "shared/commands.glsl"
 #include "shared/face_voxels.glsl"
 
@@ -10,10 +11,12 @@ layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D paren
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
 
 void main() {
+    TRIP(VCT_TRIPS_FACE_MIPMAPPER);
     uint count = activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int childGrid = textureSize(faces, int(level) - 1).z;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        TRIP(VCT_TRIPS_FACE_MIPMAPPER_VOXEL);
         ivec3 parent = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + i]));
         for (int axis = 0; axis < 3; ++axis) {
             ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);

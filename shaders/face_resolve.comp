@@ -1,4 +1,5 @@
 // The sums of every occupied voxel into its six faces.
+#include "shared/trips.glsl"
 #include "shared/commands.glsl"
 #include "shared/face_sums.glsl"
 #include "shared/face_voxels.glsl"
@@ -8,9 +9,11 @@ layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
+    TRIP(VCT_TRIPS_FACE_RESOLVE);
     uint count = min(activeVoxelCount(level), faceSlots());
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint slot = gl_GlobalInvocationID.x; slot < count; slot += stride) {
+        TRIP(VCT_TRIPS_FACE_RESOLVE_VOXEL);
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
         for (int face = 0; face < 6; ++face) {
             FaceSum sum = faceSum(slot, face);

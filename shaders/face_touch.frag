@@ -1,5 +1,6 @@
 // First of two passes over the triangles: which voxels are occupied. The first fragment of a voxel appends it to the
 // list; the place in the list is where the second pass adds up what the voxel holds.
+#include "shared/trips.glsl"
 #include "shared/material.glsl"
 #include "shared/blocks.glsl"
 #include "shared/commands.glsl"
@@ -15,6 +16,7 @@ const vec2 fragmentUv = vec2(0.0);
 layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D slots;
 
 void main() {
+    TRIP(VCT_TRIPS_FACE_TOUCH);
 #ifdef VCT_ALPHA_MASK
     if (materialIsHole(materialBaseColor(fragmentUv).a)) discard;
 #endif

@@ -1,5 +1,6 @@
 // Second of two passes over the triangles: each fragment adds its coverage, albedo and radiance to the faces of its
 // voxel that it looks towards. Sums of integers: the order of the fragments changes nothing.
+#include "shared/trips.glsl"
 #include "shared/material.glsl"
 #include "shared/face_sums.glsl"
 #include "shared/octahedral.glsl"
@@ -29,12 +30,15 @@ vec3 directRadiance(vec3 albedo, float facing) {
 
 // One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
 void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
+        TRIP(VCT_TRIPS_FACE_VOXELIZER_AXIS);
         if (weights[axis] != 0.0)
             addToFace(slot, 2 * axis + (weights[axis] > 0.0 ? 0 : 1), abs(weights[axis]), albedo, radiance);
+    }
 }
 
 void main() {
+    TRIP(VCT_TRIPS_FACE_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     // Before any discard: derivatives need the whole quad. A pixel is a voxel wide, so this is the face's normal over
     // its component along the projection: what the surface covers of each of the voxel's cross-sections.

@@ -1,6 +1,7 @@
 // Render data: albedo and normal; the position comes from depth, the tangent frame from the normal.
 #include "shared/material.glsl"
 #include "shared/octahedral.glsl"
+#include "shared/trips.glsl"
 
 in vec3 fragmentNormal;
 #ifdef VCT_BASE_COLOR_TEXTURE
@@ -21,6 +22,7 @@ layout(location = 2) out vec4 emissive;
 #endif
 
 void main() {
+    TRIP(VCT_TRIPS_G_BUFFER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     if (materialIsHole(baseColor.a)) discard;
     vec3 normal = safeNormalize(fragmentNormal);

@@ -1,5 +1,7 @@
 // What the hemisphere over each gather pixel sends: VCT_GATHER_CONES cones, a Fibonacci set with weights that contain
 // the cosine, turned from pixel to pixel over a pattern of 4 x 4 that the filter after it averages.
+#define VCT_CONE_TRIPS VCT_TRIPS_GATHER_STEP
+#include "shared/trips.glsl"
 #include "shared/face_cones.glsl"
 #include "shared/gather_surface.glsl"
 #include "shared/surface.glsl"
@@ -15,6 +17,7 @@ float turnOf(ivec2 pixel) {
 }
 
 void main() {
+    TRIP(VCT_TRIPS_GATHER);
     ivec2 gatherPixel = ivec2(gl_FragCoord.xy);
     ivec2 pixel = gatheredPixel(gatherPixel, textureSize(depthTarget, 0));
     float depth = surfaceDepth(pixel);
@@ -34,6 +37,7 @@ void main() {
     float reach = 2.0 * float(frame.grid.x);
 #endif
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
+        TRIP(VCT_TRIPS_GATHER_CONE);
         vec3 cone = gatherCone(i, turn);
         ConeResult result = traceCone(start, volumeFromCone * cone, cone.y, VCT_GATHER_TANGENT, reach);
         outGather.rgb += result.radiance + result.transmittance * frame.skyRadiance.rgb;

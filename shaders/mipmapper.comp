@@ -1,6 +1,7 @@
 // One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
 // itself to its parent by one atomic; the first child to arrive appends the parent to the next list.
 #include "shared/commands.glsl"
+#include "shared/trips.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) readonly uniform uimage3D voxels;
@@ -8,9 +9,11 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D parents;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
+    TRIP(VCT_TRIPS_MIPMAPPER);
     uint count = activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        TRIP(VCT_TRIPS_MIPMAPPER_VOXEL);
         uvec3 voxel = unpackEntry(activeVoxels[commands[level].firstEntry + i]);
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;

@@ -1,12 +1,17 @@
 // Only depth is written; holes of alpha-masked surfaces let the light through.
+#include "shared/trips.glsl"
+
 #ifdef VCT_ALPHA_MASK
 #include "shared/material.glsl"
 
 in vec2 fragmentUv;
 
 void main() {
+    TRIP(VCT_TRIPS_SHADOW_MAP);
     if (materialIsHole(materialBaseColor(fragmentUv).a)) discard;
 }
 #else
-void main() {}
+void main() {
+    TRIP(VCT_TRIPS_SHADOW_MAP);
+}
 #endif

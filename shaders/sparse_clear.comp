@@ -2,17 +2,20 @@
 // writing every voxel of the volume would cost more than voxelizing. It is done where the list overflowed: what
 // found no room in it is not empty either.
 #include "shared/commands.glsl"
+#include "shared/trips.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
+    TRIP(VCT_TRIPS_SPARSE_CLEAR);
     bool overflowed = commands[level].instanceCount > commands[level].capacity;
     uint side = uint(imageSize(voxels).x);
     uint count = overflowed ? side * side * side : activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        TRIP(VCT_TRIPS_SPARSE_CLEAR_VOXEL);
         uvec3 voxel = overflowed ? uvec3(i % side, i / side % side, i / (side * side))
                                  : unpackEntry(activeVoxels[commands[level].firstEntry + i]);
         imageStore(voxels, ivec3(voxel), uvec4(0u));

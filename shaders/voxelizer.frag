@@ -4,6 +4,7 @@
 #include "shared/commands.glsl"
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
+#include "shared/trips.glsl"
 
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
@@ -24,6 +25,7 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D debugView;
 #endif
 
 void main() {
+    TRIP(VCT_TRIPS_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     if (materialIsHole(baseColor.a)) discard;
 

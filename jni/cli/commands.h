@@ -10,5 +10,6 @@ void addRender(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
+void addShaders(CLI::App& app, int& exitCode);
 
 }  // namespace vct::cli

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     vct::cli::addBench(app, exitCode);
     vct::cli::addCompare(app, exitCode);
     vct::cli::addInfo(app, exitCode);
+    vct::cli::addShaders(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -54,6 +54,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
     for (const Experiment& experiment : allExperiments())
         if (std::count(settings.experiments.begin(), settings.experiments.end(), experiment.name) > 0)
             defines.emplace_back(experiment.define);
+    if (settings.countTrips) defines.emplace_back("VCT_COUNT_TRIPS");
     if (settings.emulateHalf)
         defines.emplace_back("VCT_EMULATE_HALF");
     else if (capabilities.softwareDriver)
@@ -70,6 +71,23 @@ unsigned materialFeatures(const Material& material) {
         if (material.emissiveTexture >= 0) features |= featureEmissiveTexture;
     }
     return features;
+}
+
+std::vector<unsigned> sceneFeatures(const Scene& scene) {
+    std::vector<unsigned> features;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const unsigned found = materialFeatures(scene.materials[static_cast<std::size_t>(mesh.material)]);
+        if (std::count(features.begin(), features.end(), found) == 0) features.push_back(found);
+    }
+    return features;
+}
+
+std::vector<unsigned> allFeatures() {
+    std::vector<unsigned> all;
+    for (unsigned features = 0; features < materialFeatureCombinations; ++features)
+        if (possible(features)) all.push_back(features);
+    return all;
 }
 
 gl::ProgramDescription shadowMapProgram(unsigned features) {
@@ -187,8 +205,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),   presentProgram(),
         hudProgram(),       faceResolveProgram(), faceParentsProgram(), faceMipmapperProgram(),
         faceClearProgram(), faceBounceProgram()};
-    for (unsigned features = 0; features < materialFeatureCombinations; ++features) {
-        if (!possible(features)) continue;
+    for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
             programs.push_back(voxelizerProgram(features, voxelization));
@@ -222,6 +239,48 @@ std::vector<gl::ProgramDescription> everyProgram() {
     programs.erase(std::unique(programs.begin(), programs.end(),
                                [&](const auto& a, const auto& b) { return key(a) == key(b); }),
                    programs.end());
+    return programs;
+}
+
+std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
+                                        const std::vector<unsigned>& features) {
+    std::vector<FrameProgram> programs;
+    const auto add = [&](Step step, const gl::ProgramDescription& program) {
+        for (const FrameProgram& known : programs)
+            if (known.program.name == program.name && known.program.defines == program.defines) return;
+        programs.push_back({step, program});
+    };
+    const bool emissiveTarget =
+        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureEmissive; });
+    if (mode != Mode::phong)
+        for (unsigned f : features)
+            add(Step::shadowMap, shadowMapProgram(f));
+    for (unsigned f : features)
+        add(Step::renderData, gBufferProgram(f, emissiveTarget));
+    const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
+    if (voxels && settings.voxels == Voxels::faces) {
+        add(Step::voxelize, sparseClearProgram());
+        add(Step::voxelize, faceClearProgram());
+        for (unsigned f : features) {
+            add(Step::voxelize, faceTouchProgram(f, settings.voxelization));
+            add(Step::voxelize, faceVoxelizerProgram(f, settings.voxelization));
+        }
+        add(Step::voxelize, faceResolveProgram());
+        add(Step::mipmap, faceParentsProgram());
+        add(Step::mipmap, faceMipmapperProgram());
+        if (settings.bounces > 0) {
+            add(Step::bounces, faceBounceGatherProgram(settings.gather));
+            add(Step::bounces, faceBounceProgram());
+        }
+        add(Step::trace, gatherProgram(settings.gather, mode == Mode::ao));
+        add(Step::trace, gatherFilterProgram(settings.gather));
+    } else if (voxels) {
+        add(Step::voxelize, sparseClearProgram());
+        for (unsigned f : features)
+            add(Step::voxelize, voxelizerProgram(f, settings.voxelization));
+        add(Step::mipmap, mipmapperProgram());
+    }
+    add(Step::trace, coneTracerProgram(static_cast<int>(mode), emissiveTarget, settings));
     return programs;
 }
 

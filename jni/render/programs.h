@@ -5,6 +5,7 @@
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "render/settings.h"
+#include "render/step_timer.h"
 #include "scene/scene.h"
 
 namespace vct {
@@ -23,6 +24,10 @@ enum MaterialFeature : unsigned {
     materialFeatureCombinations = 16,
 };
 unsigned materialFeatures(const Material& material);
+// Of all the materials that a scene's instances have, without duplicates.
+std::vector<unsigned> sceneFeatures(const Scene& scene);
+// Every combination that a material can have.
+std::vector<unsigned> allFeatures();
 
 gl::ProgramDescription shadowMapProgram(unsigned features);
 // `emissiveTarget`: the G-buffer has a third target because something in the scene emits.
@@ -53,5 +58,13 @@ gl::ProgramDescription presentProgram();
 gl::ProgramDescription hudProgram();
 
 std::vector<gl::ProgramDescription> everyProgram();
+
+// What one frame of a mode runs, step by step, in a scene with these material features; each program once.
+struct FrameProgram {
+    Step step;
+    gl::ProgramDescription program;
+};
+std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
+                                        const std::vector<unsigned>& features);
 
 }  // namespace vct

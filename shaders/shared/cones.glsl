@@ -1,6 +1,7 @@
 // The thesis's two cone traces (4.6), with the constants of the published program.
 #include "shared/orthonormal.glsl"
 #include "shared/precision.glsl"
+#include "shared/trips.glsl"
 #include "shared/voxel_sample.glsl"
 
 // A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding, which is
@@ -47,6 +48,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
     mat3 volumeFromCone = frameAround(normal);
     Gather gather = Gather(vec3(0.0), 0.0);
     for (int i = 0; i < diffuseConeCount; ++i) {
+        TRIP(VCT_TRIPS_DIFFUSE_CONE);
         vec3 direction = volumeFromCone * diffuseCones[i];
         mediump vec3 radiance = vec3(0.0);
         mediump float opacity = 0.0;
@@ -55,6 +57,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
         for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
+            TRIP(VCT_TRIPS_DIFFUSE_STEP);
             mediump vec4 value = HALF(sampleVoxels(p, level) * (1.0 - opacity));
             radiance = HALF(radiance + value.rgb);
             opacity = HALF(opacity + value.a);
@@ -98,6 +101,7 @@ mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
         if (outsideVolume(p, min(fine + 1, frame.grid.y))) break;
+        TRIP(VCT_TRIPS_SHADOW_STEP);
         mediump float blend = HALF(level - float(fine));
         mediump float value = sampleOpacity(p, fine);
         if (blend > 0.0) value = HALF(mix(value, sampleOpacity(p, fine + 1), blend));

@@ -1,9 +1,10 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
-// the settings (jni/render/settings.h: Gather), as VCT_GATHER_*.
+// the settings (jni/render/settings.h: Gather), as VCT_GATHER_*. VCT_CONE_TRIPS: what counts their steps.
 #include "shared/blocks.glsl"
 #include "shared/face_voxels.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/precision.glsl"
+#include "shared/trips.glsl"
 
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 
@@ -54,6 +55,7 @@ ConeResult traceCone(vec3 start, vec3 direction, float cosTilt, float tangent, f
         vec3 p = (start + direction * distance) * voxel;
         vec3 fromCentre = abs(p - 0.5);
         if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5) break;
+        TRIP(VCT_CONE_TRIPS);
         float diameter = max(1.0, 2.0 * distance * tangent);
         // Wider than its height above the tangent plane, a sample would contain the surface that it starts from.
         float height = VCT_GATHER_START + distance * cosTilt;

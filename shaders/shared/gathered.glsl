@@ -2,6 +2,7 @@
 #include "shared/blocks.glsl"
 #include "shared/gather_surface.glsl"
 #include "shared/precision.glsl"
+#include "shared/trips.glsl"
 
 layout(binding = VCT_TEX_GATHER) uniform mediump sampler2D gatherTarget;
 layout(binding = VCT_TEX_GATHER_SURFACE) uniform highp sampler2D gatherSurface;
@@ -22,6 +23,7 @@ Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
     mediump vec4 anySum = vec4(0.0);
     mediump float anyTotal = 0.0;
     for (int i = 0; i < 4; ++i) {
+        TRIP(VCT_TRIPS_GATHERED_CORNER);
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 other = clamp(low + corner, ivec2(0), last);
         mediump vec2 weights = mix(1.0 - part, part, vec2(corner));

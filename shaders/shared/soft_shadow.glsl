@@ -2,6 +2,7 @@
 // directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
 // compared. Reads VCT_BLOCKER_TAPS plain depths and, where there is a blocker, VCT_FILTER_TAPS compared ones.
 #include "shared/shadow.glsl"
+#include "shared/trips.glsl"
 
 layout(binding = VCT_TEX_SHADOW_DEPTH) uniform sampler2D shadowDepth;  // the same map, not compared
 
@@ -37,6 +38,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float nearer = 0.0;
     vec2 direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_BLOCKER_TAPS; ++i) {
+        TRIP(VCT_TRIPS_BLOCKER_TAP);
         float radius = receiver.z * float(i) / float(max(VCT_BLOCKER_TAPS - 1, 1));
         vec2 offset = radius * direction;
         float blocker = textureLod(shadowDepth, receiver.xy + mapFromCone * offset, 0.0).r;
@@ -55,6 +57,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float light = 0.0;
     direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
+        TRIP(VCT_TRIPS_FILTER_TAP);
         vec2 offset = penumbra * sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS)) * direction;
         light += textureLod(shadowMap, vec3(receiver.xy + mapFromCone * offset, depth + dot(slope, offset)), 0.0);
         direction = goldenTurn * direction;

@@ -1,0 +1,190 @@
+// vct shaders: every program of every preset as the ESSL that a phone's driver compiles, and how often each
+// stage and loop runs in a frame. tools/mali.py makes bounds of both.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "core/error.h"
+#include "core/files.h"
+#include "measure/options.h"
+#include "measure/timings.h"
+#include "measure/trip_counts.h"
+#include "platform/context.h"
+#include "render/programs.h"
+#include "scene/camera.h"
+#include "scene/gltf.h"
+
+namespace vct::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct ShadersOptions {
+    std::string scene, out;
+    std::string size = "400x400";
+    std::string backend = "egl";
+    int device = -1;
+    std::vector<std::string> presets;
+};
+
+// A program of one preset, and the modes whose frame of the scene runs it.
+struct Variant {
+    Step step;
+    gl::ProgramDescription program;
+    std::vector<std::string> modes;
+};
+
+bool same(const gl::ProgramDescription& a, const gl::ProgramDescription& b) {
+    return a.name == b.name && a.defines == b.defines;
+}
+
+std::vector<Variant> variants(const Settings& settings, const std::vector<unsigned>& sceneFeatures) {
+    std::vector<Variant> found;
+    const auto add = [&](const FrameProgram& use) -> Variant& {
+        for (Variant& known : found)
+            if (same(known.program, use.program)) return known;
+        return found.emplace_back(Variant{use.step, use.program, {}});
+    };
+    // One emitting material gives every G-buffer a target more: the others are drawn with and without.
+    std::vector<unsigned> dark = allFeatures();
+    dark.erase(std::remove_if(dark.begin(), dark.end(),
+                              [](unsigned features) { return features & featureEmissive; }),
+               dark.end());
+    for (Mode mode : allModes()) {
+        for (const std::vector<unsigned>& features : {dark, allFeatures()})
+            for (const FrameProgram& use : framePrograms(settings, mode, features))
+                add(use);
+        for (const FrameProgram& use : framePrograms(settings, mode, sceneFeatures))
+            add(use).modes.emplace_back(modeName(mode));
+    }
+    return found;
+}
+
+// The shaders of phones: half precision where the sources allow it, and ES 3.1.
+gl::ShaderLibrary phoneLibrary(const Settings& settings) {
+    gl::Capabilities phone;
+    phone.softwareDriver = false;
+    phone.essl320 = false;
+    return shaderLibrary(settings, phone, gl::shadersFromFolder(gl::defaultShaderFolder()));
+}
+
+const char* stageName(const std::string& shader) {
+    switch (gl::shaderStage(shader)) {
+        case GL_VERTEX_SHADER:
+            return "vertex";
+        case GL_GEOMETRY_SHADER:
+            return "geometry";
+        case GL_FRAGMENT_SHADER:
+            return "fragment";
+        default:
+            return "compute";
+    }
+}
+
+// Writes the sources into DIR/<preset>/<number>/ and returns the manifest's entries.
+ordered_json writeSources(const std::vector<Variant>& programs, const Settings& settings,
+                          const std::string& preset, OutputFolder& out) {
+    const gl::ShaderLibrary library = phoneLibrary(settings);
+    ordered_json entries = ordered_json::array();
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const Variant& variant = programs[i];
+        std::vector<std::string> defines = library.defines;
+        defines.insert(defines.end(), variant.program.defines.begin(), variant.program.defines.end());
+        const std::string folder = preset + "/" + std::to_string(i);
+        OutputFolder programFolder(out.file(folder));
+        ordered_json stages = ordered_json::array();
+        for (const std::string& shader : variant.program.shaders) {
+            const std::string text =
+                gl::assembleShader(library.read, shader, defines, gl::Language::essl310).text;
+            replaceFile(programFolder.file(shader), Bytes(text.begin(), text.end()));
+            stages.push_back(
+                {{"stage", stageName(shader)}, {"shader", shader}, {"file", folder + "/" + shader}});
+        }
+        programFolder.keep();
+        entries.push_back({{"name", variant.program.name},
+                           {"pass", stepName(variant.step)},
+                           {"defines", defines},
+                           {"modes", variant.modes},
+                           {"stages", stages}});
+    }
+    return entries;
+}
+
+ordered_json countsJson(const std::vector<StageCount>& counts) {
+    ordered_json json = ordered_json::object();
+    for (const StageCount& stage : counts) {
+        ordered_json loops = ordered_json::array();
+        for (const LoopCount& loop : stage.loops)
+            loops.push_back({{"name", loop.name},
+                             {"depth", loop.depth},
+                             {"constant", loop.constant},
+                             {"trips", loop.trips}});
+        json[stage.shader] = {{"invocations", stage.invocations}, {"loops", loops}};
+    }
+    return json;
+}
+
+void writeShaders(const ShadersOptions& options) {
+    const std::vector<std::string>& presets = options.presets.empty() ? presetNames() : options.presets;
+    for (const std::string& preset : presets)
+        presetSettings(preset);
+    const glm::ivec2 size = sizeFromText(options.size);
+    const Backend backend = backendFromName(options.backend);
+    OutputFolder out(options.out);
+    const Scene scene = loadGltf(options.scene);
+    const Camera camera = chooseCamera(scene, "");
+    std::size_t vertices = 0;
+    for (const Instance& instance : scene.instances)
+        vertices += scene.meshes[static_cast<std::size_t>(instance.mesh)].vertices.size();
+    const Context context = openContext(backend, options.device);
+    context.capabilities.requireAll();
+
+    ordered_json manifest{{"scene", options.scene.substr(options.scene.rfind('/') + 1)},
+                          {"width", size.x},
+                          {"height", size.y},
+                          {"vertices", vertices},
+                          {"presets", ordered_json::array()}};
+    for (const std::string& preset : presets) {
+        std::fprintf(stderr, "%s\n", preset.c_str());
+        Settings settings = presetSettings(preset);
+        settings.size = size;
+        ordered_json entry{{"name", preset}, {"grid", settings.grid}};
+        entry["programs"] = writeSources(variants(settings, sceneFeatures(scene)), settings, preset, out);
+        settings.countTrips = true;
+        Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
+                          gl::shadersFromFolder(gl::defaultShaderFolder()));
+        for (Mode mode : allModes())
+            entry["counts"][modeName(mode)] = countsJson(countTrips(renderer, mode, camera));
+        manifest["presets"].push_back(std::move(entry));
+    }
+    writeJson(out.file("manifest.json"), manifest);
+    out.keep();
+}
+
+constexpr const char* footer =
+    "Writes DIR/manifest.json (docs/mali.md) and each program's shaders below DIR/<preset>/.\n"
+    "Example:\n"
+    "  vct shaders assets/cornell.glb --out out/shaders";
+
+}  // namespace
+
+void addShaders(CLI::App& app, int&) {
+    CLI::App* command = app.add_subcommand(
+        "shaders", "Write every program's ESSL 3.10 sources, and how often they run in a frame of a scene");
+    const auto options = std::make_shared<ShadersOptions>();
+    command->footer(footer);
+    command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
+    command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
+    command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
+        ->delimiter(',');
+    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
+    command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    command->callback([options] { writeShaders(*options); });
+}
+
+}  // namespace vct::cli

@@ -1,0 +1,106 @@
+#include "measure/trip_counts.h"
+
+#include <array>
+
+#include "gl/objects.h"
+
+namespace vct {
+
+namespace {
+
+struct Loop {
+    const char* name;
+    int depth;
+    int counter;
+    bool constant = false;  // its length: the compiler may unroll it
+    double times = 1.0;     // iterations per count: of loops that follow from what they are in
+};
+
+struct Stage {
+    const char* shader;
+    int invocations;
+    std::vector<Loop> loops;
+};
+
+// Every counter of shared/layout.h, with the loops in the order in which main() comes to them.
+const std::vector<Stage>& stages() {
+    static const std::vector<Stage> all{
+        {"shadow_map.frag", VCT_TRIPS_SHADOW_MAP, {}},
+        {"g_buffer.frag", VCT_TRIPS_G_BUFFER, {}},
+        {"sparse_clear.comp", VCT_TRIPS_SPARSE_CLEAR, {{"voxel", 0, VCT_TRIPS_SPARSE_CLEAR_VOXEL}}},
+        {"voxelizer.frag", VCT_TRIPS_VOXELIZER, {}},
+        {"mipmapper.comp", VCT_TRIPS_MIPMAPPER, {{"voxel", 0, VCT_TRIPS_MIPMAPPER_VOXEL}}},
+        {"face_clear.comp",
+         VCT_TRIPS_FACE_CLEAR,
+         {{"voxel", 0, VCT_TRIPS_FACE_CLEAR_VOXEL},
+          {"face", 1, VCT_TRIPS_FACE_CLEAR_VOXEL, true, 6},
+          {"word", 2, VCT_TRIPS_FACE_CLEAR_WORD, true}}},
+        {"face_touch.frag", VCT_TRIPS_FACE_TOUCH, {}},
+        {"face_voxelizer.frag",
+         VCT_TRIPS_FACE_VOXELIZER,
+         {{"axis", 0, VCT_TRIPS_FACE_VOXELIZER_AXIS, true, 0.5},
+          {"axis", 0, VCT_TRIPS_FACE_VOXELIZER_AXIS, true, 0.5}}},
+        {"face_resolve.comp",
+         VCT_TRIPS_FACE_RESOLVE,
+         {{"voxel", 0, VCT_TRIPS_FACE_RESOLVE_VOXEL}, {"face", 1, VCT_TRIPS_FACE_RESOLVE_VOXEL, true, 6}}},
+        {"face_parents.comp", VCT_TRIPS_FACE_PARENTS, {{"voxel", 0, VCT_TRIPS_FACE_PARENTS_VOXEL}}},
+        {"face_mipmapper.comp",
+         VCT_TRIPS_FACE_MIPMAPPER,
+         {{"voxel", 0, VCT_TRIPS_FACE_MIPMAPPER_VOXEL},
+          {"axis", 1, VCT_TRIPS_FACE_MIPMAPPER_VOXEL, true, 3},
+          {"side", 2, VCT_TRIPS_FACE_MIPMAPPER_VOXEL, true, 6},
+          {"pair", 3, VCT_TRIPS_FACE_MIPMAPPER_VOXEL, true, 24}}},
+        {"face_bounce_gather.comp",
+         VCT_TRIPS_BOUNCE_GATHER,
+         {{"face", 0, VCT_TRIPS_BOUNCE_GATHER_FACE},
+          {"axis", 1, VCT_TRIPS_BOUNCE_GATHER_RECEIVED, true, 3},
+          {"child", 1, VCT_TRIPS_BOUNCE_GATHER_RECEIVED, true, 8},
+          {"cone", 1, VCT_TRIPS_BOUNCE_GATHER_CONE, true},
+          {"step", 2, VCT_TRIPS_BOUNCE_GATHER_STEP}}},
+        {"face_bounce.comp",
+         VCT_TRIPS_BOUNCE,
+         {{"voxel", 0, VCT_TRIPS_BOUNCE_VOXEL}, {"face", 1, VCT_TRIPS_BOUNCE_VOXEL, true, 6}}},
+        {"gather.frag",
+         VCT_TRIPS_GATHER,
+         {{"cone", 0, VCT_TRIPS_GATHER_CONE, true}, {"step", 1, VCT_TRIPS_GATHER_STEP}}},
+        {"gather_filter.frag",
+         VCT_TRIPS_GATHER_FILTER,
+         {{"row", 0, VCT_TRIPS_GATHER_FILTER_NEIGHBOUR, true, 0.25},
+          {"neighbour", 1, VCT_TRIPS_GATHER_FILTER_NEIGHBOUR, true}}},
+        {"cone_tracer.frag",
+         VCT_TRIPS_CONE_TRACER,
+         {{"diffuse cone", 0, VCT_TRIPS_DIFFUSE_CONE, true},
+          {"diffuse step", 1, VCT_TRIPS_DIFFUSE_STEP},
+          {"gathered corner", 0, VCT_TRIPS_GATHERED_CORNER, true},
+          {"shadow step", 0, VCT_TRIPS_SHADOW_STEP},
+          {"blocker tap", 0, VCT_TRIPS_BLOCKER_TAP, true},
+          {"filter tap", 0, VCT_TRIPS_FILTER_TAP, true}}},
+    };
+    return all;
+}
+
+}  // namespace
+
+std::vector<StageCount> countTrips(Renderer& renderer, Mode mode, const Camera& camera) {
+    renderer.frame(mode, camera);  // a first frame has nothing to clear
+    std::array<std::uint32_t, VCT_TRIPS_COUNT> counts{};
+    const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, sizeof counts, counts.data(),
+                              GL_DYNAMIC_COPY);
+    counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_TRIPS);
+    renderer.frame(mode, camera);
+    counters.read(counts.data(), sizeof counts);
+
+    std::vector<StageCount> found;
+    for (const Stage& stage : stages()) {
+        if (counts[stage.invocations] == 0) continue;
+        StageCount count{stage.shader, counts[stage.invocations], {}};
+        for (const Loop& loop : stage.loops)
+            if (counts[loop.counter] > 0)
+                count.loops.push_back({loop.name, loop.depth, loop.constant,
+                                       loop.times * static_cast<double>(counts[loop.counter])});
+        found.push_back(std::move(count));
+    }
+    return found;
+}
+
+}  // namespace vct

@@ -1,0 +1,12 @@
+// Counts what runs, in the counting variant alone (`vct shaders`): TRIP(VCT_TRIPS_...) stands once at the start of
+// a stage and once in each of its loops, behind what may end it: a trip is a whole one. Everywhere else it is nothing.
+#include "shared/layout.h"
+
+#ifdef VCT_COUNT_TRIPS
+layout(std430, binding = VCT_SSBO_TRIPS) buffer TripBlock {
+    uint trips[VCT_TRIPS_COUNT];
+};
+#define TRIP(what) atomicAdd(trips[what], 1u)
+#else
+#define TRIP(what)
+#endif
