@@ -23,8 +23,9 @@ void main() {
             if (sum.coverage == 0.0) continue;
             uvec2 halves = block < faceLightBlocks() ? faceLight[block * 6u + uint(face)] : uvec2(0u);
             vec3 light = vec3(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y).x);
-            vec3 radiance = sum.radiance + sum.albedo * light / float(VCT_FACE_RADIANCE_RANGE);
-            imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(radiance, sum.coverage));
+            vec3 radiance = sum.radiance + sum.albedo * light / frame.faces.y;
+            ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);
+            imageStore(faces, texel, storedFace(vec4(radiance, sum.coverage), texel));
         }
     }
 }

@@ -37,7 +37,7 @@ vec3 received(ivec3 block, int axis, int side) {
         TRIP(VCT_TRIPS_BOUNCE_GATHER_CONE);
         vec3 cone = gatherCone(i, turn);
         ConeResult result =
-            traceCone(start, volumeFromCone * cone, cone.y, VCT_GATHER_TANGENT, 2.0 * float(frame.grid.x));
+            traceCone(start, normal, volumeFromCone * cone, 2.0 * float(frame.grid.x));
         sum += result.radiance + result.transmittance * frame.skyRadiance.rgb;
     }
     return sum / float(VCT_GATHER_CONES);

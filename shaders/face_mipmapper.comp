@@ -31,9 +31,9 @@ void main() {
                     vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
                     sum += front + (1.0 - front.a) * back;
                 }
-                // Most are empty, and have been cleared.
-                if (sum != vec4(0.0))
-                    imageStore(parents, faceTexel(parent, axis, side, childGrid >> 1), sum * 0.25);
+                if (sum == vec4(0.0)) continue;  // most are, and have been cleared
+                ivec3 texel = faceTexel(parent, axis, side, childGrid >> 1);
+                imageStore(parents, texel, storedFace(sum * 0.25, texel));
             }
         }
     }

@@ -18,7 +18,8 @@ void main() {
         for (int face = 0; face < 6; ++face) {
             FaceSum sum = faceSum(slot, face);
             if (sum.coverage == 0.0) continue;  // most are, and have been cleared
-            imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(sum.radiance, sum.coverage));
+            ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);
+            imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel));
         }
     }
 }

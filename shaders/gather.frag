@@ -39,7 +39,7 @@ void main() {
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
         TRIP(VCT_TRIPS_GATHER_CONE);
         vec3 cone = gatherCone(i, turn);
-        ConeResult result = traceCone(start, volumeFromCone * cone, cone.y, VCT_GATHER_TANGENT, reach);
+        ConeResult result = traceCone(start, normal, volumeFromCone * cone, reach);
         outGather.rgb += result.radiance + result.transmittance * frame.skyRadiance.rgb;
         outGather.a += result.transmittance;
     }

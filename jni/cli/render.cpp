@@ -34,7 +34,7 @@ struct RenderOptions {
     std::optional<int> grid, shadowMap, bounces;
     std::optional<float> coneAngleDeg, aoDistance;
     float exposure = 1.0F;
-    std::vector<std::string> experiments, gather;
+    std::vector<std::string> experiments, gather, occlusion;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool emulateHalf = false;
@@ -57,6 +57,8 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.bounces = options.bounces.value_or(settings.bounces);
     for (const std::string& change : options.gather)
         changeGather(settings.gather, change);
+    for (const std::string& change : options.occlusion)
+        changeGather(settings.occlusion, change);
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
     settings.emulateHalf = options.emulateHalf;
@@ -219,6 +221,8 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--gather", options->gather,
                      "Change the gather of the preset, NAME=VALUE with commas:\n" + gatherParts())
+        ->delimiter(',');
+    command->add_option("--occlusion", options->occlusion, "The same for the gather of mode 3")
         ->delimiter(',');
     command->add_option("--camera", options->camera,
                         "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "

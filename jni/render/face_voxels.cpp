@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "gl/debug.h"
+#include "render/frame_uniforms.h"
 #include "render/programs.h"
 
 namespace vct {
@@ -15,6 +16,15 @@ constexpr int blocksX = 3, blocksY = 2;
 float faceSumUnits(std::size_t triangles) {
     return static_cast<float>(
         std::clamp<std::size_t>(0xFFFFFFFFU / std::max<std::size_t>(triangles, 1), 1, 4096));
+}
+
+float faceRadianceRange(const Scene& scene, const DirectionalLight& light) {
+    float brightest = 0.0F;
+    for (const Instance& instance : scene.instances) {
+        const glm::vec3& emissive = scene.materials[scene.meshes[instance.mesh].material].emissive;
+        brightest = std::max({brightest, emissive.r, emissive.g, emissive.b});
+    }
+    return (light.intensity > 0.0F ? 2.0F : 0.0F) + 5.0F * brightest / radianceUnit(light);
 }
 
 FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity)

@@ -3,12 +3,18 @@
 #pragma once
 
 #include "render/voxel_pyramid.h"
+#include "scene/scene.h"
 
 namespace vct {
 
 // The fixed-point units of a whole face in the sums of voxelization: 4096, or fewer where a scene has so many
 // triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
 float faceSumUnits(std::size_t triangles);
+
+// The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
+// and by bounces, and beyond that what emits, five bounces brighter in a white room. What is brighter still
+// is cut off.
+float faceRadianceRange(const Scene& scene, const DirectionalLight& light);
 
 class FaceVoxels {
   public:

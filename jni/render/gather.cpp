@@ -5,10 +5,9 @@
 
 namespace vct {
 
-Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, glm::ivec2 pictureSize)
-    : trace_(shaders, gatherProgram(settings, false)),
-      occlusion_(shaders, gatherProgram(settings, true)),
-      filter_(shaders, gatherFilterProgram(settings)) {
+Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
+               glm::ivec2 pictureSize)
+    : trace_(shaders, gatherProgram(settings, of)), filter_(shaders, gatherFilterProgram(settings)) {
     const glm::ivec2 size = (pictureSize + settings.scale - 1) / settings.scale;
     raw_ = gl::Texture::make2d("gathered light", GL_RGBA16F, size.x, size.y);
     surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16F, size.x, size.y);
@@ -17,12 +16,12 @@ Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
     filterTarget_ = gl::Framebuffer("gather filter", {&filtered_}, nullptr);
 }
 
-Gather::Targets Gather::draw(What what, const GBuffer::Targets& surface, const FaceVoxels& voxels) {
+Gather::Targets Gather::draw(const GBuffer::Targets& surface, const FaceVoxels& voxels) {
     const gl::DebugGroup group("gather");
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);
     noVertices_.bind();
-    (what == What::light ? trace_ : occlusion_).use();
+    trace_.use();
     traceTarget_.bind();
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);

@@ -11,20 +11,19 @@ namespace vct {
 
 class Gather {
   public:
-    Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, glm::ivec2 pictureSize);
+    Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
+           glm::ivec2 pictureSize);
 
     struct Targets {
         const gl::Texture* light;    // RGBA16F: radiance before albedo, relative to E/pi; openness
         const gl::Texture* surface;  // RGBA16F: shaders/shared/gather_surface.glsl
     };
-    // `what`: the whole light, or occlusion within the AO distance only.
-    enum class What { light, occlusion };
-    Targets draw(What what, const GBuffer::Targets& surface, const FaceVoxels& voxels);
+    Targets draw(const GBuffer::Targets& surface, const FaceVoxels& voxels);
 
     std::vector<const gl::Texture*> textures() const { return {&raw_, &surface_, &filtered_}; }
 
   private:
-    gl::Program trace_, occlusion_, filter_;
+    gl::Program trace_, filter_;
     gl::Texture raw_, surface_, filtered_;
     gl::Framebuffer traceTarget_, filterTarget_;
     gl::VertexArray noVertices_;

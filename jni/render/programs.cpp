@@ -25,12 +25,19 @@ std::string number(float value) {
     return text;
 }
 
-std::vector<std::string> gatherDefines(const GatherSettings& g) {
-    return {"VCT_GATHER_CONES " + std::to_string(g.cones), "VCT_GATHER_TANGENT " + number(g.tangent()),
-            "VCT_GATHER_START " + number(g.startOffset),   "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
-            "VCT_GATHER_STEP " + number(g.step),           "VCT_GATHER_SKIP " + number(g.skip),
-            "VCT_GATHER_HEIGHT " + number(g.height),       "VCT_GATHER_EXTINCTION " + number(g.extinction),
-            "VCT_GATHER_THRESHOLD " + number(g.threshold), "VCT_GATHER_SCALE " + std::to_string(g.scale)};
+std::vector<std::string> gatherDefines(const GatherSettings& g, int finestLevel = 0) {
+    return {"VCT_GATHER_CONES " + std::to_string(g.cones),
+            "VCT_GATHER_TANGENT " + number(g.tangent()),
+            "VCT_GATHER_START " + number(g.startOffset),
+            "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
+            "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
+            "VCT_GATHER_STEP " + number(g.step),
+            "VCT_GATHER_SKIP " + number(g.skip),
+            "VCT_GATHER_HEIGHT " + number(g.height),
+            "VCT_GATHER_EXTINCTION " + number(g.extinction),
+            "VCT_GATHER_THRESHOLD " + number(g.threshold),
+            "VCT_GATHER_SCALE " + std::to_string(g.scale),
+            "VCT_GATHER_FINEST_LEVEL " + std::to_string(finestLevel)};
 }
 
 // `name`: also the fragment shader's.
@@ -147,17 +154,19 @@ gl::ProgramDescription faceClearProgram() {
 gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels) {
     GatherSettings bounces = pixels;
     bounces.cones = 3;  // no filter follows
-    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces)};
+    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces, 1)};
 }
 
 gl::ProgramDescription faceBounceProgram() {
     return {"face_bounce", {"face_bounce.comp"}, {}};
 }
 
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion) {
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of) {
     std::vector<std::string> defines = gatherDefines(settings);
-    if (occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
-    return {occlusion ? "gather occlusion" : "gather", {"full_screen.vert", "gather.frag"}, defines};
+    if (of == GatherOf::occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
+    return {of == GatherOf::occlusion ? "gather occlusion" : "gather",
+            {"full_screen.vert", "gather.frag"},
+            defines};
 }
 
 gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings) {
@@ -176,7 +185,8 @@ gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Se
     const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
     if (gathers && settings.voxels == Voxels::faces) {
         defines.emplace_back("VCT_GATHERED");
-        for (const std::string& define : gatherDefines(settings.gather))
+        const bool occlusion = mode == VCT_MODE_AO || mode == VCT_VIEW_AO;
+        for (const std::string& define : gatherDefines(occlusion ? settings.occlusion : settings.gather))
             defines.push_back(define);
     }
     return {"cone_tracer " + std::to_string(mode), {"full_screen.vert", "cone_tracer.frag"}, defines};
@@ -225,9 +235,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
             for (bool emissiveTarget : {false, true})
                 programs.push_back(coneTracerProgram(mode, emissiveTarget, settings));
         if (settings.voxels != Voxels::faces) continue;
-        for (bool occlusion : {false, true})
-            programs.push_back(gatherProgram(settings.gather, occlusion));
-        programs.push_back(gatherFilterProgram(settings.gather));
+        programs.push_back(gatherProgram(settings.gather, GatherOf::light));
+        programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion));
+        for (const GatherSettings& gather : {settings.gather, settings.occlusion})
+            programs.push_back(gatherFilterProgram(gather));
         programs.push_back(faceBounceGatherProgram(settings.gather));
     }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)

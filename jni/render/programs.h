@@ -44,7 +44,7 @@ gl::ProgramDescription faceClearProgram();
 // `pixels`: the gather's settings, from which those of the bounces follow.
 gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels);
 gl::ProgramDescription faceBounceProgram();
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, bool occlusion);
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of);
 gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.
 gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings);

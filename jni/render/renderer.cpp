@@ -25,10 +25,6 @@ bool needsShadowMap(Mode mode) {
 bool needsVoxels(Mode mode) {
     return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
 }
-Gather::What gatherFor(int modeOrView) {
-    return modeOrView == VCT_MODE_AO || modeOrView == VCT_VIEW_AO ? Gather::What::occlusion
-                                                                  : Gather::What::light;
-}
 
 }  // namespace
 
@@ -45,6 +41,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
+      faceRadianceRange_(faceRadianceRange(scene, light)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
              settings.voxelization),
@@ -89,9 +86,8 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
             facePass->mipmapper.run(voxels);
         });
         timer_.time(Step::bounces, [&] { facePass->bounces.run(bounces, voxels, facePass->mipmapper); });
-        light.gather = timer_.time(Step::trace, [&] {
-            return facePass->gather.draw(gatherFor(static_cast<int>(mode)), surface, voxels);
-        });
+        light.gather =
+            timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
     }
     timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
     timer_.endFrame();
@@ -131,12 +127,25 @@ Renderer::FacePasses& Renderer::facePasses() {
         if (texturesInMainMemory_)
             requireMemory(FaceVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        facePasses_.emplace(FacePasses{
-            FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
-            FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization), FaceMipmapper(shaders_),
-            FaceBounces(shaders_, settings_.gather), Gather(shaders_, settings_.gather, settings_.size)});
+        facePasses_.emplace(
+            FacePasses{FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                       FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
+                       FaceMipmapper(shaders_),
+                       FaceBounces(shaders_, settings_.gather),
+                       {},
+                       {}});
     }
     return *facePasses_;
+}
+
+Gather& Renderer::gather(int modeOrView) {
+    FacePasses& passes = facePasses();
+    const bool occlusion = modeOrView == VCT_MODE_AO || modeOrView == VCT_VIEW_AO;
+    std::optional<Gather>& pass = occlusion ? passes.occlusion : passes.light;
+    if (!pass)
+        pass.emplace(shaders_, occlusion ? settings_.occlusion : settings_.gather,
+                     occlusion ? GatherOf::occlusion : GatherOf::light, settings_.size);
+    return *pass;
 }
 
 // Which voxels are occupied, of either kind.
@@ -147,6 +156,7 @@ const VoxelPyramid& Renderer::occupancy() {
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
     values.faces.x = faceSumUnits(triangles_);
+    values.faces.y = faceRadianceRange_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
@@ -162,7 +172,7 @@ Image Renderer::tracedView(int view) {
     if (settings_.voxels == Voxels::words)
         light.voxels = &wordPasses().pyramid.texture();
     else
-        light.gather = facePasses().gather.draw(gatherFor(view), surface, facePasses().voxels);
+        light.gather = gather(view).draw(surface, facePasses().voxels);
     return readImage(coneTracer_.draw(view, surface, &shadowMap().texture(), light));
 }
 
@@ -249,8 +259,10 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         add(facePasses_->voxels.faces());
         add(facePasses_->voxels.sums());
         if (facePasses_->bounces.light().bytes() > 0) add(facePasses_->bounces.light());
-        for (const gl::Texture* texture : facePasses_->gather.textures())
-            add(*texture);
+        for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
+            if (*gather)
+                for (const gl::Texture* texture : (*gather)->textures())
+                    add(*texture);
     }
     add(coneTracer_.texture());
     return resources;

@@ -84,12 +84,13 @@ class Renderer {
         FaceVoxelizer voxelizer;
         FaceMipmapper mipmapper;
         FaceBounces bounces;
-        Gather gather;
+        std::optional<Gather> light, occlusion;
     };
     void draw(Mode mode, const Camera& camera, int bounces);
     ShadowMap& shadowMap();
     WordPasses& wordPasses();
     FacePasses& facePasses();
+    Gather& gather(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
     Image tracedView(int view);
@@ -100,6 +101,7 @@ class Renderer {
     DirectionalLight light_;
     Bounds boundsWorld_;
     std::size_t triangles_;
+    float faceRadianceRange_;
     Volume volume_;
     GpuScene scene_;
     gl::Buffer frameUniforms_;

@@ -110,6 +110,7 @@ Settings presetSettings(const std::string& name) {
     settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
     settings.bounces = 4;
+    settings.occlusion.startOffset = 0.5F;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gather.scale = 4;
@@ -118,10 +119,10 @@ Settings presetSettings(const std::string& name) {
     if (name == "quality") {
         settings.grid = 128;
         settings.gather.cones = 16;
-        settings.gather.startOffset = 1.0F;
-        settings.gather.firstSample = 1.0F;
         settings.gather.step = 1.0F;
+        settings.gather.height = 0.4F;
         settings.gather.threshold = 0.02F;
+        settings.occlusion = settings.gather;
         return settings;
     }
     throw Error("--preset '" + name + "' does not exist; the presets are: " + presetList());
@@ -152,6 +153,7 @@ const std::vector<GatherPart>& allGatherParts() {
          0.05F, 2},
         {"start", "offset along the normal, voxels", &G::startOffset, nullptr, 0, 16},
         {"first", "first sample along the cone, voxels", &G::firstSample, nullptr, 0.25F, 16},
+        {"own", "added to that per unit of the surface's own faces", &G::ownSurface, nullptr, 0, 16},
         {"step", "of a sample's diameter", &G::step, nullptr, 0.1F, 4},
         {"skip", "longest step in footprints", &G::skip, nullptr, 0.1F, 100},
         {"height", "largest footprint, of the height above the plane", &G::height, nullptr, 0.05F, 100},

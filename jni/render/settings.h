@@ -61,17 +61,21 @@ const char* voxelizationName(Voxelization voxelization);  // "geometry-shader", 
 // Throws vct::Error listing the names.
 Voxelization voxelizationFromText(const std::string& text);
 
-// The gather through the faces of directional coverage voxels. Lengths in voxels of the finest level; the
-// defaults are those that a prototype with exact visibility found best at 64^3 with three cones.
+// What a gather is for: all light, or only how open the surroundings are within the AO distance.
+enum class GatherOf { light, occlusion };
+
+// A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
+// in docs/levers.md.
 struct GatherSettings {
     int cones = 3;              // a Fibonacci set over the hemisphere
     float tangentScale = 0.7F;  // of tan(acos(1 - 1/n)), where n cones would fill the hemisphere
     float startOffset = 0.75F;  // along the normal
-    float firstSample = 1.5F;   // along the cone
+    float firstSample = 0.5F;   // along the cone
+    float ownSurface = 2.0F;    // added to that per unit of the surface's own faces that the cone meets
     float step = 1.25F;         // of the sample's diameter
-    float skip = 1.5F;          // longest step, in footprints
-    float height = 0.33F;       // largest footprint, of the sample's height above the surface's plane
-    float extinction = 1.0F;    // scales the opacity of a sample
+    float skip = 1.0F;          // longest step, in footprints
+    float height = 0.5F;        // largest footprint, of the sample's height above the surface's plane
+    float extinction = 1.05F;   // scales the opacity of a sample
     float threshold = 0.1F;     // a cone with less transmittance left is done
     int scale = 2;              // every how many pixels, in x and y, light is gathered
 
@@ -83,7 +87,8 @@ struct Settings {
     Voxels voxels = Voxels::words;
     Voxelization voxelization = Voxelization::geometryShader;
     int bounces = 0;                       // beyond the first, where voxels are faces
-    GatherSettings gather;                 // where voxels are faces
+    GatherSettings gather;                 // of diffuse light, where voxels are faces
+    GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
     int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
     glm::ivec2 size{400, 400};             // pixels
     int shadowMapSize = 512;               // texels along a side

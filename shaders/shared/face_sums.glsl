@@ -7,7 +7,7 @@ layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
 };
 
 #define VCT_FACE_SUM_COVERAGE 0u
-#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over VCT_FACE_RADIANCE_RANGE
+#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over frame.faces.y
 #define VCT_FACE_SUM_ALBEDO 4u    // three
 
 uint faceSlots() {
@@ -32,7 +32,7 @@ void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
     uint coverage = uint(weight * frame.faces.x + 0.5);
     if (coverage == 0u) return;
     atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], coverage);
-    addFixed(index + VCT_FACE_SUM_RADIANCE, weight / float(VCT_FACE_RADIANCE_RANGE) * radiance);
+    addFixed(index + VCT_FACE_SUM_RADIANCE, weight / frame.faces.y * radiance);
     addFixed(index + VCT_FACE_SUM_ALBEDO, weight * albedo);
 }
 
@@ -40,7 +40,7 @@ void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
 // surface in a voxel: it is covered, and shines with their mean.
 struct FaceSum {
     float coverage;
-    vec3 radiance;  // relative to E/pi over VCT_FACE_RADIANCE_RANGE
+    vec3 radiance;  // relative to E/pi over frame.faces.y
     vec3 albedo;
 };
 

@@ -1,6 +1,6 @@
 // Directional coverage voxels: six faces per voxel in one filterable 3D texture. Face f (a direction along an axis)
 // holds, of the surface in the voxel that looks towards f: alpha, the share of the voxel's cross-section that it
-// covers, and rgb, its radiance relative to E/pi over VCT_FACE_RADIANCE_RANGE, premultiplied by alpha. One-sided: a
+// covers, and rgb, its radiance relative to E/pi over frame.faces.y, premultiplied by alpha. One-sided: a
 // surface seen from behind neither lights nor blocks.
 //
 // The texture has 3 x 2 blocks of the grid: the axis along x, the side along y (0: towards +axis, 1: towards -axis).
@@ -13,4 +13,15 @@ ivec2 faceBlock(int axis, int side) {
 
 ivec3 faceTexel(ivec3 voxel, int axis, int side, int gridOfLevel) {
     return voxel + ivec3(faceBlock(axis, side) * gridOfLevel, 0);
+}
+
+// A face as it is stored in 8 bits: rgb rounded up or down by chance, so that dim light is right in the mean and
+// does not vanish; coverage to nearest. The chance follows from the place alone (Jarzynski and Olano 2020, pcg).
+vec4 storedFace(vec4 value, ivec3 texel) {
+    uint h = uint(texel.x) + 1024u * (uint(texel.y) + 1024u * uint(texel.z));
+    h = h * 747796405u + 2891336453u;
+    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+    h = (h >> 22u) ^ h;
+    vec3 chance = vec3(uvec3(h, h >> 10u, h >> 20u) & 1023u) / 1024.0;
+    return vec4(floor(value.rgb * 255.0 + chance) / 255.0, value.a);
 }

@@ -119,9 +119,8 @@ using glm::vec4;
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
-// Directional coverage voxels: their 8 bits hold radiance up to this (relative to E/pi), room for bounces.
-#define VCT_FACE_RADIANCE_RANGE 2
-#define VCT_FACE_SUM_WORDS 7u  // per face while voxelizing: coverage, radiance, albedo
+// Directional coverage voxels, per face while voxelizing: coverage, radiance, albedo.
+#define VCT_FACE_SUM_WORDS 7u
 
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
@@ -137,7 +136,8 @@ struct FrameUniforms {
     vec4 skyRadiance;       // rgb: relative to E/pi
     vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
                             // zw: the cone's radius in the shadow map at one unit of its depth
-    vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl)
+    vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl), y: the radiance that
+                            // is stored as 1, relative to E/pi
     ivec4 grid;             // x: voxels along a side, y: last mip level
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array steps{"shadow_map", "render_data", "voxelize", "mipmap", "trace"};
+constexpr std::array steps{"shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace"};
 constexpr std::size_t frames = 5;
 
 std::string renderSmall(const std::string& options) {

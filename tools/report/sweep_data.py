@@ -8,7 +8,7 @@ from report import pictures
 from report.pictures import Album
 from sweep.measures import MEASURES, Measure, NoReference, References, pair
 
-STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "trace", "total")
+STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace", "total")
 USUAL = {"grid": 256, "cone_angle_deg": 5.0}
 
 
