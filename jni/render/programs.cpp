@@ -279,12 +279,14 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
         add(Step::voxelize, faceResolveProgram());
         add(Step::mipmap, faceParentsProgram());
         add(Step::mipmap, faceMipmapperProgram());
-        if (settings.bounces > 0) {
+        const bool occlusion = mode == Mode::ao;
+        if (settings.bounces > 0 && !occlusion) {
             add(Step::bounces, faceBounceGatherProgram(settings.gather));
             add(Step::bounces, faceBounceProgram());
         }
-        add(Step::trace, gatherProgram(settings.gather, mode == Mode::ao));
-        add(Step::trace, gatherFilterProgram(settings.gather));
+        const GatherSettings& gather = occlusion ? settings.occlusion : settings.gather;
+        add(Step::trace, gatherProgram(gather, occlusion ? GatherOf::occlusion : GatherOf::light));
+        add(Step::trace, gatherFilterProgram(gather));
     } else if (voxels) {
         add(Step::voxelize, sparseClearProgram());
         for (unsigned f : features)

@@ -56,7 +56,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
 }
 
 void Renderer::frame(Mode mode, const Camera& camera) {
-    draw(mode, camera, settings_.bounces);
+    // Occlusion asks for no light.
+    draw(mode, camera, mode == Mode::ao ? 0 : settings_.bounces);
 }
 
 void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
