@@ -207,7 +207,7 @@ void App::drawHud(double passedS) {
 }
 
 void App::drawScene() {
-    const Wanted wanted{choices_, scene_};
+    const Wanted wanted{choices_, scene_, surface_->size()};
     if (!scene_ || (failed_ && *failed_ == wanted)) return;
     const glm::ivec2 window = surface_->size();
     try {
@@ -261,6 +261,7 @@ void App::loseContext(const std::string& how) {
     gl_.reset();
     surface_.reset();
     context_.reset();
+    failed_.reset();
 }
 
 // Drawing has no chance in this window.
@@ -277,7 +278,7 @@ void App::halt(const std::string& why) {
 void App::revert(const std::string& why) {
     fail(why);
     gl_->dropRenderer();
-    const Wanted wanted{choices_, scene_};
+    const Wanted wanted{choices_, scene_, surface_->size()};
     failed_ = wanted;
     if (!good_ || *good_ == wanted) return;
     choices_ = good_->choices;

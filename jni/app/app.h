@@ -48,8 +48,9 @@ class App {
     struct Wanted {
         Choices choices;
         std::shared_ptr<const Scene> scene;
+        glm::ivec2 window{0};
         bool operator==(const Wanted& other) const {
-            return choices == other.choices && scene == other.scene;
+            return choices == other.choices && scene == other.scene && window == other.window;
         }
     };
 

@@ -49,6 +49,7 @@ Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()) {
     font.SizePixels = fontPixels * scale_;
     font.OversampleH = 1;
     io.Fonts->AddFontDefault(&font);
+    io.Fonts->Build();
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     // A finger is about 40 dp wide.

@@ -1,0 +1,160 @@
+// The display under a finger.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/hud.h"
+#include "stand_in/stand_in.h"
+#include "support/temporary_folder.h"
+
+namespace vct::test {
+namespace {
+
+constexpr glm::ivec2 window{400, 800};
+
+// A display of its own, without GL.
+class Fingers {
+  public:
+    app::HudActions tap(glm::vec2 at) {
+        hud.touch(at, true);
+        hud.touch(at, false);
+        return frames();
+    }
+    app::HudActions drag(glm::vec2 from, glm::vec2 to) {
+        hud.touch(from, true);
+        frames(1);
+        hud.touch(to, true);
+        frames(2);
+        hud.touch(to, false);
+        return frames();
+    }
+    // What was asked for in any of them.
+    app::HudActions frames(int count = 4) {
+        app::HudActions all;
+        for (int i = 0; i < count; ++i) {
+            app::HudContent content;
+            content.choices = &choices;
+            content.scene = &scene;
+            content.scenes = &scenes;
+            content.message = message;
+            const app::HudActions actions = hud.build(content, window, {0, 0, window}, 0.02);
+            all.resetView |= actions.resetView;
+            all.rescan |= actions.rescan;
+            all.measure |= actions.measure;
+            all.dismiss |= actions.dismiss;
+        }
+        return all;
+    }
+
+    app::Hud hud{1.0F};
+    app::Choices choices;
+    std::vector<app::SceneFile> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
+    int scene = 0;
+    std::string message;
+};
+
+constexpr glm::vec2 corner{25.0F, 20.0F};  // the button that hides and shows
+
+TEST(Hud, HidesAndShows) {
+    Fingers fingers;
+    fingers.frames();
+    const glm::vec2 inside(100.0F, 200.0F);
+    EXPECT_TRUE(fingers.hud.covers(inside));
+    EXPECT_FALSE(fingers.hud.covers({390.0F, 790.0F}));
+    fingers.tap(corner);
+    EXPECT_FALSE(fingers.hud.covers(inside)) << "a touch there turns the view again";
+    EXPECT_TRUE(fingers.hud.covers(corner));
+    fingers.tap(corner);
+    EXPECT_TRUE(fingers.hud.covers(inside));
+}
+
+// Everything in the panel is somewhere: every row is touched, and what opens is too.
+TEST(Hud, EveryChoiceCanBeChangedByTouch) {
+    Fingers fingers;
+    fingers.message = "wrong";
+    fingers.frames();
+    const app::Choices before = fingers.choices;
+    app::HudActions actions;
+    std::vector<std::string> changed;
+    const auto look = [&] {
+        const app::Choices& now = fingers.choices;
+        const auto note = [&](bool is, const char* what) {
+            if (is && std::find(changed.begin(), changed.end(), what) == changed.end())
+                changed.push_back(what);
+        };
+        note(now.mode != before.mode, "mode");
+        note(now.grid != before.grid, "grid");
+        note(now.preset != before.preset || presetNames().size() == 1, "preset");
+        note(now.resolution != before.resolution, "pixels");
+        note(now.coneAngleDeg != before.coneAngleDeg, "cone");
+        note(now.lightAnglesDeg.has_value(), "light");
+        note(now.timeSteps != before.timeSteps, "time");
+        note(fingers.scene != 0, "scene");
+    };
+    for (float y = 45.0F; y < 700.0F; y += 8.0F) {
+        for (const float below : {22.0F, 40.0F, 60.0F, 100.0F}) {
+            const app::HudActions first = fingers.tap({60.0F, y});
+            const app::HudActions second = fingers.tap({60.0F, y + below});
+            actions.rescan |= first.rescan || second.rescan;
+            actions.resetView |= first.resetView || second.resetView;
+            actions.dismiss |= first.dismiss || second.dismiss;
+            look();
+        }
+        fingers.drag({60.0F, y}, {180.0F, y});
+        look();
+        actions.measure |= fingers.tap({210.0F, y}).measure;
+    }
+    std::sort(changed.begin(), changed.end());
+    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "light", "mode", "pixels", "preset", "scene",
+                                                 "time"}));
+    EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
+    EXPECT_TRUE(actions.resetView);
+    EXPECT_TRUE(actions.dismiss);
+    EXPECT_TRUE(actions.measure);
+}
+
+// A finger down the panel, over a driver that will compile nothing more: what was good stays on the screen.
+TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
+    StandIn android;
+    android.intentExtra = "show grid=64 mode=ao pixels=4";
+    android.startUntilSceneShown(window.x, window.y);
+    android.then([&] {
+        EXPECT_EQ(android.errors(), "");
+        android.shadersFrom = "void main() {";
+        android.shadersTo = "void main() { nonsense;";
+    });
+    for (float y = 180.0F; y < 420.0F; y += 12.0F)
+        for (const float at : {y, y + 50.0F}) {
+            android.touch(AMOTION_EVENT_ACTION_DOWN, {{0, 60.0F, at}});
+            android.touch(AMOTION_EVENT_ACTION_UP, {{0, 60.0F, at}});
+            android.frames(3);
+        }
+    android.then([&] {
+        android.shadersFrom.clear();
+        android.capture = true;
+    });
+    android.frames(4);
+    android.run();
+    EXPECT_NE(android.errors().find("does not compile"), std::string::npos) << android.errors();
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+    EXPECT_GT(glm::length(android.screen.at(window.x / 2, window.y * 11 / 16)), 0.2F)
+        << "the picture is gone";
+}
+
+// Its message, and the scene before it stays.
+TEST(Hud, ASceneThatCannotBeLoadedIsReported) {
+    TemporaryFolder files;
+    writeBytes(files.file("broken.glb"), "glTF, or not");
+    StandIn android;
+    android.files = files.path();
+    android.intentExtra = "show grid=64 mode=ao scene=broken.glb";
+    android.start(96, 64);
+    android.framesUntilLogged("broken.glb:");
+    android.frames(3);
+    android.run();
+    EXPECT_NE(android.errors().find("broken.glb"), std::string::npos) << android.errors();
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace vct::test
