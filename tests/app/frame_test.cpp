@@ -107,6 +107,19 @@ TEST(Display, IsReadableOnAPhone) {
     expectText(android.screen, 0, 0, 1000, 1200);
 }
 
+TEST(Display, FitsAPhoneHeldSideways) {
+    StandIn android;
+    android.density = 440;
+    android.intentExtra = "show grid=64 mode=gi pixels=4 scene=courtyard.glb";
+    android.startUntilSceneShown(2340, 1080);
+    android.then([&] { android.capture = true; });
+    android.frames(2);
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    keep(android.screen, "display-sideways.png");
+    expectText(android.screen, 0, 0, 1000, 1080);
+}
+
 // Mesa's own means of leaving things out: the driver is real.
 class LesserDriver {
   public:
