@@ -40,8 +40,8 @@ void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
 void main() {
     TRIP(VCT_TRIPS_FACE_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
-    // Before any discard: derivatives need the whole quad. A pixel is a voxel wide, so this is the face's normal over
-    // its component along the projection: what the surface covers of each of the voxel's cross-sections.
+    // Before any discard: derivatives need the whole quad. This is the face's normal over its component along the
+    // projection, times a pixel's area in voxels: what the surface covers of each of the voxel's cross-sections.
     vec3 positionVoxels = fragmentPosition * float(frame.grid.x);
     vec3 coverage = clamp(cross(dFdx(positionVoxels), dFdy(positionVoxels)), -1.0, 1.0);
     if (!gl_FrontFacing) coverage = -coverage;

@@ -28,6 +28,7 @@ struct RenderOptions {
     // Over the preset's, where given.
     std::optional<std::string> shadow, voxelization;
     std::optional<int> blockerTaps, filterTaps;
+    int voxelSamples = 1;
     std::string backend = "egl";
     int device = -1;
     // Over the preset's, where given.
@@ -51,6 +52,7 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
     if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
+    settings.voxelSamples = options.voxelSamples;
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
@@ -202,6 +204,11 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--voxelization", options->voxelization,
                         "What finds the axis along which a triangle is voxelized: geometry-shader, or "
                         "sorted-axes (once, when the scene is loaded); default: the preset's");
+    command
+        ->add_option("--voxel-samples", options->voxelSamples,
+                     "Samples of the triangles along each side of a voxel, 1 to 4: more of them miss fewer "
+                     "voxels, and take longer")
+        ->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,

@@ -73,6 +73,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"width", s.size.x},
             {"height", s.size.y},
             {"voxelization", voxelizationName(s.voxelization)},
+            {"voxel_samples", s.voxelSamples},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"shadow", shadowName(s.shadow)},

@@ -6,12 +6,12 @@
 namespace vct {
 
 FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                             Voxelization voxelization)
+                             Voxelization voxelization, int samples)
     : touch_(shaders, scene, [=](unsigned features) { return faceTouchProgram(features, voxelization); }),
       accumulate_(shaders, scene,
                   [=](unsigned features) { return faceVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, faceResolveProgram()),
-      framebuffer_("face voxelizer", grid, grid) {}
+      framebuffer_("face voxelizer", grid * samples, grid * samples) {}
 
 void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels) {
     const gl::DebugGroup group("voxelize");

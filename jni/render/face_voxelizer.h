@@ -9,8 +9,9 @@ namespace vct {
 
 class FaceVoxelizer {
   public:
+    // `samples`: Settings::voxelSamples.
     FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                  Voxelization voxelization);
+                  Voxelization voxelization, int samples);
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels);

@@ -13,9 +13,11 @@ namespace {
 constexpr int blocksX = 3, blocksY = 2;
 }
 
-float faceSumUnits(std::size_t triangles) {
-    return static_cast<float>(
-        std::clamp<std::size_t>(0xFFFFFFFFU / std::max<std::size_t>(triangles, 1), 1, 4096));
+float faceSumUnits(std::size_t triangles, int samples) {
+    // Each fragment may be rounded up by half a unit; a single one is at most the whole face, which is not.
+    const std::size_t rounding = static_cast<std::size_t>(samples) * samples / 2;
+    const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
+    return static_cast<float>(std::clamp<std::size_t>(room > rounding ? room - rounding : 1, 1, 4096));
 }
 
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light) {

@@ -8,8 +8,9 @@
 namespace vct {
 
 // The fixed-point units of a whole face in the sums of voxelization: 4096, or fewer where a scene has so many
-// triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
-float faceSumUnits(std::size_t triangles);
+// triangles that a sum could overflow otherwise. (A triangle makes samples^2 fragments in a voxel at most,
+// each with its part of the face.)
+float faceSumUnits(std::size_t triangles, int samples = 1);
 
 // The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
 // and by bounces, and beyond that what emits, five bounces brighter in a white room. What is brighter still

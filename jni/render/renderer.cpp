@@ -116,9 +116,10 @@ Renderer::WordPasses& Renderer::wordPasses() {
         if (texturesInMainMemory_)
             requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        wordPasses_.emplace(WordPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
-                                       Voxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
-                                       Mipmapper(shaders_)});
+        wordPasses_.emplace(WordPasses{
+            VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
+            Voxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
+            Mipmapper(shaders_)});
     }
     return *wordPasses_;
 }
@@ -128,13 +129,13 @@ Renderer::FacePasses& Renderer::facePasses() {
         if (texturesInMainMemory_)
             requireMemory(FaceVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        facePasses_.emplace(
-            FacePasses{FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
-                       FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
-                       FaceMipmapper(shaders_),
-                       FaceBounces(shaders_, settings_.gather),
-                       {},
-                       {}});
+        facePasses_.emplace(FacePasses{
+            FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
+            FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
+            FaceMipmapper(shaders_),
+            FaceBounces(shaders_, settings_.gather),
+            {},
+            {}});
     }
     return *facePasses_;
 }
@@ -156,7 +157,7 @@ const VoxelPyramid& Renderer::occupancy() {
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
-    values.faces.x = faceSumUnits(triangles_);
+    values.faces.x = faceSumUnits(triangles_, settings_.voxelSamples);
     values.faces.y = faceRadianceRange_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);

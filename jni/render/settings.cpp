@@ -217,6 +217,8 @@ void validate(const Settings& settings) {
             "--bounces: the preset thesis has one; use another preset");
     require(settings.voxels == Voxels::words || settings.shadow == Shadow::softMap,
             "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
+    require(settings.voxelSamples >= 1 && settings.voxelSamples <= 4,
+            "--voxel-samples must be between 1 and 4");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "--ao-distance must be above 0 and at most 1 (the volume's side)");
     for (const std::string& name : settings.experiments) {

@@ -86,6 +86,7 @@ struct Settings {
     Mode mode = Mode::giConeShadow;
     Voxels voxels = Voxels::words;
     Voxelization voxelization = Voxelization::geometryShader;
+    int voxelSamples = 1;                  // of the triangles, along each side of a voxel
     int bounces = 0;                       // beyond the first, where voxels are faces
     GatherSettings gather;                 // of diffuse light, where voxels are faces
     GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise

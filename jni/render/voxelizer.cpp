@@ -6,9 +6,9 @@
 namespace vct {
 
 Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                     Voxelization voxelization)
+                     Voxelization voxelization, int samples)
     : programs_(shaders, scene, [=](unsigned features) { return voxelizerProgram(features, voxelization); }),
-      framebuffer_("voxelizer", grid, grid) {}
+      framebuffer_("voxelizer", grid * samples, grid * samples) {}
 
 void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");

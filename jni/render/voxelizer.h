@@ -8,7 +8,9 @@ namespace vct {
 
 class Voxelizer {
   public:
-    Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, Voxelization voxelization);
+    // `samples`: Settings::voxelSamples.
+    Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, Voxelization voxelization,
+              int samples);
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels);

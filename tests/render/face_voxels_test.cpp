@@ -55,7 +55,7 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     const GpuScene gpuScene(scene, volume, radianceUnit(light),
                             context.capabilities.uniformBufferOffsetAlignment, Voxelization::sortedAxes);
     ShadowMap shadowMap(shaders, gpuScene, mobile().shadowMapSize);
-    FaceVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes)
+    FaceVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes, 1)
         .run(gpuScene, shadowMap.draw(gpuScene), into);
     FaceMipmapper mipmapper(shaders);
     mipmapper.makeLists(into);
@@ -191,6 +191,11 @@ TEST(FaceSums, NoSumOverAllTrianglesOverflowsAndSmallScenesLoseNothing) {
             ASSERT_GE(units, 1.0F) << n;
             ASSERT_EQ(units, std::floor(units)) << n;
             ASSERT_LE(static_cast<double>(units) * static_cast<double>(n), 4294967295.0) << n;
+            for (const int samples : {2, 3, 4}) {
+                const double parts = samples * samples;
+                const double whole = std::floor(faceSumUnits(n, samples) / parts + 0.5) * parts;
+                ASSERT_LE(whole * static_cast<double>(n), 4294967295.0) << n << ", " << samples;
+            }
         }
     EXPECT_EQ(faceSumUnits((1ULL << 32) - 1), 1.0F);
 }
@@ -410,6 +415,28 @@ TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
                 std::binary_search(entries.begin(), entries.end(), shared::packEntry(glm::uvec3(voxel))));
         }
     });
+}
+
+// A fragment of several in a voxel brings its part only, and none from beyond the triangle.
+TEST(FaceCoverage, OfATiltedPlaneIsTheSameAreaWithMoreSamples) {
+    const Context context = openContext(Backend::egl);
+    const glm::dvec3 n = glm::normalize(glm::dvec3(1, 2, 3));
+    const Scene scene = quadScene(n, glm::dvec3(0.0), 30.0);
+    for (int samples : {1, 2, 3, 4}) {
+        Settings settings = mobile();
+        settings.voxelSamples = samples;
+        Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), settings);
+        renderer.frame(Mode::gi, frameScene(scene));
+        const double voxelSide = renderer.volume().voxelSize();
+        const FaceLevel base = readFaces(*renderer.faceVoxels())[0];
+        for (int face = 0; face < faceCount; ++face) {
+            double area = 0.0;
+            base.forEachVoxel([&](const glm::ivec3& voxel) { area += base.at(voxel, face).a / 255.0; });
+            const double seen = 30.0 * 30.0 * std::max(0.0, glm::dot(n, faceDirection(face)));
+            EXPECT_NEAR(area * voxelSide * voxelSide, seen, 0.01 * 900.0)
+                << faceName(face) << ", " << samples;
+        }
+    }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "render/gpu_scene.h"
 #include "render/read_back.h"
 #include "scene/camera.h"
+#include "support/faces.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 #include "support/triangle_soup.h"
@@ -19,7 +20,8 @@ namespace {
 
 struct VoxelContents {
     std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
-    std::vector<std::vector<std::uint32_t>> words;  // of each level; of faces: RGBA8
+    std::vector<std::vector<std::uint32_t>> words;  // of each level; of the one kind of voxels
+    std::vector<FaceLevel> faces;                   // or of the other
 };
 
 std::vector<std::vector<std::uint32_t>> sortedLists(const VoxelPyramid& pyramid) {
@@ -32,24 +34,6 @@ std::vector<std::vector<std::uint32_t>> sortedLists(const VoxelPyramid& pyramid)
     return lists;
 }
 
-// RGBA8 texels of one level, each as one word.
-std::vector<std::uint32_t> readFaces(const FaceVoxels& voxels, int level) {
-    const int width = voxels.faces().width() >> level, height = voxels.faces().height() >> level;
-    const std::size_t slice = static_cast<std::size_t>(width) * height;
-    const int depth = voxels.grid() >> level;
-    const gl::Framebuffer framebuffer("read back faces", 1, 1);
-    framebuffer.bind();
-    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-    gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
-    std::vector<std::uint32_t> texels(slice * depth);
-    for (int z = 0; z < depth; ++z) {
-        gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.faces().name(), level, z);
-        gl::ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, &texels[z * slice]);
-    }
-    return texels;
-}
-
 VoxelContents contentsOf(Renderer& renderer) {
     VoxelContents contents;
     if (VoxelPyramid* words = renderer.voxels()) {
@@ -59,8 +43,7 @@ VoxelContents contentsOf(Renderer& renderer) {
     }
     if (FaceVoxels* faces = renderer.faceVoxels()) {
         contents.lists = sortedLists(faces->slots());
-        for (int level = 0; level < faces->levels(); ++level)
-            contents.words.push_back(readFaces(*faces, level));
+        contents.faces = readFaces(*faces);
     }
     return contents;
 }
@@ -103,9 +86,13 @@ TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
             const VoxelContents bySorting = voxelized(backend, scene, settings, Voxelization::sortedAxes);
             ASSERT_GT(byShader.lists[0].size(), 1000U);
             EXPECT_EQ(bySorting.lists, byShader.lists) << preset << " " << grid;
+            ASSERT_EQ(byShader.words.size() + byShader.faces.size(), byShader.lists.size());
             // Not EXPECT_EQ: it would print millions of words.
             for (std::size_t level = 0; level < byShader.words.size(); ++level)
                 EXPECT_TRUE(bySorting.words[level] == byShader.words[level])
+                    << preset << " " << grid << ", level " << level;
+            for (std::size_t level = 0; level < byShader.faces.size(); ++level)
+                EXPECT_TRUE(bySorting.faces[level] == byShader.faces[level])
                     << preset << " " << grid << ", level " << level;
         }
 }

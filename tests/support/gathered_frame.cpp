@@ -32,7 +32,8 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     gBuffer_.draw(scene_);
-    FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization).run(scene_, shadow, voxels_);
+    FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
+        .run(scene_, shadow, voxels_);
     FaceMipmapper mipmapper(shaders_);
     mipmapper.makeLists(voxels_);
     mipmapper.run(voxels_);

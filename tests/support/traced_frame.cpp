@@ -20,7 +20,8 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     gBuffer_.draw(scene_);
-    Voxelizer(shaders_, scene_, settings.grid, settings.voxelization).run(scene_, shadow, pyramid_);
+    Voxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
+        .run(scene_, shadow, pyramid_);
     Mipmapper(shaders_).run(pyramid_);
 }
 
