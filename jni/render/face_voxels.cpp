@@ -20,13 +20,16 @@ float faceSumUnits(std::size_t triangles, int samples) {
     return static_cast<float>(std::clamp<std::size_t>(room > rounding ? room - rounding : 1, 1, 4096));
 }
 
-float faceRadianceRange(const Scene& scene, const DirectionalLight& light) {
+float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance) {
     float brightest = 0.0F;
     for (const Instance& instance : scene.instances) {
         const glm::vec3& emissive = scene.materials[scene.meshes[instance.mesh].material].emissive;
         brightest = std::max({brightest, emissive.r, emissive.g, emissive.b});
     }
-    return (light.intensity > 0.0F ? 2.0F : 0.0F) + 5.0F * brightest / radianceUnit(light);
+    const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});
+    const float range =
+        (light.intensity > 0.0F ? 2.0F : 0.0F) + (5.0F * brightest + sky) / radianceUnit(light);
+    return range > 0.0F ? range : 1.0F;
 }
 
 FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity)

@@ -41,7 +41,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
-      faceRadianceRange_(faceRadianceRange(scene, light)),
+      faceRadianceRange_(faceRadianceRange(scene, light, settings.skyRadiance)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
              settings.voxelization),

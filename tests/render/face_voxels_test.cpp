@@ -50,6 +50,7 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     shared::FrameUniforms uniforms =
         frameUniforms(frameScene(scene), light, scene.boundsWorld, volume, mobile());
     uniforms.faces.x = sumUnits > 0.0F ? sumUnits : faceSumUnits(scene.triangleCount());
+    uniforms.faces.y = faceRadianceRange(scene, light, glm::vec3(0.0F));
     const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
     buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const GpuScene gpuScene(scene, volume, radianceUnit(light),
@@ -144,7 +145,8 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
             scene.materials[0].doubleSided = doubleSided;
             scene.materials[0].baseColor = glm::vec4(1.0F, 0.5F, 0.25F, 1.0F);
             const glm::dvec3 towardsLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
-            const FaceLevel base = facesOf(context, scene, lightFrom(towardsLight))[0];
+            const DirectionalLight light = lightFrom(towardsLight);
+            const FaceLevel base = facesOf(context, scene, light)[0];
             const glm::ivec3 voxel(32, 20, 32);
             for (int face = 0; face < faceCount; ++face) {
                 const double facing = faceDirection(face).y;
@@ -154,7 +156,8 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
                     const double radiance =
                         covered ? std::max(0.0, facing * towardsLight.y) * scene.materials[0].baseColor[c]
                                 : 0.0;
-                    EXPECT_NEAR(base.at(voxel, face)[c], 255.0 * radiance / VCT_FACE_RADIANCE_RANGE, 0.6)
+                    EXPECT_NEAR(base.at(voxel, face)[c],
+                                255.0 * radiance / faceRadianceRange(scene, light, glm::vec3(0.0F)), 1.0)
                         << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
                         << ", light from y " << lightY;
                 }
@@ -220,11 +223,12 @@ Scene coincidentQuads(int copies, double sideVoxels) {
 TEST(FaceSums, ThousandsOfCoincidentTrianglesGiveTheirMean) {
     const Context context = openContext(Backend::egl);
     const Scene scene = coincidentQuads(4000, 2.0);
+    const DirectionalLight light = lightFrom({0, 1, 0});
     // The scene's own units, and as many as a sum over all of its triangles has room for: whether the pixel's
     // centre lies in one or the other of a quad's triangles, a voxel has half of them.
     const float most = std::floor(4294967295.0F / 4000.0F);
     for (const float units : {faceSumUnits(scene.triangleCount()), most}) {
-        const FaceLevel base = facesOf(context, scene, lightFrom({0, 1, 0}), units)[0];
+        const FaceLevel base = facesOf(context, scene, light, units)[0];
         int covered = 0;
         base.forEachVoxel([&](const glm::ivec3& voxel) {
             for (int face = 0; face < faceCount; ++face) {
@@ -234,7 +238,9 @@ TEST(FaceSums, ThousandsOfCoincidentTrianglesGiveTheirMean) {
                 ASSERT_EQ(face, 2) << faceName(face);
                 ASSERT_EQ(value.a, 255) << units;
                 for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(value[c], 255.0 * 0.625 / VCT_FACE_RADIANCE_RANGE, 0.6) << units;
+                    ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F)),
+                                1.0)
+                        << units;
             }
         });
         EXPECT_GE(covered, 1);

@@ -135,10 +135,10 @@ struct Emitter {
     glm::dvec3 corner, u, v;
     Error mobile, quality;  // bounds
 };
-const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.20, 0.21}, {0.19, 0.19}},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.12, 0.14}, {0.07, 0.09}},
-                            {"lamp", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.34, 0.63}, {0.18, 0.22}},
-                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.22, 0.34}, {0.17, 0.25}}};
+const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.13, 0.14}, {0.16, 0.17}},
+                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.10, 0.13}, {0.06, 0.07}},
+                            {"lamp", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.12, 0.37}, {0.26, 0.36}},
+                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.22, 0.33}, {0.17, 0.24}}};
 
 // A floor under emitters of radiance 1 whose form factors are known.
 TEST_P(GatherOf, AFloorReceivesTheFormFactorOfWhatShines) {
@@ -196,9 +196,9 @@ TEST_P(GatherOf, AFloorBesideABlackHalfSpaceSeesTheRestOfTheSky) {
     EXPECT_LE(error.rms, isMobile(GetParam()) ? 0.07 : 0.035);
 }
 
-// The bar is 1 +- 0.08. Aligned, 0.12 (mobile) and 0.16 (quality) are missing: known, and bounded here.
+// The bar is 1 +- 0.08. The most that is missing is 0.09 (mobile, turned): known, and bounded here.
 constexpr double furnaceBar = 0.08;
-constexpr double furnaceShortfall = 0.17;
+constexpr double furnaceShortfall = 0.10;
 
 // A closed box whose inside has radiance 1: the right answer is 1 everywhere.
 TEST_P(GatherOf, WhiteFurnaceIsOne) {
@@ -214,7 +214,7 @@ TEST_P(GatherOf, WhiteFurnaceIsOne) {
         EXPECT_GE(spread.mean, 1.0 - furnaceShortfall);
         EXPECT_LE(spread.mean, 1.0 + furnaceBar);
         EXPECT_LE(spread.max, 1.1);
-        EXPECT_GE(spread.min, 0.6);
+        EXPECT_GE(spread.min, 0.8);
     }
 }
 
@@ -271,9 +271,36 @@ TEST_P(GatherOf, LightStaysOnItsSideOfAThinWall) {
         ASSERT_GT(lit.mean, 0.15);
         ASSERT_GT(dark.count, 1000);
         // What there is comes from around the wall's edges, where coarse voxels reach past it.
-        EXPECT_LE(dark.mean, 0.15 * lit.mean);
-        EXPECT_LE(dark.max, isMobile(GetParam()) ? 0.2 : 0.14);
+        EXPECT_LE(dark.mean, 0.12 * lit.mean);
+        EXPECT_LE(dark.max, isMobile(GetParam()) ? 0.18 : 0.14);
     }
+}
+
+double meanOf(const Image& image) {
+    double sum = 0.0;
+    for (const glm::vec3& pixel : image.pixels)
+        sum += pixel.x;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+// Light of any strength, from wherever: the picture is as many times brighter, bounces included.
+TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = closedBox(0.0);
+    scene.instances.erase(scene.instances.begin() + 1);  // the ceiling
+    const auto lit = [&](float sky, int bounces) {
+        Settings settings = presetAt("mobile", {48, 48});
+        settings.skyRadiance = glm::vec3(sky);
+        settings.bounces = bounces;
+        Renderer renderer = makeRenderer(context, scene, noLight(), settings);
+        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60));
+        return meanOf(renderer.radiance());
+    };
+    const double first = lit(1.0F, 0), all = lit(1.0F, 4);
+    std::printf("sky of 1: %.3f, with bounces %.3f; sky of 10: %.3f\n", first, all, lit(10.0F, 4));
+    EXPECT_NEAR(lit(10.0F, 0), 10.0 * first, 0.01 * first);
+    EXPECT_GT(all, 1.3 * first);
+    EXPECT_NEAR(lit(10.0F, 4), 10.0 * all, 0.3 * all);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 Settings mobileAt(glm::ivec2 size, int scale) {
     Settings settings = presetSettings("mobile");
     settings.size = size;
-    settings.gather.scale = scale;
+    settings.gather.scale = settings.occlusion.scale = scale;
     settings.shadowMapSize = 64;
     return settings;
 }

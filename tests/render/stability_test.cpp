@@ -121,10 +121,10 @@ struct GatherBound {
 };
 class GatherStability : public testing::TestWithParam<GatherBound> {};
 INSTANTIATE_TEST_SUITE_P(Presets, GatherStability,
-                         testing::Values(GatherBound{"mobile", "cornell", 0.06, 0.20, 0.21, 0.21, 0.31},
+                         testing::Values(GatherBound{"mobile", "cornell", 0.06, 0.17, 0.17, 0.21, 0.31},
                                          GatherBound{"mobile", "courtyard", 0.24, 0.77, 0.80, 1.05, 0.92},
                                          GatherBound{"quality", "cornell", 0.04, 0.06, 0.09, 0.11, 0.14},
-                                         GatherBound{"quality", "courtyard", 0.08, 0.19, 0.38, 0.31, 0.42}),
+                                         GatherBound{"quality", "courtyard", 0.10, 0.25, 0.66, 0.41, 0.52}),
                          [](const auto& test) {
                              return std::string(test.param.preset) + "_" + test.param.scene;
                          });

@@ -12,6 +12,7 @@ shared::FrameUniforms uniformsOf(const Scene& scene, const DirectionalLight& lig
                                  const Volume& volume, const Camera& camera) {
     shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
     uniforms.faces.x = faceSumUnits(scene.triangleCount());
+    uniforms.faces.y = faceRadianceRange(scene, light, settings.skyRadiance);
     return uniforms;
 }
 
@@ -27,7 +28,8 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
       gBuffer_(shaders_, scene_, settings.size),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
-      gather_(shaders_, settings.gather, settings.size),
+      light_(shaders_, settings.gather, GatherOf::light, settings.size),
+      occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.size),
       coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
@@ -46,8 +48,7 @@ std::vector<SurfacePixel> GatheredFrame::pixels() const {
 Image GatheredFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const bool occlusion = view == VCT_VIEW_AO || view == VCT_MODE_AO;
-    const Gather::Targets gathered =
-        gather_.draw(occlusion ? Gather::What::occlusion : Gather::What::light, gBuffer_.targets(), voxels_);
+    const Gather::Targets gathered = (occlusion ? occlusion_ : light_).draw(gBuffer_.targets(), voxels_);
     return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {nullptr, gathered}));
 }
 

@@ -43,7 +43,7 @@ class GatheredFrame {
     ShadowMap shadowMap_;
     GBuffer gBuffer_;
     FaceVoxels voxels_;
-    Gather gather_;
+    Gather light_, occlusion_;
     ConeTracer coneTracer_;
 };
 
