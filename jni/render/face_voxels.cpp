@@ -27,8 +27,11 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
         brightest = std::max({brightest, emissive.r, emissive.g, emissive.b});
     }
     const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});
+    // Five bounces in a white room, but only where nothing else lights it: every step of 8 bits grows with
+    // the range.
+    const float emission = light.intensity > 0.0F ? brightest : 5.0F * brightest;
     const float range =
-        (light.intensity > 0.0F ? 2.0F : 0.0F) + (5.0F * brightest + sky) / radianceUnit(light);
+        std::max(light.intensity > 0.0F ? 2.0F : 0.0F, (emission + sky) / radianceUnit(light));
     return range > 0.0F ? range : 1.0F;
 }
 
