@@ -38,6 +38,7 @@ ShowRequest showRequestFromText(const std::string& text) {
     std::istringstream words(text);
     std::string word;
     words >> word;
+    std::optional<int> grid;  // over the preset's, in whichever order they stand
     while (words >> word) {
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals);
@@ -46,11 +47,11 @@ ShowRequest showRequestFromText(const std::string& text) {
         if (key == "scene") {
             request.scene = value;
         } else if (key == "preset") {
-            choices.preset = value;
+            choosePreset(choices, value);
         } else if (key == "mode") {
             choices.mode = modesFromText(value).front();
         } else if (key == "grid") {
-            choices.grid = std::atoi(value.c_str());
+            grid = std::atoi(value.c_str());
         } else if (key == "cone-angle") {
             choices.coneAngleDeg = std::strtof(value.c_str(), nullptr);
         } else if (key == "pixels") {
@@ -71,8 +72,14 @@ ShowRequest showRequestFromText(const std::string& text) {
                 "name=value");
         }
     }
+    if (grid) request.choices.grid = *grid;
     validate(settingsFor(request.choices, glm::ivec2(1)));
     return request;
+}
+
+void choosePreset(Choices& choices, const std::string& name) {
+    choices.grid = presetSettings(name).grid;
+    choices.preset = name;
 }
 
 Settings settingsFor(const Choices& choices, glm::ivec2 window) {

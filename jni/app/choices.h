@@ -44,6 +44,10 @@ struct ShowRequest {
 // Throws vct::Error.
 ShowRequest showRequestFromText(const std::string& text);
 
+// With the preset's own grid: six faces per voxel take six times the memory of a word. Throws
+// vct::Error.
+void choosePreset(Choices& choices, const std::string& name);
+
 Settings settingsFor(const Choices& choices, glm::ivec2 window);
 
 // The scene's light, turned to where it was chosen to come from.

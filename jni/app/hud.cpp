@@ -208,7 +208,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
         static_cast<int>(std::find(presets.begin(), presets.end(), choices.preset) - presets.begin());
     if (choose("preset", static_cast<int>(presets.size()), preset, choices.preset,
                [&](int i) { return presets[static_cast<std::size_t>(i)]; }))
-        choices.preset = presets[static_cast<std::size_t>(preset)];
+        choosePreset(choices, presets[static_cast<std::size_t>(preset)]);
 
     const std::vector<Mode>& modes = allModes();
     int mode = static_cast<int>(std::find(modes.begin(), modes.end(), choices.mode) - modes.begin());

@@ -1,0 +1,30 @@
+// What is chosen in words or by touch.
+#include "app/choices.h"
+
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace vct::app {
+namespace {
+
+// Another preset's grid may be more than a phone can hold.
+TEST(Choices, APresetBringsItsOwnGrid) {
+    Choices choices;
+    choosePreset(choices, "mobile");
+    EXPECT_EQ(choices.preset, "mobile");
+    EXPECT_EQ(choices.grid, presetSettings("mobile").grid);
+    EXPECT_NE(choices.grid, presetSettings("thesis").grid);
+    EXPECT_THROW(choosePreset(choices, "best"), Error);
+    EXPECT_EQ(choices.preset, "mobile");
+}
+
+TEST(Choices, AGridInWordsStandsOverThePresets) {
+    EXPECT_EQ(showRequestFromText("show preset=mobile").choices.grid, presetSettings("mobile").grid);
+    EXPECT_EQ(showRequestFromText("show preset=mobile grid=128").choices.grid, 128);
+    EXPECT_EQ(showRequestFromText("show grid=128 preset=mobile").choices.grid, 128);
+    EXPECT_THROW(showRequestFromText("show grid=100"), Error);
+}
+
+}  // namespace
+}  // namespace vct::app
