@@ -117,7 +117,10 @@ void addBench(CLI::App& app, int&) {
     command->add_option("--repeat", options->repeat, "Fresh processes for each configuration")
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
-    command->add_option("--preset", options->preset, "Set of settings: thesis")->capture_default_str();
+    command
+        ->add_option("--preset", options->preset,
+                     "Set of settings, at the tables' grids of 128^3 and 256^3: " + presetList())
+        ->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
     command->add_option("--camera", options->camera, "As for render");
