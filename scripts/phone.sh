@@ -4,7 +4,7 @@
 #   scripts/phone.sh install               puts the APK onto the phone
 #   scripts/phone.sh push SCENE.glb...     puts scenes there, for the app's list of scenes
 #   scripts/phone.sh bench [KEY=VALUE...]  installs, measures, brings the results to out/phone/, prints the tables;
-#                                          scene=cornell.glb preset=thesis grid=256 size=400x400 unless told otherwise
+#                                          scene=cornell.glb preset=thesis size=400x400 unless told otherwise
 #
 # Before the command: --apk FILE (else the newest that was built), --timeout SECONDS for bench (1800), --out DIR, and
 # --beside NAME=FILE with a bench.json or timings.json of another machine. ANDROID_SERIAL chooses one of several phones.
@@ -108,7 +108,7 @@ log_of_app() { adb logcat -d -s vct 2>/dev/null | tr -d '\r' || true; }
 
 bench() {
     local arguments="bench" default argument
-    for default in scene=cornell.glb preset=thesis grid=256 size=400x400; do
+    for default in scene=cornell.glb preset=thesis size=400x400; do
         for argument in "$@"; do
             [[ "${argument%%=*}" != "${default%%=*}" ]] || continue 2
         done

@@ -1,7 +1,8 @@
-// vct bench: the thesis's tables 5.2 to 5.5 measured here, by its method (5.1.2): glFinish and the CPU's
-// clock, frames to warm up, the average of 5 frames, all of it again in fresh processes.
+// vct bench: the thesis's tables 5.2 to 5.5 measured here, or presets side by side, by the thesis's method
+// (5.1.2): glFinish and the CPU's clock, frames to warm up, 5 frames, all of it again in fresh processes.
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -12,6 +13,7 @@
 #include "core/files.h"
 #include "measure/bench_plan.h"
 #include "measure/options.h"
+#include "measure/preset_comparison.h"
 #include "measure/timings.h"
 #include "platform/platform.h"
 
@@ -23,7 +25,8 @@ using nlohmann::ordered_json;
 
 struct BenchOptions {
     std::string scene, out, json;
-    std::string preset = "thesis";
+    std::vector<std::string> presets{"thesis"};
+    std::optional<int> grid;
     std::string size = "400x400";
     std::string camera, light;
     std::string backend = "egl";
@@ -32,8 +35,8 @@ struct BenchOptions {
     int repeat = 3;
 };
 
-std::vector<std::string> renderArguments(const BenchOptions& options, const BenchConfig& config,
-                                         const TemporaryFolder& folder) {
+std::vector<std::string> renderArguments(const BenchOptions& options, const std::string& preset,
+                                         const BenchConfig& config, const TemporaryFolder& folder) {
     std::ostringstream angle;
     angle << config.coneAngleDeg;
     std::vector<std::string> arguments{"render",
@@ -43,7 +46,7 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const Benc
                                        "--mode=" + config.modes,
                                        "--grid=" + std::to_string(config.grid),
                                        "--cone-angle=" + angle.str(),
-                                       "--preset=" + options.preset,
+                                       "--preset=" + preset,
                                        "--size=" + options.size,
                                        "--shadow-map=" + std::to_string(options.shadowMap),
                                        "--backend=" + options.backend};
@@ -53,64 +56,102 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const Benc
     return arguments;
 }
 
-ordered_json timingsOf(const BenchOptions& options, const BenchConfig& config,
-                       const TemporaryFolder& folder) {
-    runSelf(renderArguments(options, config, folder), folder.file("log"));
-    std::ifstream file(folder.file("timings.json"));
-    return ordered_json::parse(file);
+struct Process {
+    std::string preset;
+    BenchConfig config;
+};
+
+// timings.json of each process, --repeat times. Every process once before any comes again: a machine that
+// slows down meanwhile slows all of them.
+void runInTurn(const BenchOptions& options, const std::vector<Process>& processes,
+               const std::function<void(std::size_t process, const ordered_json& timings)>& take) {
+    const std::size_t count = processes.size() * static_cast<std::size_t>(options.repeat);
+    for (std::size_t done = 0; done < count; ++done) {
+        const Process& process = processes[done % processes.size()];
+        const std::string name = process.config.name + ", run " +
+                                 std::to_string(done / processes.size() + 1) + " of " +
+                                 std::to_string(options.repeat);
+        std::fprintf(stderr, "[%zu/%zu] %s\n", done + 1, count, name.c_str());
+        try {
+            const TemporaryFolder folder;
+            runSelf(renderArguments(options, process.preset, process.config, folder), folder.file("log"));
+            std::ifstream file(folder.file("timings.json"));
+            take(done % processes.size(), ordered_json::parse(file));
+        } catch (const std::exception& error) {
+            throw Error("bench (" + name + "): " + error.what());
+        }
+    }
+}
+
+struct Result {
+    ordered_json json;
+    std::string text;
+};
+
+Result thesisTablesHere(const BenchOptions& options) {
+    std::vector<Process> processes;
+    for (const BenchConfig& config : benchConfigs())
+        processes.push_back({"thesis", config});
+    ordered_json common;
+    Measurements measurements;
+    runInTurn(options, processes, [&](std::size_t process, const ordered_json& timings) {
+        if (common.empty()) common = timings;
+        collect(timings, processes[process].config, measurements);
+    });
+    const ordered_json json = benchJson(common, measurements, "processes");
+    return {json, benchText(json, measurements)};
+}
+
+Result presetsHere(const BenchOptions& options) {
+    std::vector<Process> processes;
+    std::vector<PresetRuns> runs;
+    for (const std::string& preset : options.presets) {
+        BenchConfig config = benchConfigs().front();
+        config.grid = options.grid.value_or(presetSettings(preset).grid);
+        config.name = preset + ", scenes 1 to 5, " + std::to_string(config.grid) + "^3";
+        processes.push_back({preset, config});
+        runs.push_back({preset, {}});
+    }
+    runInTurn(options, processes, [&](std::size_t process, const ordered_json& timings) {
+        runs[process].timings.push_back(timings);
+    });
+    const ordered_json json = comparisonJson(runs);
+    return {json, comparisonText(json)};
 }
 
 void bench(const BenchOptions& options) {
     sizeFromText(options.size);
     backendFromName(options.backend);
-    presetSettings(options.preset);
+    for (const std::string& preset : options.presets)
+        presetSettings(preset);
     std::optional<OutputFolder> out;
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
-    const std::vector<BenchConfig>& configs = benchConfigs();
-    const std::size_t count = configs.size() * static_cast<std::size_t>(options.repeat);
-    std::size_t done = 0;
-    ordered_json common;
-    Measurements measurements;
-    // Every configuration once before any comes again: a machine that slows down meanwhile slows all of them.
-    for (int run = 1; run <= options.repeat; ++run)
-        for (const BenchConfig& config : configs) {
-            const std::string name =
-                config.name + ", run " + std::to_string(run) + " of " + std::to_string(options.repeat);
-            std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, count, name.c_str());
-            try {
-                const TemporaryFolder folder;
-                const ordered_json timings = timingsOf(options, config, folder);
-                if (common.empty()) common = timings;
-                collect(timings, config, measurements);
-            } catch (const std::exception& error) {
-                throw Error("bench (" + name + "): " + error.what());
-            }
-        }
-
-    const ordered_json json = benchJson(common, measurements, "processes");
-    if (!options.json.empty()) writeJson(options.json, json);
-    const std::string text = benchText(json, measurements);
+    const bool tables = options.presets == std::vector<std::string>{"thesis"} && !options.grid;
+    const Result result = tables ? thesisTablesHere(options) : presetsHere(options);
+    if (!options.json.empty()) writeJson(options.json, result.json);
     if (out) {
-        writeJson(out->file("bench.json"), json);
-        const std::string path = out->file("bench.txt");
-        replaceFile(path, Bytes(text.begin(), text.end()));
+        writeJson(out->file("bench.json"), result.json);
+        replaceFile(out->file("bench.txt"), Bytes(result.text.begin(), result.text.end()));
         out->keep();
     }
-    std::fputs(text.c_str(), stdout);
+    std::fputs(result.text.c_str(), stdout);
 }
 
 }  // namespace
 
 void addBench(CLI::App& app, int&) {
-    CLI::App* command = app.add_subcommand("bench", "Measure the thesis's tables 5.2 to 5.5 here");
+    CLI::App* command =
+        app.add_subcommand("bench", "Measure the thesis's tables 5.2 to 5.5, or presets side by side");
     auto options = std::make_shared<BenchOptions>();
     command->footer(
-        "Prints the tables, each with the thesis's rows beside those measured here. Runs 5 processes for "
-        "each\n"
-        "--repeat, one after the other; use the machine for nothing else meanwhile. docs/timings.md says "
-        "more.");
+        "Prints the thesis's tables, each with its rows beside those measured here, in 5 processes for each "
+        "--repeat.\n"
+        "Of other or several presets it prints what each step takes, and how many times that of the first "
+        "preset:\n"
+        "  vct bench assets/cornell.glb --preset thesis,mobile,quality\n"
+        "One process runs at a time; use the machine for nothing else meanwhile. docs/timings.md says more.");
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
     command->add_option("--out", options->out, "Folder for bench.json and bench.txt; made if missing");
     command->add_option("--json", options->json, "Write the tables and every measurement to FILE");
@@ -118,9 +159,13 @@ void addBench(CLI::App& app, int&) {
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command
-        ->add_option("--preset", options->preset,
-                     "Set of settings, at the tables' grids of 128^3 and 256^3: " + presetList())
+        ->add_option(
+            "--preset", options->presets,
+            "Sets of settings, several with commas: " + presetList() + "; thesis alone gives the tables")
+        ->delimiter(',')
         ->capture_default_str();
+    command->add_option("--grid", options->grid,
+                        "Voxels along a side, of every preset (default: each preset's own; no tables)");
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
     command->add_option("--camera", options->camera, "As for render");

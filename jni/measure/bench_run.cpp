@@ -45,6 +45,7 @@ BenchRequest benchRequestFromText(const std::string& text) {
     words >> word;
     if (word != "bench") throw Error("'" + text + "' begins with '" + word + "'; the one command is bench");
     BenchRequest request;
+    std::optional<int> grid;  // over the preset's, in whichever order they stand
     while (words >> word) {
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals);
@@ -54,7 +55,7 @@ BenchRequest benchRequestFromText(const std::string& text) {
         else if (key == "preset")
             request.preset = value;
         else if (key == "grid")
-            request.grid = wholeNumber(key, value);
+            grid = wholeNumber(key, value);
         else if (key == "size")
             request.size = sizeFromText(value);
         else if (key == "shadow-map")
@@ -71,7 +72,7 @@ BenchRequest benchRequestFromText(const std::string& text) {
                 "'; there are scene, preset, grid, size, shadow-map, repeat, camera and light, each as "
                 "name=value");
     }
-    presetSettings(request.preset);
+    request.grid = grid.value_or(presetSettings(request.preset).grid);
     return request;
 }
 

@@ -18,8 +18,8 @@ namespace vct {
 struct BenchRequest {
     std::string scene;
     std::string preset = "thesis";
-    int grid =
-        256;  // another than 256 measures its five modes only: the thesis's tables are of 256^3 and 128^3
+    // Another than 256 measures its five modes only: the thesis's tables are of 256^3 and 128^3.
+    int grid = 256;
     glm::ivec2 size{400, 400};
     int shadowMap = 512;
     int repeat = 3;
@@ -27,7 +27,7 @@ struct BenchRequest {
 };
 
 // "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=... light=...",
-// each but the first word may be left out. Throws vct::Error.
+// each but the first word may be left out; without grid it is the preset's. Throws vct::Error.
 BenchRequest benchRequestFromText(const std::string& text);
 
 // Where a measurement's files go. `done` or `failed` appears last, whole: whoever waits for either finds

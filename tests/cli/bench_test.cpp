@@ -74,6 +74,73 @@ TEST(Bench, MeasuresEveryTableBesideTheThesis) {
     EXPECT_EQ(program.temporary.list(), std::vector<std::string>{});
 }
 
+TEST(Bench, ComparesPresetsAtTheirOwnGrids) {
+    ProgramRun program;
+    ASSERT_EQ(program.run(std::string("bench ") + ProgramRun::cornell +
+                          " --preset thesis,mobile --repeat 2 --size 16x16 --shadow-map 64 --out out"),
+              0)
+        << program.err;
+    const json comparison = program.json("out/bench.json");
+    EXPECT_EQ(comparison.at("version"), 1);
+    EXPECT_EQ(comparison.at("method").at("processes"), 2);
+    const json& thesis = comparison.at("presets").at(0);
+    const json& mobile = comparison.at("presets").at(1);
+    EXPECT_EQ(thesis.at("settings").at("grid"), 256);
+    EXPECT_EQ(mobile.at("settings").at("grid"), 64);
+    EXPECT_EQ(mobile.at("preset"), "mobile");
+
+    const json& ratios = comparison.at("ratios").at(0);
+    EXPECT_EQ(ratios.at("of"), "thesis");
+    EXPECT_EQ(ratios.at("over"), "mobile");
+    EXPECT_NEAR(ratios.at("bytes"), thesis.at("bytes").get<double>() / mobile.at("bytes").get<double>(),
+                5e-4);
+    EXPECT_EQ(thesis.at("modes").size(), 5U);
+    for (const auto& [mode, steps] : thesis.at("modes").items())
+        for (const auto& [step, times] : steps.items()) {
+            const json& other = mobile.at("modes").at(mode).at(step);
+            ASSERT_EQ(times.at("processes").size(), 2U);
+            EXPECT_LE(times.at("min"), times.at("median"));
+            EXPECT_LE(times.at("median"), times.at("max"));
+            const double ms = other.at("median");
+            const json& ratio = ratios.at("modes").at(mode).at(step);
+            if (ms > 0.1 && times.at("median") > 0.1) {
+                EXPECT_NEAR(ratio, times.at("median").get<double>() / ms, 0.01 * ratio.get<double>())
+                    << mode << " " << step;
+            }
+        }
+    // The thesis has no bounces: nothing to divide.
+    EXPECT_TRUE(ratios.at("modes").at("gi").at("bounces").is_null());
+    const json& steps = thesis.at("modes").at("gi");
+    EXPECT_GE(steps.at("voxelize_mipmap").at("median").get<double>() + 0.001,
+              steps.at("voxelize").at("min").get<double>());
+
+    // The presets take turns, and the text is a Markdown table.
+    const std::size_t first = program.err.find("thesis, scenes 1 to 5, 256^3, run 1 of 2");
+    const std::size_t second = program.err.find("mobile, scenes 1 to 5, 64^3, run 1 of 2");
+    const std::size_t third = program.err.find("thesis, scenes 1 to 5, 256^3, run 2 of 2");
+    EXPECT_LT(first, second);
+    EXPECT_LT(second, third);
+    EXPECT_NE(third, std::string::npos);
+    EXPECT_EQ(readBytes(program.folder.file("out/bench.txt")), program.out);
+    for (const char* text : {"| mode 5, gi-cone-shadow |", "| thesis, 256^3 ", "| thesis / mobile ", "|--"})
+        EXPECT_NE(program.out.find(text), std::string::npos) << text;
+    EXPECT_EQ(program.temporary.list(), std::vector<std::string>{});
+}
+
+TEST(Bench, AGridThatIsAskedForIsEveryPresets) {
+    ProgramRun program;
+    ASSERT_EQ(
+        program.run(std::string("bench ") + ProgramRun::cornell +
+                    " --preset quality --grid 64 --repeat 1 --size 16x16 --shadow-map 64 --json b.json"),
+        0)
+        << program.err;
+    const json comparison = program.json("b.json");
+    EXPECT_EQ(comparison.at("presets").at(0).at("settings").at("grid"), 64);
+    EXPECT_EQ(comparison.at("ratios").size(), 0U);
+    EXPECT_EQ(program.run(std::string("bench ") + ProgramRun::cornell + " --preset thesis,none"), 1);
+    EXPECT_NE(program.err.find("--preset 'none' does not exist"), std::string::npos) << program.err;
+}
+
 TEST(Bench, AFailedProcessIsNamedWithWhatItSaid) {
     ProgramRun program;
     EXPECT_EQ(program.run("bench none.glb --out out"), 1);
