@@ -92,6 +92,12 @@ TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
     EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
 }
 
+TEST(MeasureInTheApp, APresetBringsItsOwnGrid) {
+    EXPECT_EQ(benchRequestFromText("bench").grid, 256);
+    EXPECT_EQ(benchRequestFromText("bench preset=mobile").grid, presetSettings("mobile").grid);
+    EXPECT_EQ(benchRequestFromText("bench grid=128 preset=mobile").grid, 128);
+}
+
 struct Failure {
     const char* command;
     const char* says;
