@@ -37,8 +37,8 @@ rm -rf "$out/hard_cases" "$out/bench.json"
 step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
 if [[ ${#quick[@]} -eq 0 ]]; then
     # In a file of its own, so that each time is compared with one of the same minutes.
-    step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/experiments" --grids 128 \
-        --cone-angles 5 \
+    step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/experiments" --presets thesis \
+        --grids 128 --cone-angles 5 --error-scales 1 \
         --experiments none,coverage-opacity,rounded-mips,light-share,long-shadow-steps,near-start,second-atomic
     step "the thesis's tables" build/desktop/vct bench assets/cornell.glb --repeat 1 --json "$out/bench.json"
 fi

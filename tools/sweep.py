@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Settings x scenes x drivers -> times and errors, in one sweep.json (docs/sweep.md).
 
-Each point is one fresh process of `vct render --timings --light-parts`. Ctrl-C stops it; the same command continues
-where it was. A point that fails is kept as failed, with what the program said.
+Each point is a fresh process of `vct render --timings`, and another for the errors where its picture is larger. Ctrl-C
+stops it; the same command continues where it was. A point that fails is kept as failed, with what the program said.
 """
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from references import SAME_PICTURE  # noqa: E402
 from sweep import identity, measures  # noqa: E402
 from sweep.progress import Progress, duration  # noqa: E402
 from sweep.run import PointFailed, run  # noqa: E402
-from sweep.settings import MODES, SETTINGS, Point, points  # noqa: E402
+from sweep.settings import MODES, SETTINGS, Point, Values, points, values_of_presets  # noqa: E402
 from sweep.store import Store  # noqa: E402
 
 METRICS_SOURCE = Path(measures.metrics.__file__)
@@ -29,7 +29,8 @@ def arguments() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scenes", help="names in assets/ or paths, with commas (default: all of assets/)")
     for setting in SETTINGS:
-        usual = ",".join(str(value) for value in setting.default)
+        usual = "; ".join([",".join(map(str, setting.default)), *(f"{preset}: {','.join(map(str, values))}"
+                                                                  for preset, values in setting.of_preset.items())])
         parser.add_argument(setting.option, dest=setting.name, help=f"{setting.help} (default: {usual})")
     parser.add_argument("--modes", default="gi,gi-cone-shadow,ao", help="default: %(default)s")
     parser.add_argument("--out", type=Path, default=Path("out/sweep"), help="default: %(default)s")
@@ -58,18 +59,18 @@ def scene_paths(text: str | None, quick: bool) -> list[Path]:
 
 def asked(options: argparse.Namespace) -> list[Point]:
     """The points of the command line."""
-    values: dict[str, tuple[Any, ...]] = {}
+    given: Values = {}
     for setting in SETTINGS:
         text = getattr(options, setting.name)
         try:
-            values[setting.name] = (tuple(setting.parse(part) for part in text.split(",")) if text
-                                    else setting.quick if options.quick else setting.default)
+            if text:
+                given[setting.name] = tuple(setting.parse(part) for part in text.split(","))
         except ValueError:
             raise SystemExit(f"error: {setting.option} {text}: not {setting.help}") from None
     modes = tuple(options.modes.split(","))
     if unknown := set(modes) - set(MODES):
         raise SystemExit(f"error: unknown mode {', '.join(sorted(unknown))}; there are {', '.join(MODES)}")
-    return points(scene_paths(options.scenes, options.quick), values, modes, SAME_PICTURE)
+    return points(scene_paths(options.scenes, options.quick), values_of_presets(given, options.quick), modes, SAME_PICTURE)
 
 
 class Sweep:

@@ -48,11 +48,14 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if not PROGRAM.exists():
         pytest.skip("vct is not built: scripts/build.sh desktop vct")
     folder = tmp_path_factory.mktemp("report")
-    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "sweep", "--grids", "64,128,100",
-                   "--cone-angles", "5,10", "--modes", "gi,gi-cone-shadow,ao")
+    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "sweep", "--presets", "thesis",
+                   "--grids", "64,128,100", "--cone-angles", "5,10", "--modes", "gi,gi-cone-shadow,ao")
     assert swept.returncode == 1, swept.stderr  # 100 is no grid.
-    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "experiments", "--grids", "64",
-                   "--modes", "ao", "--experiments", "none,near-start")
+    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "sweep", "--presets", "mobile",
+                   "--error-scales", "2", "--modes", "gi,gi-cone-shadow,ao")
+    assert swept.returncode == 0, swept.stderr
+    swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "experiments", "--presets", "thesis",
+                   "--grids", "64", "--modes", "ao", "--experiments", "none,near-start")
     assert swept.returncode == 0, swept.stderr
     Image.new("RGB", (8, 8), (200, 30, 30)).save(folder / "thin.png")
     (folder / "hard.json").write_text(json.dumps(HARD_CASES))
@@ -92,8 +95,10 @@ def test_the_page_is_one_small_file_that_names_nothing_outside(page: Path):
 
 def test_plots_have_their_points_a_front_and_axes(opened: Browser):
     assert opened.run("return document.querySelectorAll('#plot-grid .plot').length") == 1
-    # Mode gi at two grids; the cone angle is not its business.
-    assert opened.run("return document.querySelectorAll('.plot .dot').length") == 2
+    # Mode gi of the thesis's preset at two grids, the cone angle is not its business; and of another preset.
+    assert opened.run("return document.querySelectorAll('.plot .dot').length") == 3
+    colours = opened.run("return [...document.querySelectorAll('.plot .dot')].map(d => d.getAttribute('fill'))")
+    assert len(set(colours)) == 2
     assert opened.run("return document.querySelectorAll('.plot .ring').length") >= 1
     assert opened.run("return document.querySelector('.plot .front').getTotalLength() >= 0")
     assert opened.run("return document.querySelectorAll('.plot text').length") > 6
@@ -164,13 +169,19 @@ def test_side_by_side_has_picture_reference_and_error(opened: Browser):
 
 def test_tables_voxels_and_facts_are_there(opened: Browser):
     text = opened.run("return document.body.innerText")
-    for said in ("glFinish", "Tr cones", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
+    for said in ("glFinish", "Tr cones", "B bounces", "drawn 2 times", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
                  "software driver", "reference's own noise"):
         assert said in text, said
     facts = opened.run("return document.getElementById('facts').innerText").lower()
     for said in ("driver", "machine", "commit", "timing"):
         assert said in facts, said
     assert "--grid 100" in opened.run("return document.getElementById('failed-points').textContent")
+
+
+def test_the_summary_has_a_row_for_each_preset(opened: Browser):
+    rows = opened.run("return [...document.querySelectorAll('#summary-body tbody tr')].map(row => row.textContent)")
+    assert len(rows) == 2 and rows[0].startswith("cornellthesis") and rows[1].startswith("mobile")
+    assert "not measured" not in "".join(rows)
 
 
 def test_experiments_show_error_and_time_without_and_with(opened: Browser):

@@ -14,11 +14,13 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from sweep.settings import SETTINGS, points  # noqa: E402
+from sweep.run import larger_picture  # noqa: E402
+from sweep.settings import SETTINGS, points, values_of_presets  # noqa: E402
+from truth.exr import read_exr  # noqa: E402
 
 PROGRAM = Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))
 needs_program = pytest.mark.skipif(not PROGRAM.exists(), reason="vct is not built: scripts/build.sh desktop vct")
-SMALL = ["--scenes", "cornell", "--sizes", "32x32", "--grids", "64"]
+SMALL = ["--scenes", "cornell", "--sizes", "32x32", "--presets", "thesis", "--grids", "64"]
 
 
 def command(out: Path, *more: str) -> list[str]:
@@ -33,8 +35,8 @@ def stored(out: Path) -> dict:
     return json.loads((out / "sweep.json").read_text())
 
 
-def defaults(**changes: tuple) -> dict[str, tuple]:
-    return {setting.name: setting.default for setting in SETTINGS} | changes
+def defaults(**changes: tuple) -> list[dict[str, tuple]]:
+    return values_of_presets({"preset": ("thesis",), **changes}, quick=False)
 
 
 def test_the_cone_angle_is_varied_only_for_the_mode_that_feels_it():
@@ -48,6 +50,55 @@ def test_a_scaled_scene_is_rendered_at_one_cone_angle():
     found = points([Path("a.glb"), Path("a_1mm.glb")], defaults(), ("gi-cone-shadow",), {"a_1mm"})
     assert sum(point.scene.stem == "a" for point in found) == 16
     assert {point.settings["cone_angle_deg"] for point in found if point.scene.stem == "a_1mm"} == {5.0}
+
+
+def test_other_presets_run_once_at_their_own_grid():
+    found = points([Path("a.glb")], values_of_presets({}, quick=False), ("gi", "gi-cone-shadow"))
+    others = [(point.settings["preset"], point.settings["grid"], point.settings["cone_angle_deg"]) for point in found
+              if point.settings["preset"] != "thesis"]
+    assert others == [("mobile", 64, 5.0), ("quality", 128, 5.0)]
+    asked = points([Path("a.glb")], values_of_presets({"preset": ("mobile",), "grid": (64, 256)}, quick=False), ("gi",))
+    assert [point.settings["grid"] for point in asked] == [64, 256]
+
+
+def test_a_larger_picture_is_of_the_same_frame():
+    (point,) = points([Path("a.glb")], defaults(grid=(64,), error_scale=(4,)), ("gi",))
+    settings = {"width": 30, "height": 20, "gather_scale": 2, "occlusion_scale": 4}
+    arguments = larger_picture(point, settings)
+    # Gathered every 4 * 2 pixels; 8 is as far as it goes.
+    assert arguments == ["--size", "120x80", "--gather", "scale=8", "--occlusion", "scale=8"]
+
+
+@needs_program
+def test_the_grids_of_presets_are_the_programs(tmp_path: Path):
+    grids = next(setting for setting in SETTINGS if setting.name == "grid").of_preset
+    for preset, values in grids.items():
+        subprocess.run([str(PROGRAM), "render", str(ROOT / "assets/cornell.glb"), "--out", str(tmp_path), "--preset",
+                        preset, "--size", "8x8", "--mode", "phong", "--timings", str(tmp_path / "t.json")],
+                       check=True, capture_output=True)
+        assert values == (json.loads((tmp_path / "t.json").read_text())["settings"]["grid"],)
+
+
+@needs_program
+def test_more_bounces_are_judged_against_the_full_light(tmp_path: Path):
+    done = sweep(tmp_path, "--scenes", "cornell", "--sizes", "32x32", "--presets", "mobile")
+    assert done.returncode == 0, done.stderr
+    (entry,) = stored(tmp_path)["points"]
+    assert entry["settings"]["grid"] == 64 and entry["bounces"] > 0
+    assert set(entry["errors"]) == {"indirect", "gi-full", "soft-full", "shadow", "ao"}
+    assert 0 < entry["errors"]["soft-full"]["relmse"] < 1
+
+
+@needs_program
+def test_errors_are_of_a_larger_picture_averaged_down(tmp_path: Path):
+    done = sweep(tmp_path, *SMALL, "--modes", "ao", "--error-scales", "1,4")
+    assert done.returncode == 0, done.stderr
+    same, larger = stored(tmp_path)["points"]
+    pictures = [read_exr(tmp_path / entry["folder"] / "ao.exr") for entry in (same, larger)]
+    assert pictures[0].shape == pictures[1].shape == (32, 32, 3)
+    # 16 samples in a pixel have edges like the reference's.
+    assert larger["errors"]["ao"]["rmse"] < 0.8 * same["errors"]["ao"]["rmse"]
+    assert larger["modes"]["ao"]["trace"]["median"] < 8 * same["modes"]["ao"]["trace"]["median"]
 
 
 def test_the_key_follows_settings_program_and_scene():
@@ -83,7 +134,7 @@ def test_times_and_errors_of_a_point(tmp_path: Path):
 def test_a_second_run_keeps_what_is_finished_and_adds_the_rest(tmp_path: Path):
     assert sweep(tmp_path, *SMALL, "--cone-angles", "5", "--modes", "ao").returncode == 0
     (first,) = stored(tmp_path)["points"]
-    done = sweep(tmp_path, *SMALL[:4], "--grids", "64,128", "--cone-angles", "5", "--modes", "ao")
+    done = sweep(tmp_path, *SMALL[:6], "--grids", "64,128", "--cone-angles", "5", "--modes", "ao")
     assert "2 points, 1 to render" in done.stderr
     entries = stored(tmp_path)["points"]
     assert entries[0] == first and [entry["settings"]["grid"] for entry in entries] == [64, 128]
@@ -115,7 +166,7 @@ def test_a_reference_of_another_state_of_the_scene_is_not_used(tmp_path: Path):
 @needs_program
 def test_a_failed_point_is_kept_with_its_message_and_tried_again(tmp_path: Path):
     # 100 is no size of a grid; the other point must not suffer.
-    small = [*SMALL[:4], "--grids", "100,64", "--modes", "ao"]
+    small = [*SMALL[:6], "--grids", "100,64", "--modes", "ao"]
     done = sweep(tmp_path, *small)
     assert done.returncode == 1 and "FAILED" in done.stderr
     bad, good = stored(tmp_path)["points"]
@@ -132,7 +183,7 @@ def test_a_point_that_takes_too_long_is_a_failure(tmp_path: Path):
 
 @needs_program
 def test_stopping_keeps_what_is_finished(tmp_path: Path):
-    small = [*SMALL[:4], "--grids", "64,128,256", "--modes", "ao"]
+    small = [*SMALL[:6], "--grids", "64,128,256", "--modes", "ao"]
     with subprocess.Popen(command(tmp_path, *small), stderr=subprocess.PIPE, text=True) as running:
         for line in running.stderr:
             if line.startswith("[1/3]"):

@@ -20,7 +20,7 @@ METRICS = (
     ("p999", "99.9 %", "99.9th percentile of the error", "The 99.9th percentile of the absolute error: leaks, fireflies."),
     ("rmse", "RMSE", "RMSE", "Root of the mean squared error."),
 )
-LABELS = {"backend": "driver", "cone_angle_deg": "cone angle"}
+LABELS = {"backend": "driver", "cone_angle_deg": "cone angle", "error_scale": "samples for the error"}
 SOFTWARE = ("llvmpipe", "softpipe", "lavapipe", "swrast")
 
 
@@ -74,6 +74,15 @@ def facts(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[tuple[st
     ]
 
 
+def larger_pictures(entries: list[dict[str, Any]]) -> list[str]:
+    scales = sorted({entry["settings"]["error_scale"] for entry in entries} - {1})
+    if not scales:
+        return []
+    return [f"Times are of pictures at the size that is given. Errors are of the same frame drawn {joined(scales)} times as "
+            "wide and high and averaged down, because a pixel of the references is a mean of many samples too; its light "
+            "is gathered at as many points as in the frame that was timed."]
+
+
 def method(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[str]:
     drivers = joined(entry["driver"]["renderer"] for entry in entries if "driver" in entry)
     said = [
@@ -83,6 +92,7 @@ def method(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[str]:
         "The references are path traced by Mitsuba 3 from the same file, camera and light (tools/references.py). "
         "Where a picture and its reference have different sizes, the larger is averaged down to the smaller. The "
         "reference of the soft shadow is a sun of 5 degrees: cones of other angles are judged against that one too.",
+        *larger_pictures(entries),
         "A setting that a mode does not feel is not varied for it: the cone angle changes the shadow of "
         "gi-cone-shadow alone, so the other modes are rendered at one angle.",
     ]

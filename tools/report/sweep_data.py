@@ -1,6 +1,7 @@
 """What the page needs of sweep.json, and the pictures of its points."""
 from __future__ import annotations
 
+import statistics
 from pathlib import Path
 from typing import Any
 
@@ -8,30 +9,39 @@ from report import pictures
 from report.pictures import Album
 from sweep.measures import MEASURES, Measure, NoReference, References, pair
 
+# "light" is what makes the light: all but the shadow map and the G-buffer, which are the same with every preset.
+LIGHT = ("voxelize", "mipmap", "bounces", "trace")
 STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace", "total")
 USUAL = {"grid": 256, "cone_angle_deg": 5.0}
+
+
+def light_ms(steps: dict[str, Any]) -> list[float]:
+    """Median, smallest and largest over the frames."""
+    frames = [sum(parts) for parts in zip(*(steps[step]["samples"] for step in LIGHT))]
+    return [statistics.median(frames), min(frames), max(frames)]
 
 
 def point(entry: dict[str, Any]) -> dict[str, Any]:
     """A point without samples and hashes."""
     modes = {mode: {step: [steps[step]["median"], steps[step]["min"], steps[step]["max"]] for step in STEPS}
-             for mode, steps in entry["modes"].items() if steps}
+             | {"light": light_ms(steps)} for mode, steps in entry["modes"].items() if steps}
     kept = ("key", "scene", "settings", "run", "status", "message", "active_voxels", "resources", "errors", "wall_s")
     return {name: entry[name] for name in kept if name in entry} | {"modes": modes, "asked_modes": list(entry["modes"])}
 
 
-def usual_settings(points: list[dict[str, Any]]) -> dict[str, Any]:
-    """The settings that the summary shows: the thesis's where they were swept, else the first point's."""
-    first = dict(points[0]["settings"])
-    for name, value in USUAL.items():
-        if any(p["settings"].get(name) == value for p in points):
-            first[name] = value
-    return first
+def usual_settings(points: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """By preset, the settings that the summary shows: the thesis's where they were swept, else the first point's."""
+    found: dict[str, dict[str, Any]] = {}
+    for preset in dict.fromkeys(entry["settings"]["preset"] for entry in points):
+        mine = [entry["settings"] for entry in points if entry["settings"]["preset"] == preset]
+        found[preset] = mine[0] | {name: value for name, value in USUAL.items()
+                                   if any(settings.get(name) == value for settings in mine)}
+    return found
 
 
-def closeness(entry: dict[str, Any], usual: dict[str, Any]) -> int:
-    """How many settings differ from the usual: whose pictures come first."""
-    return sum(entry["settings"].get(name) != value for name, value in usual.items())
+def closeness(entry: dict[str, Any], usual: dict[str, dict[str, Any]]) -> int:
+    """How many settings differ from the preset's usual: whose pictures come first."""
+    return sum(entry["settings"].get(name) != value for name, value in usual[entry["settings"]["preset"]].items())
 
 
 class ScenePictures:
@@ -68,7 +78,7 @@ class ScenePictures:
         return {**names, "exposure": exposure} if made else None
 
 
-def add_pictures(entries: list[dict[str, Any]], usual: dict[str, Any], folder: Path, references: Path,
+def add_pictures(entries: list[dict[str, Any]], usual: dict[str, dict[str, Any]], folder: Path, references: Path,
                  album: Album) -> dict[str, dict[str, Any]]:
     """By point and measure; the usual settings first, then those that differ in one, until the album is full."""
     scenes = {entry["scene"]: ScenePictures(entry["scene"], folder, references, album) for entry in entries}

@@ -21,21 +21,23 @@ class Measure:
     name: str
     what: str  # for people
     pictures: tuple[str, ...]  # of vct render
-    references: tuple[str, ...]  # kinds, of tools/references.py
+    references: tuple[str, ...]  # kinds, of tools/references.py; "-kind" is taken off
     mode: str  # whose time it is shown with
+    one_bounce: bool = False  # says nothing of a picture that holds more than one bounce
     share: bool = False  # 0 to 1, not light: FLIP, of what light looks like, says nothing of it
 
 
 MEASURES: tuple[Measure, ...] = (
     Measure("indirect", "indirect light alone, against one bounce", ("indirect_light",), ("indirect",), "gi"),
-    Measure("gi-one-bounce", "mode gi against direct light and one bounce, which is what it models: the algorithm's error", ("gi",), ("one-bounce",),
-            "gi"),
-    Measure("gi-full", "mode gi against the light of all bounces: the algorithm's error and the model's", ("gi",), ("full",), "gi"),
+    Measure("gi-one-bounce", "mode gi against direct light and one bounce, which is what the thesis models: the algorithm's "
+            "error", ("gi",), ("one-bounce",), "gi", one_bounce=True),
+    Measure("gi-full", "mode gi against the light of all bounces: the algorithm's error and the model's", ("gi",),
+            ("full",), "gi"),
     Measure("soft", "mode gi-cone-shadow against a sun of 5 degrees and one bounce",
-            ("gi-cone-shadow",), ("sun", "indirect"), "gi-cone-shadow"),
-    Measure("soft-full", "mode gi-cone-shadow against the full light of a point sun", ("gi-cone-shadow",), ("full",),
-            "gi-cone-shadow"),
-    Measure("shadow", "the cone's shadow alone, against the visible share of a sun of 5 degrees", ("cone_shadow",),
+            ("gi-cone-shadow",), ("sun", "indirect"), "gi-cone-shadow", one_bounce=True),
+    Measure("soft-full", "mode gi-cone-shadow against a sun of 5 degrees and all bounces of a point sun's light",
+            ("gi-cone-shadow",), ("sun", "full", "-direct"), "gi-cone-shadow"),
+    Measure("shadow", "the soft shadow alone, against the visible share of a sun of 5 degrees", ("cone_shadow",),
             ("shadow",), "gi-cone-shadow", share=True),
     Measure("ao", "ambient occlusion alone, at the same distance", ("ambient_occlusion",), ("ao",), "ao", share=True),
 )
@@ -61,6 +63,8 @@ class References:
         return "".join(file_sha256(path)[:16] for path in sorted(self.folder.glob("*")) if path.is_file())
 
     def image(self, kind: str) -> Picture:
+        if kind.startswith("-"):
+            return -self.image(kind[1:])
         if kind not in self._images:
             path = self.folder / f"{kind}.exr"
             if not path.exists():
@@ -76,7 +80,8 @@ class References:
     def noise(self, kinds: tuple[str, ...]) -> float | None:
         """The references' own, as relMSE. Of a sum, the noisiest part's."""
         known = self.about.get("kinds", {})
-        return max((known[kind]["noise_relmse"] for kind in kinds if kind in known), default=None)
+        return max((known[kind]["noise_relmse"] for kind in (kind.removeprefix("-") for kind in kinds) if kind in known),
+                   default=None)
 
     def exposures(self) -> dict[str, Any] | None:
         """HDR-FLIP's, the same for all light of a scene."""
@@ -101,8 +106,9 @@ def pair(measure: Measure, folder: Path, references: References) -> tuple[Pictur
 
 
 def measurable(entry: dict[str, Any]) -> list[Measure]:
-    """Those for which the point was rendered: its mode is among the point's, so none is shown without a time."""
-    return [measure for measure in MEASURES if measure.mode in entry["modes"]]
+    """Those that fit the point's bounces, and whose mode is among the point's, so that none is shown without a time."""
+    return [measure for measure in MEASURES if measure.mode in entry["modes"]
+            and not (measure.one_bounce and entry["bounces"] > 0)]
 
 
 def errors(entry: dict[str, Any], folder: Path, references: References) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Runs one point in a process of its own and reads what it wrote."""
+"""Runs one point in processes of its own and reads what they wrote."""
 from __future__ import annotations
 
 import json
@@ -8,11 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from sweep.identity import ROOT
+from sweep.measures import same_grid
 from sweep.settings import Point
+from truth.exr import read_exr, write_exr
 
 TIMINGS_VERSION = 1
 # From timings.json into the point's entry, as they are.
 COPIED = ("driver", "machine", "method", "triangles", "active_voxels", "resources")
+LARGEST_GATHER_SCALE = 8  # of vct render
 
 
 class PointFailed(Exception):
@@ -38,14 +41,11 @@ def step_medians(timings: dict[str, Any], modes: tuple[str, ...]) -> dict[str, A
     return found
 
 
-def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str, Any]:
-    """Renders into `folder`; returns the part of the point's entry that the renderer knows."""
-    command = [str(program), "render", str(point.scene), "--out", str(folder), "--mode", ",".join(point.modes),
-               "--light-parts", "--timings", str(folder / "timings.json"), *point.arguments()]
-    folder.mkdir(parents=True, exist_ok=True)
-    start = time.monotonic()
+def render(program: Path, arguments: list[str], timeout_s: float) -> str:
+    """What it said on stderr."""
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout_s, check=False)
+        done = subprocess.run([str(program), "render", *arguments], capture_output=True, text=True, timeout=timeout_s,
+                              check=False)
     except subprocess.TimeoutExpired:
         raise PointFailed(f"stopped after {timeout_s:g} s") from None
     except OSError as error:
@@ -53,15 +53,51 @@ def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str
     if done.returncode != 0:
         how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit {done.returncode}"
         raise PointFailed(f"{how}: {last_words(done.stderr)}")
+    return done.stderr
+
+
+def larger_picture(point: Point, settings: dict[str, Any]) -> list[str]:
+    """Arguments for the same frame in a larger picture: its light is gathered at as many points, not at more.
+
+    `settings`: of the frame's timings.json.
+    """
+    scale = point.settings["error_scale"]
+    gathers = [(option, min(scale * settings[name], LARGEST_GATHER_SCALE))
+               for option, name in (("--gather", "gather_scale"), ("--occlusion", "occlusion_scale"))]
+    return ["--size", f"{settings['width'] * scale}x{settings['height'] * scale}",
+            *(part for option, every in gathers for part in (option, f"scale={every}"))]
+
+
+def average_down(folder: Path, side: tuple[int, int]) -> None:
+    """The folder's EXRs, to (height, width)."""
+    for path in folder.glob("*.exr"):
+        write_exr(path, same_grid(read_exr(path), side))
+
+
+def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str, Any]:
+    """Renders into `folder`; returns the part of the point's entry that the renderer knows."""
+    common = [str(point.scene), "--out", str(folder), "--mode", ",".join(point.modes), *point.arguments()]
+    folder.mkdir(parents=True, exist_ok=True)
+    larger = point.settings["error_scale"] > 1
+    start = time.monotonic()
+    said = render(program, [*common, "--timings", str(folder / "timings.json"), *([] if larger else ["--light-parts"])],
+                  timeout_s)
     try:
         timings = json.loads((folder / "timings.json").read_text())
     except (OSError, ValueError) as error:
         raise PointFailed(f"timings.json cannot be read: {error}") from None
+    if larger:
+        settings = timings["settings"]
+        # An option that is given twice would be an error.
+        at = common.index("--size")
+        render(program, [*common[:at], *common[at + 2:], "--light-parts", *larger_picture(point, settings)], timeout_s)
+        average_down(folder, (settings["height"], settings["width"]))
     entry = {name: timings[name] for name in COPIED if name in timings}
+    entry["bounces"] = timings["settings"]["bounces"]
     entry["modes"] = step_medians(timings, point.modes)
     entry["wall_s"] = round(time.monotonic() - start, 2)
     entry["pictures"] = sorted(path.stem for path in folder.glob("*.exr"))
-    entry["warnings"] = [line.replace(f"{ROOT}/", "") for line in done.stderr.splitlines() if line.startswith("warning")]
+    entry["warnings"] = [line.replace(f"{ROOT}/", "") for line in said.splitlines() if line.startswith("warning")]
     for png in folder.glob("*.png"):  # The report makes its own from the EXR.
         png.unlink()
     return entry

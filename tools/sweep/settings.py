@@ -1,4 +1,4 @@
-"""What a sweep varies: one row per setting. A later issue adds a row, and the option, the file and the report follow."""
+"""What a sweep varies: one row per setting. A new one needs a row, and the option, the file and the report follow."""
 from __future__ import annotations
 
 import hashlib
@@ -18,7 +18,7 @@ class Setting:
 
     name: str  # in sweep.json, as in timings.json
     option: str  # of tools/sweep.py: several values with commas
-    flag: str  # of vct render: one value
+    flag: str | None  # of vct render: one value; None where tools/sweep/run.py acts on it
     parse: Callable[[str], Any]
     default: tuple[Any, ...]
     quick: tuple[Any, ...]
@@ -29,15 +29,23 @@ class Setting:
     usual: Any = None
     # The value for which `vct render` is told nothing.
     leave_out: Any = None
+    # What stands for `default` and `quick` with the presets that are named here.
+    of_preset: dict[str, tuple[Any, ...]] = field(default_factory=dict, hash=False)
 
 
 SETTINGS: tuple[Setting, ...] = (
     Setting("backend", "--backends", "--backend", str, ("egl",), ("egl",), "drivers: egl, osmesa, zink"),
-    Setting("preset", "--presets", "--preset", str, ("thesis",), ("thesis",), "sets of settings"),
+    Setting("preset", "--presets", "--preset", str, ("thesis", "mobile", "quality"), ("thesis", "mobile", "quality"),
+            "sets of settings"),
     Setting("size", "--sizes", "--size", str, ("256x256",), ("64x64",), "pictures, WIDTHxHEIGHT"),
-    Setting("grid", "--grids", "--grid", int, (64, 128, 256, 512), (64, 128), "voxels along a side"),
+    Setting("error_scale", "--error-scales", None, int, (2,), (1,),
+            "errors are of a picture this many times as wide and high, averaged down"),
+    Setting("grid", "--grids", "--grid", int, (64, 128, 256, 512), (64, 128), "voxels along a side",
+            of_preset={"mobile": (64,), "quality": (128,)}),
+    # The reference's sun is 5 degrees wide: other angles show what the thesis's cone costs and gets wrong.
     Setting("cone_angle_deg", "--cone-angles", "--cone-angle", float, (2.5, 5.0, 7.5, 10.0), (5.0,),
-            "shadow cone's full angle, degrees", changes=frozenset({"gi-cone-shadow"}), usual=5.0),
+            "shadow cone's full angle, degrees", changes=frozenset({"gi-cone-shadow"}), usual=5.0,
+            of_preset={"mobile": (5.0,), "quality": (5.0,)}),
     Setting("experiment", "--experiments", "--experiment", str, ("none",), ("none",),
             "single changes to the algorithm, several at once joined by +", leave_out="none"),
 )
@@ -58,7 +66,7 @@ class Point:
 
     def arguments(self) -> list[str]:
         """The settings as arguments of `vct render`."""
-        told = [setting for setting in SETTINGS if self.settings[setting.name] != setting.leave_out]
+        told = [setting for setting in SETTINGS if setting.flag and self.settings[setting.name] != setting.leave_out]
         return [part for setting in told for part in (setting.flag, f"{self.settings[setting.name]}".replace("+", ","))]
 
     def key(self, identity: dict[str, str]) -> str:
@@ -69,7 +77,8 @@ class Point:
     def cost(self) -> float:
         """A guess of the time it takes against the others, for the ETA alone."""
         width, height = (int(side) for side in self.settings["size"].split("x"))
-        pixels = width * height / 256**2
+        # Times are of 7 frames, errors of one and its parts.
+        pixels = width * height / 256**2 * (1 + self.settings["error_scale"]**2 / 6)
         mode = {"phong": 0.02, "shadow-map": 0.02, "ao": 0.4, "gi": 0.7, "gi-cone-shadow": 2.5}
         grid = self.settings["grid"] / 128
         return 1 + sum(0.3 * grid * grid / 4 + mode[m] * pixels * (0.5 + grid / 2) for m in self.modes)
@@ -80,24 +89,38 @@ def usual_value(setting: Setting, values: tuple[Any, ...]) -> Any:
     return setting.usual if setting.usual in values else values[0]
 
 
-def points(scenes: list[Path], values: dict[str, tuple[Any, ...]], modes: tuple[str, ...],
+Values = dict[str, tuple[Any, ...]]
+PRESET = next(setting for setting in SETTINGS if setting.name == "preset")
+
+
+def values_of_presets(given: Values, quick: bool) -> list[Values]:
+    """For each preset the values of every setting: those given, else the preset's own, else the default."""
+    def usual(setting: Setting, preset: str) -> tuple[Any, ...]:
+        return setting.of_preset.get(preset, setting.quick if quick else setting.default)
+    return [{setting.name: given.get(setting.name, usual(setting, preset)) for setting in SETTINGS} | {"preset": (preset,)}
+            for preset in given.get("preset", usual(PRESET, ""))]
+
+
+def points(scenes: list[Path], sets: list[Values], modes: tuple[str, ...],
            same_picture: Collection[str] = ()) -> list[Point]:
-    """Every combination, scene by scene, less what says nothing new.
+    """Every combination of each of the sets, scene by scene, less what says nothing new.
 
     That is: the modes that a setting does not change, and its other values where the scene is another one scaled.
     """
+    return [point for scene in scenes for values in sets for point in combinations(scene, values, modes,
+                                                                                   scene.stem in same_picture)]
+
+
+def combinations(scene: Path, values: Values, modes: tuple[str, ...], scaled: bool) -> list[Point]:
+    """One scene's. `scaled`: it is another scene, only larger or smaller."""
+    usual = {setting.name: usual_value(setting, values[setting.name]) for setting in SETTINGS if setting.changes}
+    mine = values | {name: (value,) for name, value in usual.items()} if scaled else values
     found = []
-    for scene in scenes:
-        usual = {setting.name: usual_value(setting, values[setting.name]) for setting in SETTINGS if setting.changes}
-        if scene.stem in same_picture:
-            mine = values | {name: (value,) for name, value in usual.items()}
-        else:
-            mine = values
-        for combination in itertools.product(*(mine[setting.name] for setting in SETTINGS)):
-            chosen = {setting.name: value for setting, value in zip(SETTINGS, combination)}
-            kept = tuple(mode for mode in modes if all(
-                setting.changes is None or mode in setting.changes or chosen[setting.name] == usual[setting.name]
-                for setting in SETTINGS))
-            if kept:
-                found.append(Point(scene, chosen, kept))
+    for combination in itertools.product(*(mine[setting.name] for setting in SETTINGS)):
+        chosen = {setting.name: value for setting, value in zip(SETTINGS, combination)}
+        kept = tuple(mode for mode in modes if all(
+            setting.changes is None or mode in setting.changes or chosen[setting.name] == usual[setting.name]
+            for setting in SETTINGS))
+        if kept:
+            found.append(Point(scene, chosen, kept))
     return found

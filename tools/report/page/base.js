@@ -23,7 +23,7 @@ const errorOf = (point, measure) => {
   const error = point.errors && point.errors[measure];
   return error && !error.missing ? error : null;
 };
-const isUsual = point => Object.entries(DATA.usual).every(([name, value]) => point.settings[name] === value);
+const isUsual = point => Object.entries(DATA.usual[point.settings.preset]).every(([name, value]) => point.settings[name] === value);
 
 // 0.00123 -> 1.23e-3, 12.3 -> 12.3: three digits, no more zeros than help.
 function number(value) {
@@ -59,6 +59,7 @@ function metricCell(error, metric) {
 function settingText(name, value) {
   if (name === "grid") return `${value}³`;
   if (name === "cone_angle_deg") return `${value}°`;
+  if (name === "error_scale") return `errors of ${value}×${value} samples`;
   return String(value).replace("x", "×");
 }
 // The settings in which the sweep's points differ and which the mode feels.

@@ -31,7 +31,7 @@ function drawHard() {
 }
 
 function start() {
-  const usual = DATA.measures.find(measure => done.some(point => DATA.pictures[point.key]?.[measure.name]) && measure.name === "gi-one-bounce")
+  const usual = DATA.measures.find(measure => done.some(point => DATA.pictures[point.key]?.[measure.name]) && measure.name === "indirect")
     || DATA.measures.find(measure => done.some(point => errorOf(point, measure.name)));
   state.measure = usual ? usual.name : null;
   if (sceneNames.includes("cornell")) state.scene = "cornell";

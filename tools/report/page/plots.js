@@ -3,6 +3,8 @@ const COLOURS = ["#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#8a7fd1
 const SHAPES = [r => `M${-r},0A${r},${r} 0 1 0 ${r},0A${r},${r} 0 1 0 ${-r},0Z`, r => `M${-r},${-r}H${r}V${r}H${-r}Z`,
   r => `M0,${-1.2 * r}L${1.15 * r},${r}H${-1.15 * r}Z`, r => `M0,${-1.35 * r}L${1.35 * r},0L0,${1.35 * r}L${-1.35 * r},0Z`,
   r => `M0,${1.2 * r}L${1.15 * r},${-r}H${-1.15 * r}Z`, r => `M${-r},${-r / 3}H${-r / 3}V${-r}H${r / 3}V${-r / 3}H${r}V${r / 3}H${r / 3}V${r}H${-r / 3}V${r / 3}H${-r}Z`];
+const TIMES = [["light", "voxels, bounces and cones", "time of voxels, bounces and cones"], ["total", "whole frame", "time of a frame"],
+  ["trace", "cones alone", "time of the cones"]];
 const BOX = {width: 400, height: 290, left: 58, right: 14, top: 10, bottom: 42};
 
 function ticks(low, high) {
@@ -59,7 +61,7 @@ function drawPlot(scene, choice) {
     y2: y(value)}), make("text", {x: BOX.left - 6, y: y(value) + 4, "text-anchor": "end"}, tickText(value)));
   const middle = (BOX.height - BOX.bottom + BOX.top) / 2;
   svg.append(make("text", {class: "axis-name", x: (BOX.width + BOX.left) / 2, y: BOX.height - 6, "text-anchor": "middle"},
-    `${choice.time === "total" ? "time of a frame" : "time of the cones"}, ms`),
+    `${TIMES.find(([name]) => name === choice.time)[2]}, ms`),
     make("text", {class: "axis-name", x: 12, y: middle, "text-anchor": "middle", transform: `rotate(-90 12 ${middle})`},
       metricOf(choice.metric).axis));
   if (floor && !near) svg.append(make("text", {class: "floor-name", x: BOX.width - BOX.right - 3, y: BOX.height - BOX.bottom - 5,
@@ -135,10 +137,10 @@ function startPlots() {
   const measures = DATA.measures.filter(measure => done.some(point => errorOf(point, measure.name)));
   fillSelect($("plot-measure"), measures.map(measure => [measure.name, measure.name]), state.measure);
   fillSelect($("plot-metric"), DATA.metrics.map(metric => [metric.name, metric.label]), "relmse");
-  fillSelect($("plot-time"), [["total", "whole frame"], ["trace", "cones alone"]], "total");
-  fillSelect($("plot-colour"), names, names.some(([name]) => name === "grid") ? "grid" : names[0][0]);
-  const shape = names.find(([name]) => name !== "grid") || names[0];
-  fillSelect($("plot-shape"), names, (names.find(([name]) => name === "cone_angle_deg") || shape)[0]);
+  fillSelect($("plot-time"), TIMES, TIMES[0][0]);
+  const first = wanted => (wanted.map(name => names.find(([varies]) => varies === name)).find(Boolean) || names[0])[0];
+  fillSelect($("plot-colour"), names, first(["preset", "grid"]));
+  fillSelect($("plot-shape"), names, first($("plot-colour").value === "preset" ? ["grid"] : ["cone_angle_deg"]));
   for (const id of ["measure", "metric", "time", "colour", "shape"]) $(`plot-${id}`).addEventListener("change", drawPlots);
   if (!measures.length) $("plot-what").textContent = "Nothing was measured against a reference.";
   listeners.push(() => drawPlots());

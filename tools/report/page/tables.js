@@ -1,6 +1,6 @@
 // Tables of the chosen scene, of the thesis, of voxels and memory, and of the experiments.
 const STEP_NAMES = {shadow_map: "CS shadow map", render_data: "RT G-buffer", voxelize: "V voxelize", mipmap: "M mipmap",
-  trace: "Tr cones", total: "Tot frame"};
+  bounces: "B bounces", trace: "Tr cones", total: "Tot frame"};
 const ofScene = () => done.filter(point => point.scene === state.scene);
 
 function configCells(point) {
