@@ -33,7 +33,7 @@ step() {
     [[ $status -eq 0 ]] || failed=1
 }
 # Those of an older program beside a new sweep would mislead; the sweep sorts its own out.
-rm -rf "$out/hard_cases" "$out/bench.json"
+rm -rf "$out/hard_cases" "$out/bench.json" "$out/presets.json" "$out/bars.md"
 step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
 if [[ ${#quick[@]} -eq 0 ]]; then
     # In a file of its own, so that each time is compared with one of the same minutes.
@@ -41,6 +41,8 @@ if [[ ${#quick[@]} -eq 0 ]]; then
         --grids 128 --cone-angles 5 --error-scales 1 \
         --experiments none,coverage-opacity,rounded-mips,light-share,long-shadow-steps,near-start,second-atomic
     step "the thesis's tables" build/desktop/vct bench assets/cornell.glb --repeat 1 --json "$out/bench.json"
+    step "the presets side by side" build/desktop/vct bench assets/cornell.glb --preset thesis,mobile,quality \
+        --json "$out/presets.json"
 fi
 step "hard cases" "$python" tools/hard_cases.py "${quick[@]}" --vct build/desktop/vct --out "$out/hard_cases"
 
@@ -48,7 +50,14 @@ page=("$python" tools/report.py --sweep "$out/sweep/sweep.json" --out "$out/inde
 [[ ! -e "$out/hard_cases/hard_cases.json" ]] || page+=(--hard-cases "$out/hard_cases/hard_cases.json")
 [[ ! -e "$out/experiments/sweep.json" ]] || page+=(--experiments "$out/experiments/sweep.json")
 [[ ! -e "$out/bench.json" ]] || page+=(--bench "$out/bench.json")
+[[ ! -e "$out/presets.json" ]] || page+=(--presets "$out/presets.json")
 "${page[@]}" >/dev/null
+"$python" tools/pareto.py --sweep "$out/sweep/sweep.json" --out "$out/pareto.png" >/dev/null
+if [[ -e "$out/presets.json" ]]; then
+    # A bar that is missed is a result, not a failure of the report.
+    "$python" tools/bars.py --sweep "$out/sweep/sweep.json" --bench "$out/presets.json" >"$out/bars.md" || [[ $? -eq 1 ]]
+    echo "report: $(tail -n 1 "$out/bars.md") $out/bars.md"
+fi
 [[ $failed -eq 0 ]] || echo "report: some points or cases failed; the page shows them"
 echo "Open $out/index.html in a browser."
 exit "$failed"

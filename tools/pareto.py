@@ -28,7 +28,7 @@ from sweep.identity import shown, write_beside  # noqa: E402
 
 SIZE = (1600, 860)  # pixels of the file, drawn twice as large
 TWICE = 2
-LEFT, TOP, RIGHT, BOTTOM = 130, 100, 1570, 730
+LEFT, TOP, RIGHT, BOTTOM = 160, 100, 1570, 730
 # The report's, a little darker: they must stand on white.
 COLOURS = {"thesis": "#c8641e", "mobile": "#0a7f5d", "quality": "#3b7fc4"}
 INK, SOFT, PAPER = "#222222", "#777777", "#ffffff"
@@ -104,10 +104,16 @@ class Page:
         self.pen.polygon([((at[0] + r * x) * TWICE, (at[1] + r * y) * TWICE) for x, y in outline], colour, PAPER, TWICE)
 
     def text(self, at: tuple[float, float], text: str, size: int, colour: str = INK, anchor: str = "lm") -> float:
-        """Returns where it ends, across."""
+        """Stands out against what is drawn already. Returns where it ends, across."""
         font = ImageFont.load_default(size * TWICE)
-        self.pen.text((at[0] * TWICE, at[1] * TWICE), text, colour, font, anchor)
+        self.pen.text((at[0] * TWICE, at[1] * TWICE), text, colour, font, anchor, stroke_width=3 * TWICE, stroke_fill=PAPER)
         return at[0] + font.getlength(text) / TWICE
+
+    def cubed(self, at: tuple[float, float], text: str, size: int, colour: str) -> None:
+        """The text, its middle there, and a raised 3 behind, which Pillow's own font does not have."""
+        width = ImageFont.load_default(size * TWICE).getlength(text) / TWICE
+        self.text((at[0] + width / 2 + 2, at[1] - size * 0.28), "3", round(size * 0.6), colour, "lm")
+        self.text(at, text, size, colour, "mm")
 
     def upright(self, at: tuple[float, float], text: str, size: int) -> None:
         font = ImageFont.load_default(size * TWICE)
@@ -122,6 +128,11 @@ class Page:
         return out.getvalue()
 
 
+def is_usual(dot: Dot) -> bool:
+    """Not another grid of the thesis's preset."""
+    return dot.preset != "thesis" or dot.grid == USUAL["grid"]
+
+
 def draw_axes(page: Page, axes: Axes) -> None:
     for value in ticks(*axes.x):
         x, _ = axes.at(Dot("", "", 0, value, axes.y[0]))
@@ -133,31 +144,40 @@ def draw_axes(page: Page, axes: Axes) -> None:
         page.text((LEFT - 14, y), f"{value:.4f}".rstrip("0"), 24, SOFT, "rm")
     page.line([(LEFT, TOP), (LEFT, BOTTOM), (RIGHT, BOTTOM)], SOFT, 2)
     page.text(((LEFT + RIGHT) / 2, BOTTOM + 62), "milliseconds a frame: voxels, bounces and cones", 28, anchor="mm")
-    page.upright((32, (TOP + BOTTOM) / 2), "error of the indirect light, relMSE", 28)
+    page.upright((28, (TOP + BOTTOM) / 2), "error of the indirect light, relMSE", 28)
 
 
-def draw(found: list[Dot], driver: str) -> bytes:
+def footnote(sweep: dict[str, Any]) -> str:
+    entry = next(entry for entry in sweep["points"] if "driver" in entry)
+    driver = entry["driver"]["renderer"].split(" (")[0]
+    width, height = map(int, entry["settings"]["size"].split("x"))
+    scale = entry["settings"]["error_scale"]
+    return (f"{driver}{', a software driver' if driver == 'llvmpipe' else ''}; mode 4; times at {width}x{height} pixels, "
+            f"errors of {width * scale}x{height * scale}{' averaged down' if scale > 1 else ''}; both axes logarithmic.")
+
+
+def draw(found: list[Dot], note: str) -> bytes:
     page, axes = Page(), Axes(found)
     scenes = sorted({dot.scene for dot in found})
     draw_axes(page, axes)
     middle = means(found)
-    # From each preset's mean to its scenes: which mark belongs to which.
     for dot in found:
-        usual = dot.preset != "thesis" or dot.grid == USUAL["grid"]
-        if usual:
+        if is_usual(dot):
             page.shape(scenes.index(dot.scene), axes.at(dot), 9, COLOURS[dot.preset])
     page.line([axes.at(dot) for dot in middle if dot.preset == "thesis"], COLOURS["thesis"], 2.5)
     for dot in middle:
-        usual = dot.preset != "thesis" or dot.grid == USUAL["grid"]
         x, y = axes.at(dot)
-        page.shape(0, (x, y), 19 if usual else 11, COLOURS[dot.preset])
-        name = f"{dot.preset} {dot.grid}³" if usual else f"{dot.grid}³"
-        page.text((x, y - (38 if usual else 28)), name, 32 if usual else 24, COLOURS[dot.preset], "mm")
+        if is_usual(dot):
+            page.shape(0, (x, y), 19, COLOURS[dot.preset])
+            page.cubed((x, y - 40), f"{dot.preset} {dot.grid}", 32, COLOURS[dot.preset])
+        else:
+            page.shape(0, (x, y), 11, COLOURS[dot.preset])
+            page.cubed((x, y - 28), f"{dot.grid}", 24, COLOURS[dot.preset])
     x = page.text((LEFT, 40), "Lower left is better.  Large: mean of the scenes.  Small:", 26)
     for number, scene in enumerate(scenes):
         page.shape(number, (x + 26, 40), 9, SOFT)
         x = page.text((x + 42, 40), scene.replace("_", " "), 26)
-    page.text((LEFT, SIZE[1] - 26), f"Measured with {driver}; mode 4, 256×256 pixels; both axes logarithmic.", 22, SOFT)
+    page.text((LEFT, SIZE[1] - 26), note, 22, SOFT)
     return page.png()
 
 
@@ -170,8 +190,7 @@ def main() -> int:
     found = dots(sweep)
     if not found:
         raise SystemExit(f"error: {options.sweep} has no errors of the indirect light")
-    driver = next(entry["driver"]["renderer"] for entry in sweep["points"] if "driver" in entry)
-    write_beside(options.out, draw(found, f"{driver.split(' (')[0]}, a software driver" if "llvmpipe" in driver else driver))
+    write_beside(options.out, draw(found, footnote(sweep)))
     print(shown(options.out))
     return 0
 

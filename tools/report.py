@@ -27,6 +27,7 @@ def arguments() -> argparse.ArgumentParser:
                         help="a sweep.json of --experiments: shown as with and without, apart from the rest")
     parser.add_argument("--hard-cases", type=Path, help="the JSON of tools/hard_cases.py")
     parser.add_argument("--bench", type=Path, help="the JSON of vct bench: the thesis's tables")
+    parser.add_argument("--presets", type=Path, help="the JSON of vct bench --preset thesis,mobile,quality")
     parser.add_argument("--references", type=Path, default=identity.ROOT / "references", help="default: references")
     parser.add_argument("--out", type=Path, default=Path("out/report/index.html"), help="default: %(default)s")
     parser.add_argument("--megabytes", type=float, default=13, help="of pictures at most (default: %(default)g)")
@@ -47,7 +48,7 @@ def build_page(data: dict) -> str:
 
 def main() -> int:
     options = arguments().parse_args()
-    for path in (options.sweep, options.experiments, options.hard_cases, options.bench):
+    for path in (options.sweep, options.experiments, options.hard_cases, options.bench, options.presets):
         if path is not None and not path.is_file():
             raise SystemExit(f"error: {path}: no such file")
     sweep = store.read(options.sweep)
@@ -56,7 +57,7 @@ def main() -> int:
     album = Album(int(options.megabytes * 1e6))
     experiments = store.read(options.experiments)["points"] if options.experiments else []
     data = page_data(sweep, experiments, options.sweep.parent, options.references, options.hard_cases, options.bench,
-                     album)
+                     options.presets, album)
     page = build_page(data)
     identity.write_beside(options.out, page)
     left_out = f", {album.refused} left out to stay below {options.megabytes:g} MB" if album.refused else ""

@@ -122,8 +122,11 @@ Result presetsHere(const BenchOptions& options) {
 void bench(const BenchOptions& options) {
     sizeFromText(options.size);
     backendFromName(options.backend);
-    for (const std::string& preset : options.presets)
-        presetSettings(preset);
+    for (const std::string& preset : options.presets) {
+        Settings settings = presetSettings(preset);
+        settings.grid = options.grid.value_or(settings.grid);
+        validate(settings);
+    }
     std::optional<OutputFolder> out;
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);

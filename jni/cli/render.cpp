@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/output.h"
@@ -108,6 +110,27 @@ void write(const Pictures& pictures, const RenderOptions& options, OutputFolder&
     out.keep();
 }
 
+// Nothing is deleted from a folder that was used before, so what is not of this run is named.
+void nameOlderPictures(const Pictures& pictures, const RenderOptions& options) {
+    std::set<std::string> made;
+    for (const auto* group : {&pictures.modes, &pictures.lightParts})
+        for (const auto& [name, image] : *group)
+            made.insert({name + ".exr", name + ".png"});
+    if (options.contactSheet && pictures.modes.size() > 1) made.insert("contact_sheet.png");
+    if (options.stages) made.insert("stages");
+    std::set<std::string> older;
+    for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
+        const std::filesystem::path& path = entry.path();
+        const bool picture = path.extension() == ".png" || path.extension() == ".exr";
+        if ((picture || path.filename() == "stages") && made.count(path.filename().string()) == 0)
+            older.insert(path.filename().string());
+    }
+    std::string names;
+    for (const std::string& name : older)
+        names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty()) progress("note: not of this run, but in " + options.out + ": " + names);
+}
+
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
     for (int i = 0; i < warmUpFrames; ++i)
         renderer.frame(mode, camera);
@@ -167,6 +190,7 @@ void render(const RenderOptions& options) {
     }
 
     write(pictures, options, out);
+    nameOlderPictures(pictures, options);
     if (!options.timings.empty()) {
         report.scene = options.scene;
         report.triangles = scene.triangleCount();
@@ -179,7 +203,7 @@ void render(const RenderOptions& options) {
 }
 
 constexpr const char* footer =
-    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode.\n"
+    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode. Other pictures in DIR stay.\n"
     "Examples:\n"
     "  vct render assets/cornell.glb --out out --mode all --stages --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"

@@ -68,7 +68,6 @@ std::string gpuClockText(const TimingsReport& report) {
 
 ordered_json settingsJson(const TimingsReport& report) {
     const Settings& s = report.settings;
-    const bool gathers = s.voxels == Voxels::faces;
     return {{"preset", report.preset},
             {"grid", s.grid},
             {"width", s.size.x},
@@ -82,8 +81,6 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
             {"bounces", s.bounces},
-            {"gather_scale", gathers ? s.gather.scale : 1},
-            {"occlusion_scale", gathers ? s.occlusion.scale : 1},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};
 }

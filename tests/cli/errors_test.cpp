@@ -56,6 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"TimingsBelowAFile", renderCornell("--out out --timings file/t.json"), "file/t.json"},
         BadCommand{"TimingsInNoFolder", renderCornell("--out out --timings none/t.json"), "none/t.json"},
         BadCommand{"BenchBackend", benchCornell("--backend direct3d"), "egl, osmesa, zink"},
+        BadCommand{"BenchPreset", benchCornell("--preset thesis,best"), "mobile"},
+        BadCommand{"BenchGrid", benchCornell("--preset mobile --grid 100"), "64, 128, 256, 512"},
         BadCommand{"BenchOutBelowAFile", benchCornell("--out file/out"), "file/out"},
         BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"}),
     [](const ::testing::TestParamInfo<BadCommand>& test) { return std::string(test.param.name); });

@@ -37,6 +37,13 @@ BENCH = {"version": 1, "scene": "assets/cornell.glb", "driver": {"renderer": "a 
              {"platform": "Mobile", "source": "thesis", "values": [3.0, 40.0]}]}}}
 
 
+STEPS = {step: {"median": 2.5} for step in ("shadow_map", "render_data", "voxelize_mipmap", "bounces", "trace", "total")}
+PRESETS = {**BENCH, "presets": [{"preset": "thesis", "settings": {"grid": 256}, "bytes": 80e6, "modes": {"gi": STEPS}},
+                                {"preset": "mobile", "settings": {"grid": 64}, "bytes": 20e6, "modes": {"gi": STEPS}}],
+           "ratios": [{"of": "thesis", "over": "mobile", "bytes": 4.0,
+                       "modes": {"gi": dict.fromkeys(STEPS, 12.25) | {"bounces": None}}}]}
+
+
 def python(script: str, *arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, str(ROOT / "tools" / script), *map(str, arguments)], capture_output=True,
                           text=True, check=False)
@@ -60,7 +67,8 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     Image.new("RGB", (8, 8), (200, 30, 30)).save(folder / "thin.png")
     (folder / "hard.json").write_text(json.dumps(HARD_CASES))
     (folder / "bench.json").write_text(json.dumps(BENCH))
-    done = python("report.py", "--sweep", folder / "sweep/sweep.json", "--hard-cases", folder / "hard.json", "--bench",
+    (folder / "presets.json").write_text(json.dumps(PRESETS))
+    done = python("report.py", "--sweep", folder / "sweep/sweep.json", "--presets", folder / "presets.json", "--hard-cases", folder / "hard.json", "--bench",
                   folder / "bench.json", "--experiments", folder / "experiments/sweep.json", "--out", folder / "index.html")
     assert done.returncode == 0, done.stderr
     return folder / "index.html"
@@ -169,7 +177,7 @@ def test_side_by_side_has_picture_reference_and_error(opened: Browser):
 
 def test_tables_voxels_and_facts_are_there(opened: Browser):
     text = opened.run("return document.body.innerText")
-    for said in ("glFinish", "Tr cones", "B bounces", "drawn 2 times", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
+    for said in ("glFinish", "Tr cones", "B bounces", "thesis / mobile", "12.3","frames 2 times", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
                  "software driver", "reference's own noise"):
         assert said in text, said
     facts = opened.run("return document.getElementById('facts').innerText").lower()

@@ -14,7 +14,6 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from sweep.run import larger_picture  # noqa: E402
 from sweep.settings import SETTINGS, points, values_of_presets  # noqa: E402
 from truth.exr import read_exr  # noqa: E402
 
@@ -59,14 +58,6 @@ def test_other_presets_run_once_at_their_own_grid():
     assert others == [("mobile", 64, 5.0), ("quality", 128, 5.0)]
     asked = points([Path("a.glb")], values_of_presets({"preset": ("mobile",), "grid": (64, 256)}, quick=False), ("gi",))
     assert [point.settings["grid"] for point in asked] == [64, 256]
-
-
-def test_a_larger_picture_is_of_the_same_frame():
-    (point,) = points([Path("a.glb")], defaults(grid=(64,), error_scale=(4,)), ("gi",))
-    settings = {"width": 30, "height": 20, "gather_scale": 2, "occlusion_scale": 4}
-    arguments = larger_picture(point, settings)
-    # Gathered every 4 * 2 pixels; 8 is as far as it goes.
-    assert arguments == ["--size", "120x80", "--gather", "scale=8", "--occlusion", "scale=8"]
 
 
 @needs_program

@@ -78,9 +78,9 @@ def larger_pictures(entries: list[dict[str, Any]]) -> list[str]:
     scales = sorted({entry["settings"]["error_scale"] for entry in entries} - {1})
     if not scales:
         return []
-    return [f"Times are of pictures at the size that is given. Errors are of the same frame drawn {joined(scales)} times as "
-            "wide and high and averaged down, because a pixel of the references is a mean of many samples too; its light "
-            "is gathered at as many points as in the frame that was timed."]
+    return [f"Times are of pictures at the size that is given. Errors are of frames {joined(scales)} times as wide and high, "
+            "averaged down, because a pixel of the references is a mean of many samples too. Where light is gathered at "
+            "every few pixels only, the larger frame gathers more of it than the one that was timed."]
 
 
 def method(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[str]:
@@ -117,19 +117,35 @@ def hard_cases(path: Path | None, album: Album) -> list[dict[str, Any]] | None:
     return rows
 
 
+def bench_file(path: Path, needs: str) -> dict[str, Any]:
+    """`needs`: what the file must hold beside its version."""
+    data = json.loads(path.read_text())
+    if data.get("version") != 1 or needs not in data:
+        raise SystemExit(f"error: {path} has version {data.get('version')}, {'with' if needs in data else 'without'} {needs}; "
+                         f"this program reads version 1 with {needs}")
+    return data
+
+
+def presets(path: Path | None) -> dict[str, Any] | None:
+    if path is None:
+        return None
+    data = bench_file(path, "presets")
+    note = (f"Milliseconds; {data['method']['statistic']}. {data['driver']['renderer']}, {data['machine']['cpu']}. The last "
+            "rows: how many times the first preset's.")
+    return {"scene": data["scene"], "note": note, "presets": data["presets"], "ratios": data["ratios"]}
+
+
 def bench(path: Path | None) -> dict[str, Any] | None:
     if path is None:
         return None
-    data = json.loads(path.read_text())
-    if data.get("version") != 1:
-        raise SystemExit(f"error: {path} has version {data.get('version')}; this program reads 1")
+    data = bench_file(path, "tables")
     note = (f"Milliseconds; {data['method']['statistic']}. {data['driver']['renderer']}, {data['machine']['cpu']}. The "
             "thesis's rows are its own, on its own scene.")
     return {"scene": data["scene"], "note": note, "tables": data["tables"]}
 
 
 def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_folder: Path, references: Path,
-              hard: Path | None, bench_file: Path | None, album: Album) -> dict[str, Any]:
+              hard: Path | None, tables: Path | None, beside: Path | None, album: Album) -> dict[str, Any]:
     """All of it; the pictures go into the album, whose part they name."""
     entries = sweep["points"]
     usual = usual_settings(entries)
@@ -144,6 +160,6 @@ def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_fo
         "measures": [{"name": m.name, "what": m.what, "mode": m.mode} for m in MEASURES],
         "points": [point(entry) for entry in entries], "pictures": pictures,
         "experiments": [point(entry) for entry in experiments], "hard": hard_rows,
-        "bench": bench(bench_file), "album": album.pictures,
+        "bench": bench(tables), "presets": presets(beside), "album": album.pictures,
         "error_colours": [f"rgb({r},{g},{b})" for r, g, b in zip(colours[::3], colours[1::3], colours[2::3])],
     }

@@ -15,7 +15,6 @@ from truth.exr import read_exr, write_exr
 TIMINGS_VERSION = 1
 # From timings.json into the point's entry, as they are.
 COPIED = ("driver", "machine", "method", "triangles", "active_voxels", "resources")
-LARGEST_GATHER_SCALE = 8  # of vct render
 
 
 class PointFailed(Exception):
@@ -56,18 +55,6 @@ def render(program: Path, arguments: list[str], timeout_s: float) -> str:
     return done.stderr
 
 
-def larger_picture(point: Point, settings: dict[str, Any]) -> list[str]:
-    """Arguments for the same frame in a larger picture: its light is gathered at as many points, not at more.
-
-    `settings`: of the frame's timings.json.
-    """
-    scale = point.settings["error_scale"]
-    gathers = [(option, min(scale * settings[name], LARGEST_GATHER_SCALE))
-               for option, name in (("--gather", "gather_scale"), ("--occlusion", "occlusion_scale"))]
-    return ["--size", f"{settings['width'] * scale}x{settings['height'] * scale}",
-            *(part for option, every in gathers for part in (option, f"scale={every}"))]
-
-
 def average_down(folder: Path, side: tuple[int, int]) -> None:
     """The folder's EXRs, to (height, width)."""
     for path in folder.glob("*.exr"):
@@ -87,11 +74,12 @@ def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str
     except (OSError, ValueError) as error:
         raise PointFailed(f"timings.json cannot be read: {error}") from None
     if larger:
-        settings = timings["settings"]
-        # An option that is given twice would be an error.
+        side = timings["settings"]["height"], timings["settings"]["width"]
+        scale = point.settings["error_scale"]
         at = common.index("--size")
-        render(program, [*common[:at], *common[at + 2:], "--light-parts", *larger_picture(point, settings)], timeout_s)
-        average_down(folder, (settings["height"], settings["width"]))
+        size = f"{side[1] * scale}x{side[0] * scale}"
+        render(program, [*common[:at], "--size", size, *common[at + 2:], "--light-parts"], timeout_s)
+        average_down(folder, side)
     entry = {name: timings[name] for name in COPIED if name in timings}
     entry["bounces"] = timings["settings"]["bounces"]
     entry["modes"] = step_medians(timings, point.modes)

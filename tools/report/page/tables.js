@@ -30,7 +30,22 @@ function errorTables() {
 function drawTables() {
   $("tables-body").replaceChildren(
     make("h3", {}, `Steps, ${state.scene}, milliseconds`), stepTable(),
-    make("h3", {}, `Errors, ${state.scene}`), ...errorTables(), ...benchTables());
+    make("h3", {}, `Errors, ${state.scene}`), ...errorTables(), ...presetTables(), ...benchTables());
+}
+function presetTables() {
+  if (!DATA.presets) return [];
+  const steps = {shadow_map: "shadow map", render_data: "G-buffer", voxelize_mipmap: "voxelize + mipmap", bounces: "bounces",
+    trace: "trace", total: "frame"};
+  const row = (name, values, memory) => make("tr", {}, make("th", {scope: "row"}, name),
+    [...values, memory].map(value => make("td", {}, number(value))));
+  const tableOf = mode => table(headRow(["Preset", ...Object.values(steps), "GL memory, MB"]), [
+    ...DATA.presets.presets.map(one => row(`${one.preset}, ${one.settings.grid}³`,
+      Object.keys(steps).map(step => one.modes[mode][step].median), one.bytes / 1e6)),
+    ...DATA.presets.ratios.map(one => row(`${one.of} / ${one.over}`, Object.keys(steps).map(step => one.modes[mode][step]),
+      one.bytes))]);
+  return [make("h3", {}, `Presets side by side, ${DATA.presets.scene}`), make("p", {class: "note"}, DATA.presets.note),
+    ...["ao", "gi", "gi-cone-shadow"].filter(mode => DATA.presets.presets[0].modes[mode]).map(mode =>
+      make("details", {open: ""}, make("summary", {}, mode), tableOf(mode)))];
 }
 function benchTables() {
   if (!DATA.bench) return [];
