@@ -2,7 +2,7 @@
 """What the presets must reach, checked: a Markdown table of every bar, and 1 where one is missed or not measured.
 
     build/desktop/vct bench assets/cornell.glb --preset thesis,mobile,quality --json out/presets.json
-    .venv/bin/python tools/bars.py --sweep out/report/sweep/sweep.json --bench out/presets.json
+    .venv/bin/python tools/bars.py --sweep out/sweep/sweep.json --bench out/presets.json
 
 Errors come from the sweep, at each preset's usual settings; times and memory from the bench. Not a test: a software
 driver's times differ from one run to the next.
@@ -156,7 +156,7 @@ def speed_rows(path: Path) -> list[Row]:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sweep", type=Path, default=Path("out/report/sweep/sweep.json"), help="default: %(default)s")
+    parser.add_argument("--sweep", type=Path, default=Path("out/sweep/sweep.json"), help="default: %(default)s")
     parser.add_argument("--bench", type=Path, nargs="+", required=True, metavar="JSON",
                         help="of vct bench --preset thesis,mobile,quality, one for each scene")
     options = parser.parse_args()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """One picture of time against error for all presets, from a sweep: docs/images/pareto.png.
 
-    .venv/bin/python tools/pareto.py --sweep out/report/sweep/sweep.json
+    .venv/bin/python tools/pareto.py --sweep out/sweep/sweep.json
 
 Small marks are scenes, large ones the geometric means over them. Time is that of mode 4's voxels, bounces and cones,
 the error relMSE of the indirect light. Left out: the furnace and the lone plane, which are truths and not scenes.
@@ -183,7 +183,7 @@ def draw(found: list[Dot], note: str) -> bytes:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sweep", type=Path, default=Path("out/report/sweep/sweep.json"), help="default: %(default)s")
+    parser.add_argument("--sweep", type=Path, default=Path("out/sweep/sweep.json"), help="default: %(default)s")
     parser.add_argument("--out", type=Path, default=Path("docs/images/pareto.png"), help="default: %(default)s")
     options = parser.parse_args()
     sweep = store.read(options.sweep)

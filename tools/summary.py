@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The README's tables of errors, as Markdown, from a sweep: each cell thesis / mobile / quality, at their usual settings.
 
-    .venv/bin/python tools/summary.py --sweep out/report/sweep/sweep.json
+    .venv/bin/python tools/summary.py --sweep out/sweep/sweep.json
 """
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def table(scenes: dict[str, dict[str, dict[str, Any]]], columns: dict[str, tuple
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sweep", type=Path, default=Path("out/report/sweep/sweep.json"), help="default: %(default)s")
+    parser.add_argument("--sweep", type=Path, default=Path("out/sweep/sweep.json"), help="default: %(default)s")
     scenes = usual_points(store.read(parser.parse_args().sweep))
     print(table(scenes, INDIRECT))
     print(table(scenes, REST), end="")
