@@ -5,14 +5,18 @@
     .venv/bin/python tools/references.py my.glb --size 400x400 --out out/ref  one, elsewhere
     .venv/bin/python tools/references.py --check                              are the stored ones still what comes out?
 
-Kinds, all linear RGB without tone mapping, box filter, black sky, Lambert surfaces of the base colour:
+Kinds, all linear RGB without tone mapping, box filter, black sky, Lambert surfaces of the base colour
+(but for `full` and `glossy`):
 
 coverage    share of the pixel in which the camera sees a surface
 direct      emission of what the camera sees + albedo E/pi n.l where nothing lies between it and the sun (a point)
 indirect    albedo x the cosine-weighted mean over the hemisphere of the `direct` of what is seen there: light that
             leaves a surface once more, the emission of other surfaces included, the seen surface's own not
 one-bounce  direct + indirect, exactly
-full        all bounces, ended by Russian roulette from the fourth on
+full        all bounces, ended by Russian roulette from the fourth on. A surface of roughness below 1 is glossy where
+            the camera sees it, and a Lambert one wherever else light meets it: what a point sun throws off metal onto
+            walls is noise to a path tracer, and the renderer under test has no such light
+glossy      the part of `full` that such surfaces reflect specularly, but of the sun; only of scenes that have any
 ao          cosine-weighted share of the hemisphere free of surfaces nearer than 0.045 of the voxel volume's side
 sun         direct, of a sun of 5 degrees full opening and the same irradiance E on a surface that faces it
 shadow      share of that sun's disc that the surface sees; 0 where n.l <= 0
@@ -42,11 +46,14 @@ from truth.gltf_file import GltfError
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.005 and more).
-SAMPLES = {"coverage": 256, "direct": 256, "indirect": 512, "full": 1024, "ao": 512, "sun": 256, "shadow": 512}
+SAMPLES = {"coverage": 256, "direct": 256, "indirect": 512, "full": 1024, "glossy": 1024, "ao": 512,
+           "sun": 256, "shadow": 512}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
+GLOSSY = "glossy"  # of scenes with glossy materials
 INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to the sun",
                "indirect": "one cosine-distributed ray and one emitter, power heuristic; shadow ray to the sun",
                "one-bounce": "direct + indirect", "full": "path tracing, power heuristic, Russian roulette",
+               "glossy": "a visible normal of GGX, then path tracing as full",
                "ao": "one cosine-distributed ray", "sun": "one shadow ray into the disc",
                "shadow": "one shadow ray into the disc"}
 SEED = 0
@@ -126,6 +133,8 @@ def rounded(value):
 def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None) -> None:
     from truth.scene import load_scene
     scene = load_scene(path)
+    if kinds == list(KINDS) and any(scene.materials[i].roughness < 1 for i in set(scene.material_of.tolist())):
+        kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, size, samples)
     for kind, (result, _) in drawn.items():
         if not np.isfinite(result.image).all():
@@ -178,9 +187,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--check", action="store_true", help="make anew, compare with what is stored, write nothing")
     args = parser.parse_args()
     args.kinds = args.kinds.split(",")
-    unknown = [k for k in args.kinds if k not in KINDS]
+    unknown = [k for k in args.kinds if k not in (*KINDS, GLOSSY)]
     if unknown:
-        parser.error(f"unknown kind '{unknown[0]}'; choose from {', '.join(KINDS)}")
+        parser.error(f"unknown kind '{unknown[0]}'; choose from {', '.join((*KINDS, GLOSSY))}")
     if not args.scenes:
         args.scenes = [p for p in sorted((ROOT / "assets").glob("*.glb")) if p.stem not in SAME_PICTURE]
     return args

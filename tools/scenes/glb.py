@@ -71,9 +71,10 @@ class Glb:
                                             "wrapS": wrap, "wrapT": wrap})
         return self._append("textures", {"name": name, "source": image, "sampler": sampler})
 
-    def material(self, name, color, texture=None, uv_scale=None, cutoff=None, emissive=None):
+    def material(self, name, color, texture=None, uv_scale=None, cutoff=None, emissive=None, metallic=0.0,
+                 roughness=1.0):
         """`color` is linear. `emissive` is (linear color, strength, texture or None)."""
-        surface = {"baseColorFactor": [*color, 1.0], "metallicFactor": 0.0, "roughnessFactor": 1.0}
+        surface = {"baseColorFactor": [*color, 1.0], "metallicFactor": metallic, "roughnessFactor": roughness}
         if texture is not None:
             surface["baseColorTexture"] = {"index": texture}
             if uv_scale:

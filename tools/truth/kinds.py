@@ -1,11 +1,13 @@
 """What each kind of reference is: for one camera ray's surface, an estimate of its value.
 
-All light is diffuse (Lambert, base colour). The sky is black. A single-sided back reflects and emits nothing, and
-blocks light; the camera alone looks through it. See references.py for the kinds in words.
+All surfaces are Lambert ones of their base colour, but for `full` and `glossy`. The sky is black. A single-sided back
+reflects and emits nothing, and blocks light; the camera alone looks through it. See references.py for the kinds in
+words.
 """
 import math
 
 from . import engine
+from .glossy import brdf_of, reflected_sun
 from .lights import Emitters, Sun, leave, tangent_frame
 from .scene import AO_DISTANCE, Scene
 from .surfaces import Surface, Surfaces
@@ -55,7 +57,7 @@ def indirect(world, surface, numbers, random, active):
 
 
 @dr.syntax
-def full(world, surface, numbers, random, active):
+def lambert_full(world, surface, numbers, random, active):
     result = mi.Color3f(surface.emission)
     throughput = mi.Color3f(surface.albedo)
     position, facing = mi.Point3f(surface.position), mi.Normal3f(surface.facing)
@@ -87,6 +89,32 @@ def full(world, surface, numbers, random, active):
     return result
 
 
+def lambert_light_along(world, surface, direction, numbers, random, active):
+    """What comes from `direction`, of all bounces between Lambert surfaces."""
+    leaves = active & (dr.dot(surface.facing, direction) > 0)
+    hit = world.surfaces.meet(leave(surface), direction, leaves)
+    there = world.surfaces.surface(hit, direction)
+    fresh = [random.next_float32() for _ in numbers]
+    return dr.select(hit.valid, lambert_full(world, there, fresh, random, hit.valid), 0)
+
+
+def full(world, surface, numbers, random, active):
+    if not world.surfaces.has_gloss:
+        return lambert_full(world, surface, numbers, random, active)
+    brdf = brdf_of(surface)
+    direction, weight = brdf.sample(numbers[4], numbers[2], numbers[3])
+    return (surface.emission + reflected_sun(world, surface, brdf, active)
+            + weight * lambert_light_along(world, surface, direction, numbers, random, active))
+
+
+def glossy(world, surface, numbers, random, active):
+    if not world.surfaces.has_gloss:
+        return mi.Color3f(0)
+    brdf = brdf_of(surface)
+    direction, weight = brdf.specular_direction(numbers[2], numbers[3])
+    return weight * lambert_light_along(world, surface, direction, numbers, random, active & brdf.glossy)
+
+
 def ao(world, surface, numbers, random, active):
     direction, _, leaves = cosine_direction(surface, numbers[2], numbers[3])
     blocked = world.surfaces.blocked(leave(surface), direction, mi.Float(AO_DISTANCE), active & leaves)
@@ -104,4 +132,4 @@ def shadow(world, surface, numbers, random, active):
     return dr.select(lit > 0, mi.Color3f(1), 0)
 
 
-ESTIMATORS = {f.__name__: f for f in (coverage, albedo, direct, indirect, full, ao, sun, shadow)}
+ESTIMATORS = {f.__name__: f for f in (coverage, albedo, direct, indirect, full, glossy, ao, sun, shadow)}

@@ -1,4 +1,4 @@
-"""What a reference takes of a glTF material: base colour, alpha mask, emission, sidedness; Lambert, no specular light.
+"""What a reference takes of a glTF material: base colour, metallic and roughness factors, alpha mask, emission, sides.
 
 glTF 2.0 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength. BLEND counts as MASK with cutoff 0.5,
 as the renderer under test states in its warning.
@@ -26,6 +26,8 @@ class Material:
     base_color: np.ndarray  # linear RGBA
     base_color_texture: int  # or -1
     base_color_uv: UvSource | None
+    metallic: float
+    roughness: float  # below 1: glossy
     emissive: np.ndarray  # radiance, strength included
     emissive_texture: int  # or -1
     emissive_uv: UvSource | None
@@ -68,6 +70,8 @@ def load_material(material: dict) -> Material:
     cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
     return Material(np.clip(surface.get("baseColorFactor", [1, 1, 1, 1]), 0, 1),
                     base["index"] if base else -1, uv_source(base),
+                    float(np.clip(surface.get("metallicFactor", 1), 0, 1)),
+                    float(np.clip(surface.get("roughnessFactor", 1), 0, 1)),
                     np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),
                     glow["index"] if glow else -1, uv_source(glow), cutoff, material.get("doubleSided", False))
 

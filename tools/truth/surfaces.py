@@ -36,6 +36,10 @@ class Surface:
     normal: object  # Normal3f, interpolated: cosines are taken with it
     albedo: object  # Color3f, linear
     emission: object  # Color3f, radiance
+    # Of scenes with glossy materials:
+    seen_from: object = None  # Vector3f, unit
+    metallic: object = None  # Float
+    roughness: object = None  # Float; 1: a Lambert surface
 
 
 def corner_arrays(values: np.ndarray, kind: type) -> list:
@@ -70,6 +74,9 @@ class Surfaces:
         self._material = mi.UInt32(scene.material_of.astype(np.uint32))
         self._base = mi.Vector4f(np.stack([x.base_color for x in m], 1).astype(np.float32))
         self._emissive = mi.Color3f(np.stack([x.emissive for x in m], 1).astype(np.float32))
+        self.has_gloss = any(m[i].roughness < 1 for i in used)
+        self._metallic = mi.Float(np.array([x.metallic for x in m], np.float32))
+        self._roughness = mi.Float(np.array([x.roughness for x in m], np.float32))
         self._cutoff = mi.Float(np.array([x.cutoff for x in m], np.float32))
         self._double = mi.Bool(np.array([x.double_sided for x in m]))
         self._base_texture = mi.Int32(np.array([x.base_color_texture for x in m], np.int32))
@@ -190,9 +197,14 @@ class Surfaces:
         seen = hit.valid & (~back | dr.gather(mi.Bool, self._double, material, hit.valid))
         turn = dr.select(back, -1.0, 1.0)
         base = self._base_color(hit, material)
-        return Surface(self._interpolate(self._corners, hit, mi.Point3f), facing * turn, normal * turn,
-                       dr.select(seen, mi.Color3f(base.x, base.y, base.z), 0),
-                       dr.select(seen, self.emission(hit, material), 0))
+        surface = Surface(self._interpolate(self._corners, hit, mi.Point3f), facing * turn, normal * turn,
+                          dr.select(seen, mi.Color3f(base.x, base.y, base.z), 0),
+                          dr.select(seen, self.emission(hit, material), 0))
+        if self.has_gloss:
+            surface.seen_from = -direction
+            surface.metallic = dr.gather(mi.Float, self._metallic, material, hit.valid)
+            surface.roughness = dr.select(seen, dr.gather(mi.Float, self._roughness, material, hit.valid), 1)
+        return surface
 
     def emission(self, hit, material=None):
         """Of the front; who asks decides which side it is."""
