@@ -1,4 +1,5 @@
 // The last pass: what each pixel's cones see, and the five modes (thesis 4.6, 5.1.2). One variant per VCT_MODE.
+#define VCT_CONE_TRIPS VCT_TRIPS_SPECULAR_STEP
 #include "shared/trips.glsl"
 #include "shared/precision.glsl"
 #include "shared/surface.glsl"
@@ -11,10 +12,16 @@
 #ifdef VCT_SOFT_SHADOW
 #include "shared/soft_shadow.glsl"
 #endif
+#ifdef VCT_GLOSS_TARGET
+#include "shared/glossy.glsl"
+#endif
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
 #ifdef VCT_EMISSIVE_TARGET
 layout(binding = VCT_TEX_G_EMISSIVE) uniform mediump sampler2D emissiveTarget;
+#endif
+#ifdef VCT_GLOSS_TARGET
+layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
 #endif
 
 layout(location = 0) out mediump vec4 outRadiance;  // rgb relative to E/pi; a: 1 on a surface, 0 on the sky
@@ -77,12 +84,28 @@ void main() {
     mediump float total = HALF(mix(gather.openness, light * gather.openness, shadowStrength));
 #endif
     mediump vec3 radiance;
+#ifdef VCT_GLOSS_TARGET
+    mediump vec3 specular = vec3(0.0);
+    mediump vec3 gloss = HALF(texelFetch(glossTarget, pixel, 0).rgb);
+    if (gloss.y < 1.0) {
+        vec3 toEye = normalize(frame.eye.xyz - position);
+        mediump vec3 f0 = HALF(mix(vec3(0.04), albedo, gloss.x));
+        mediump vec3 share = specularShare(f0, gloss.y, max(dot(normal, toEye), 0.0));
+        specular = HALF(share * lightToReflect(position, normal, toEye, gloss.y, gather.radiance));
+#if VCT_MODE != VCT_VIEW_SPECULAR
+        specular = HALF(specular + light * sunHighlight(f0, gloss.y, normal, toEye));
+#endif
+        albedo = HALF(albedo * (1.0 - gloss.x) * (1.0 - share));
+    }
+#endif
 #if VCT_MODE == VCT_VIEW_AO
     radiance = vec3(gather.openness);
 #elif VCT_MODE == VCT_VIEW_INDIRECT
     radiance = HALF(albedo * gather.radiance);
 #elif VCT_MODE == VCT_VIEW_CONE_SHADOW
     radiance = vec3(light);
+#elif VCT_MODE == VCT_VIEW_SPECULAR
+    radiance = vec3(0.0);
 #elif VCT_MODE >= VCT_MODE_GI && defined(VCT_GATHERED)
     // Occlusion is in the gathered light already; it takes nothing from the sun.
     radiance = HALF(albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance));
@@ -94,6 +117,9 @@ void main() {
 #endif
     mediump float shade = HALF(cosTheta + specularLight * phongSpecular(position, normal, cosTheta));
     radiance = HALF(albedo * (ambientLight * gather.openness + shade * total * frame.lightColor.rgb));
+#endif
+#ifdef VCT_GLOSS_TARGET
+    radiance = HALF(radiance + specular);
 #endif
 #if defined(VCT_EMISSIVE_TARGET) && VCT_MODE <= VCT_MODE_GI_CONE_SHADOW
     radiance = HALF(radiance + texelFetch(emissiveTarget, pixel, 0).rgb);

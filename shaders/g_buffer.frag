@@ -20,6 +20,9 @@ layout(location = 1) out uvec2 normalCode;
 #ifdef VCT_EMISSIVE_TARGET
 layout(location = 2) out vec4 emissive;
 #endif
+#ifdef VCT_GLOSS_TARGET
+layout(location = VCT_GLOSS_TARGET) out vec2 gloss;  // metallic, roughness
+#endif
 
 void main() {
     TRIP(VCT_TRIPS_G_BUFFER);
@@ -30,5 +33,8 @@ void main() {
     normalCode = encodeNormal(gl_FrontFacing ? normal : -normal);
 #ifdef VCT_EMISSIVE_TARGET
     emissive = vec4(materialEmissive(fragmentEmissiveUv), 1.0);
+#endif
+#ifdef VCT_GLOSS_TARGET
+    gloss = draw.surface.zw;
 #endif
 }

@@ -13,6 +13,7 @@
 #include "measure/options.h"
 #include "measure/timings.h"
 #include "platform/context.h"
+#include "render/programs.h"
 #include "render/renderer.h"
 #include "scene/gltf.h"
 
@@ -28,7 +29,7 @@ struct RenderOptions {
     std::string camera, light;
     std::string sky = "0,0,0";
     // Over the preset's, where given.
-    std::optional<std::string> shadow, voxelization;
+    std::optional<std::string> shadow, specular, voxelization;
     std::optional<int> blockerTaps, filterTaps;
     int voxelSamples = 1;
     std::string backend = "egl";
@@ -56,6 +57,7 @@ Settings settingsFrom(const RenderOptions& options) {
     if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
     settings.voxelSamples = options.voxelSamples;
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
+    if (options.specular) settings.specular = specularFromText(*options.specular);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
     settings.bounces = options.bounces.value_or(settings.bounces);
@@ -162,6 +164,13 @@ void render(const RenderOptions& options) {
     progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
              std::to_string(scene.instances.size()) + " instances");
 
+    const std::vector<unsigned> features = sceneFeatures(scene);
+    if (settings.specular == Specular::none &&
+        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureGlossy; }))
+        progress(
+            "warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
+            "can reflect (--specular cone)");
+
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
     progress(context.capabilities.renderer + ", " + context.capabilities.version);
@@ -247,6 +256,10 @@ void addRender(CLI::App& app, int&) {
         "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");
     command->add_option("--filter-taps", options->filterTaps,
                         "Comparisons of soft-map in a penumbra (default: the preset's)");
+    command->add_option(
+        "--specular", options->specular,
+        "What materials with a roughness below 1 reflect besides diffuse light: none, or cone "
+        "(the sun, and one cone along the mirror direction); default: the preset's");
     command->add_option("--bounces", options->bounces,
                         "Bounces of light beyond the first (default: the preset's)");
     command

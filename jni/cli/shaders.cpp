@@ -49,15 +49,17 @@ std::vector<Variant> variants(const Settings& settings, const std::vector<unsign
             if (same(known.program, use.program)) return known;
         return found.emplace_back(Variant{use.step, use.program, {}});
     };
-    // One emitting material gives every G-buffer a target more: the others are drawn with and without.
-    std::vector<unsigned> dark = allFeatures();
-    dark.erase(std::remove_if(dark.begin(), dark.end(),
-                              [](unsigned features) { return features & featureEmissive; }),
-               dark.end());
+    // One material that emits, or is glossy, gives every G-buffer a target more: the others are drawn with
+    // and without.
     for (Mode mode : allModes()) {
-        for (const std::vector<unsigned>& features : {dark, allFeatures()})
-            for (const FrameProgram& use : framePrograms(settings, mode, features))
+        for (const unsigned without :
+             {featureEmissive | featureGlossy, featureGlossy + 0U, featureEmissive + 0U, 0U}) {
+            std::vector<unsigned> all = allFeatures();
+            all.erase(std::remove_if(all.begin(), all.end(), [&](unsigned f) { return f & without; }),
+                      all.end());
+            for (const FrameProgram& use : framePrograms(settings, mode, all))
                 add(use);
+        }
         for (const FrameProgram& use : framePrograms(settings, mode, sceneFeatures))
             add(use).modes.emplace_back(modeName(mode));
     }

@@ -12,6 +12,8 @@ namespace {
 
 std::size_t texelBytes(GLenum format) {
     switch (format) {
+        case GL_RG8:
+            return 2;
         case GL_RGBA8:
         case GL_SRGB8_ALPHA8:
         case GL_RG16UI:
@@ -164,7 +166,7 @@ void Framebuffer::check(const std::string& label) const {
                     std::to_string(status) + "); `vct info` shows which format it lacks");
 }
 
-Framebuffer::Framebuffer(const std::string& label, std::initializer_list<const Texture*> colors,
+Framebuffer::Framebuffer(const std::string& label, const std::vector<const Texture*>& colors,
                          const Texture* depth) {
     create(label);
     GLenum drawBuffers[8];
@@ -181,7 +183,7 @@ Framebuffer::Framebuffer(const std::string& label, std::initializer_list<const T
         count = 1;
     }
     DrawBuffers(count, drawBuffers);
-    const Texture& any = depth != nullptr ? *depth : **colors.begin();
+    const Texture& any = depth != nullptr ? *depth : *colors.front();
     width_ = any.width();
     height_ = any.height();
     check(label);

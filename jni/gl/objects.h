@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/api.h"
 
@@ -129,7 +129,7 @@ class VertexArray {
 class Framebuffer {
   public:
     Framebuffer() = default;
-    Framebuffer(const std::string& label, std::initializer_list<const Texture*> colors, const Texture* depth);
+    Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth);
     Framebuffer(const std::string& label, int width, int height);
 
     // Binds it for drawing and reading and sets the viewport to all of it.

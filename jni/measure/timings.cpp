@@ -80,6 +80,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"blocker_taps", s.blockerTaps},
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
+            {"specular", specularName(s.specular)},
             {"bounces", s.bounces},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};

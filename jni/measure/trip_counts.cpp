@@ -74,7 +74,8 @@ const std::vector<Stage>& stages() {
           {"gathered corner", 0, VCT_TRIPS_GATHERED_CORNER, true},
           {"shadow step", 0, VCT_TRIPS_SHADOW_STEP},
           {"blocker tap", 0, VCT_TRIPS_BLOCKER_TAP, true},
-          {"filter tap", 0, VCT_TRIPS_FILTER_TAP, true}}},
+          {"filter tap", 0, VCT_TRIPS_FILTER_TAP, true},
+          {"specular step", 0, VCT_TRIPS_SPECULAR_STEP}}},
     };
     return all;
 }

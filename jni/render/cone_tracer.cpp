@@ -12,20 +12,20 @@ ConeTracer::ConeTracer(gl::ShaderLibrary shaders, const Settings& settings)
       radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, settings.size.x, settings.size.y)),
       framebuffer_("radiance", {&radiance_}, nullptr) {}
 
-const gl::Program& ConeTracer::program(int mode, bool emissiveTarget) {
-    const auto key = std::make_pair(mode, emissiveTarget);
+const gl::Program& ConeTracer::program(int mode, const GBuffer::Targets& surface) {
+    const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr};
+    const auto key = std::make_tuple(mode, targets.emissive, targets.gloss);
     auto found = programs_.find(key);
     if (found == programs_.end())
         found =
-            programs_.emplace(key, gl::Program(shaders_, coneTracerProgram(mode, emissiveTarget, settings_)))
-                .first;
+            programs_.emplace(key, gl::Program(shaders_, coneTracerProgram(mode, targets, settings_))).first;
     return found->second;
 }
 
 const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
                                     const Light& light) {
     const gl::DebugGroup group("cone trace");
-    program(mode, surface.emissive != nullptr).use();
+    program(mode, surface).use();
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);
@@ -33,6 +33,7 @@ const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, c
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
+    if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
     if (shadowMap != nullptr) {
         shadowMap->bind(VCT_TEX_SHADOW_MAP);
         shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
@@ -43,6 +44,7 @@ const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, c
         light.gather.light->bind(VCT_TEX_GATHER);
         light.gather.surface->bind(VCT_TEX_GATHER_SURFACE);
     }
+    if (light.faces != nullptr) light.faces->bind(VCT_TEX_FACES);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     return radiance_;

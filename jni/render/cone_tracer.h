@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 
 #include "gl/program.h"
 #include "render/g_buffer.h"
@@ -18,6 +19,7 @@ class ConeTracer {
     struct Light {
         const gl::Texture* voxels = nullptr;
         Gather::Targets gather = {};
+        const gl::Texture* faces = nullptr;  // for the specular cones of a G-buffer with gloss
     };
     // `mode`: one of VCT_MODE_* and VCT_VIEW_*. What a mode does not use may be null. Returns RGBA16F: rgb
     // relative to E/pi, a 1 on surfaces.
@@ -27,11 +29,11 @@ class ConeTracer {
     const gl::Texture& texture() const { return radiance_; }
 
   private:
-    const gl::Program& program(int mode, bool emissiveTarget);
+    const gl::Program& program(int mode, const GBuffer::Targets& surface);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
-    std::map<std::pair<int, bool>, gl::Program> programs_;  // compiled when first asked for
+    std::map<std::tuple<int, bool, bool>, gl::Program> programs_;  // compiled when first asked for
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;

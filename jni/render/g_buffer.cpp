@@ -5,18 +5,21 @@
 
 namespace vct {
 
-GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size)
+GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, bool gloss)
     : programs_(shaders, scene,
-                [emits = scene.hasEmission()](unsigned features) { return gBufferProgram(features, emits); }),
+                [targets = ExtraTargets{scene.hasEmission(), gloss && scene.hasGloss()}](unsigned features) {
+                    return gBufferProgram(features, targets);
+                }),
       albedo_(gl::Texture::make2d("G-buffer albedo", GL_RGBA8, size.x, size.y)),
       normal_(gl::Texture::make2d("G-buffer normal", GL_RG16UI, size.x, size.y)),
       depth_(gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y)) {
-    if (scene.hasEmission()) {
-        emissive_ = gl::Texture::make2d("G-buffer emissive", GL_RGBA16F, size.x, size.y);
-        framebuffer_ = gl::Framebuffer("G-buffer", {&albedo_, &normal_, &*emissive_}, &depth_);
-    } else {
-        framebuffer_ = gl::Framebuffer("G-buffer", {&albedo_, &normal_}, &depth_);
-    }
+    std::vector<const gl::Texture*> colors{&albedo_, &normal_};
+    if (scene.hasEmission())
+        colors.push_back(
+            &emissive_.emplace(gl::Texture::make2d("G-buffer emissive", GL_RGBA16F, size.x, size.y)));
+    if (gloss && scene.hasGloss())
+        colors.push_back(&gloss_.emplace(gl::Texture::make2d("G-buffer gloss", GL_RG8, size.x, size.y)));
+    framebuffer_ = gl::Framebuffer("G-buffer", colors, &depth_);
 }
 
 GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
@@ -31,13 +34,14 @@ GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
     gl::ClearBufferfv(GL_COLOR, 0, black);
     gl::ClearBufferuiv(GL_COLOR, 1, zero);
     if (emissive_) gl::ClearBufferfv(GL_COLOR, 2, black);
+    if (gloss_) gl::ClearBufferfv(GL_COLOR, emissive_ ? 3 : 2, black);
     gl::ClearBufferfv(GL_DEPTH, 0, &far);
     scene.draw(GpuScene::Culling::backFaces, programs_);
     return targets();
 }
 
 GBuffer::Targets GBuffer::targets() const {
-    return {&albedo_, &normal_, emissive_ ? &*emissive_ : nullptr, &depth_};
+    return {&albedo_, &normal_, emissive_ ? &*emissive_ : nullptr, gloss_ ? &*gloss_ : nullptr, &depth_};
 }
 
 }  // namespace vct

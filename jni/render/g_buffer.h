@@ -10,12 +10,14 @@ namespace vct {
 
 class GBuffer {
   public:
-    GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size);
+    // `gloss`: with a target for it, if anything in the scene is glossy.
+    GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, bool gloss);
 
     struct Targets {
         const gl::Texture* albedo;    // RGBA8: square root of linear albedo
         const gl::Texture* normal;    // RG16UI: octahedral, world space, towards the viewer
         const gl::Texture* emissive;  // RGBA16F relative to E/pi; null where nothing emits
+        const gl::Texture* gloss;     // RG8: metallic, roughness; null where nothing is glossy
         const gl::Texture* depth;     // 1 where there is no surface
     };
     Targets draw(const GpuScene& scene);
@@ -25,7 +27,7 @@ class GBuffer {
   private:
     MaterialPrograms programs_;
     gl::Texture albedo_, normal_, depth_;
-    std::optional<gl::Texture> emissive_;
+    std::optional<gl::Texture> emissive_, gloss_;
     gl::Framebuffer framebuffer_;
 };
 

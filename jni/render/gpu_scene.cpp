@@ -62,7 +62,8 @@ shared::DrawUniforms drawUniforms(const Instance& instance, const Mesh& mesh, co
     uniforms.normalFromObject = glm::mat4(glm::dmat4(cofactors));
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
-    uniforms.surface = glm::vec4(material.alphaCutoff, material.doubleSided ? 1.0F : 0.0F, 0.0F, 0.0F);
+    uniforms.surface = glm::vec4(material.alphaCutoff, material.doubleSided ? 1.0F : 0.0F, material.metallic,
+                                 material.roughness);
     return uniforms;
 }
 
@@ -238,6 +239,11 @@ std::vector<unsigned> GpuScene::featuresThatOccur() const {
 bool GpuScene::hasEmission() const {
     return std::any_of(draws_.begin(), draws_.end(),
                        [](const Draw& draw) { return (draw.features & featureEmissive) != 0; });
+}
+
+bool GpuScene::hasGloss() const {
+    return std::any_of(draws_.begin(), draws_.end(),
+                       [](const Draw& draw) { return (draw.features & featureGlossy) != 0; });
 }
 
 std::vector<const gl::Texture*> GpuScene::textures() const {

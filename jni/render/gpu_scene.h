@@ -36,6 +36,7 @@ class GpuScene {
     // The material features of each draw, without duplicates.
     std::vector<unsigned> featuresThatOccur() const;
     bool hasEmission() const;
+    bool hasGloss() const;
     std::vector<const gl::Texture*> textures() const;
     const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
 

@@ -77,6 +77,7 @@ unsigned materialFeatures(const Material& material) {
         features |= featureEmissive;
         if (material.emissiveTexture >= 0) features |= featureEmissiveTexture;
     }
+    if (material.roughness < 1.0F) features |= featureGlossy;
     return features;
 }
 
@@ -105,11 +106,12 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
             featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
 }
 
-gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget) {
+gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
     unsigned used = featureBaseColorTexture | featureAlphaMask;
-    if (emissiveTarget) used |= featureEmissive | featureEmissiveTexture;
+    if (targets.emissive) used |= featureEmissive | featureEmissiveTexture;
     std::vector<std::string> defines = featureDefines(features, used);
-    if (emissiveTarget) defines.push_back("VCT_EMISSIVE_TARGET");
+    if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    if (targets.gloss) defines.emplace_back(targets.emissive ? "VCT_GLOSS_TARGET 3" : "VCT_GLOSS_TARGET 2");
     return {"g_buffer", {"g_buffer.vert", "g_buffer.frag"}, defines};
 }
 
@@ -173,9 +175,11 @@ gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings) {
     return {"gather_filter", {"full_screen.vert", "gather_filter.frag"}, gatherDefines(settings)};
 }
 
-gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings) {
+gl::ProgramDescription coneTracerProgram(int mode, ExtraTargets targets, const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
-    if (emissiveTarget) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
+    if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
     const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
     if (softShadow && settings.shadow == Shadow::softMap) {
         defines.emplace_back("VCT_SOFT_SHADOW");
@@ -222,8 +226,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
             programs.push_back(faceTouchProgram(features, voxelization));
             programs.push_back(faceVoxelizerProgram(features, voxelization));
         }
-        for (bool emissiveTarget : {false, true})
-            programs.push_back(gBufferProgram(features, emissiveTarget));
+        for (bool emissive : {false, true})
+            for (bool gloss : {false, true})
+                programs.push_back(gBufferProgram(features, {emissive, gloss}));
     }
     Settings softMap;
     softMap.shadow = Shadow::softMap;
@@ -231,9 +236,12 @@ std::vector<gl::ProgramDescription> everyProgram() {
     for (const std::string& preset : presetNames())
         variants.push_back(presetSettings(preset));
     for (const Settings& settings : variants) {
-        for (int mode = VCT_MODE_PHONG; mode <= VCT_VIEW_CONE_SHADOW; ++mode)
-            for (bool emissiveTarget : {false, true})
-                programs.push_back(coneTracerProgram(mode, emissiveTarget, settings));
+        const bool faces = settings.voxels == Voxels::faces;
+        for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_CONE_SHADOW); ++mode)
+            for (bool emissive : {false, true})
+                for (bool gloss : {false, true})
+                    if (faces || !gloss)
+                        programs.push_back(coneTracerProgram(mode, {emissive, gloss}, settings));
         if (settings.voxels != Voxels::faces) continue;
         programs.push_back(gatherProgram(settings.gather, GatherOf::light));
         programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion));
@@ -261,13 +269,16 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
-    const bool emissiveTarget =
-        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureEmissive; });
+    const auto occurs = [&](unsigned feature) {
+        return std::any_of(features.begin(), features.end(), [&](unsigned f) { return f & feature; });
+    };
+    const ExtraTargets targets{occurs(featureEmissive),
+                               settings.specular == Specular::cone && occurs(featureGlossy)};
     if (mode != Mode::phong)
         for (unsigned f : features)
             add(Step::shadowMap, shadowMapProgram(f));
     for (unsigned f : features)
-        add(Step::renderData, gBufferProgram(f, emissiveTarget));
+        add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
     if (voxels && settings.voxels == Voxels::faces) {
         add(Step::voxelize, sparseClearProgram());
@@ -293,7 +304,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
             add(Step::voxelize, voxelizerProgram(f, settings.voxelization));
         add(Step::mipmap, mipmapperProgram());
     }
-    add(Step::trace, coneTracerProgram(static_cast<int>(mode), emissiveTarget, settings));
+    add(Step::trace, coneTracerProgram(static_cast<int>(mode), targets, settings));
     return programs;
 }
 

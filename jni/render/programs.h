@@ -21,7 +21,8 @@ enum MaterialFeature : unsigned {
     featureAlphaMask = 2,
     featureEmissive = 4,
     featureEmissiveTexture = 8,
-    materialFeatureCombinations = 16,
+    featureGlossy = 16,  // roughness below 1
+    materialFeatureCombinations = 32,
 };
 unsigned materialFeatures(const Material& material);
 // Of all the materials that a scene's instances have, without duplicates.
@@ -30,8 +31,12 @@ std::vector<unsigned> sceneFeatures(const Scene& scene);
 std::vector<unsigned> allFeatures();
 
 gl::ProgramDescription shadowMapProgram(unsigned features);
-// `emissiveTarget`: the G-buffer has a third target because something in the scene emits.
-gl::ProgramDescription gBufferProgram(unsigned features, bool emissiveTarget);
+// Targets that the G-buffer has where something in the scene needs them: a material that emits; a glossy one.
+struct ExtraTargets {
+    bool emissive = false;
+    bool gloss = false;
+};
+gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription mipmapperProgram();
 gl::ProgramDescription sparseClearProgram();
@@ -47,7 +52,7 @@ gl::ProgramDescription faceBounceProgram();
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of);
 gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.
-gl::ProgramDescription coneTracerProgram(int mode, bool emissiveTarget, const Settings& settings);
+gl::ProgramDescription coneTracerProgram(int mode, ExtraTargets targets, const Settings& settings);
 gl::ProgramDescription voxelViewProgram();
 // `stage` is one of VCT_STAGE_*.
 gl::ProgramDescription stageViewProgram(int stage);

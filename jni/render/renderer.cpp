@@ -47,7 +47,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
              settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
-      gBuffer_(shaders_, scene_, settings.size),
+      gBuffer_(shaders_, scene_, settings.size, settings.specular == Specular::cone),
       coneTracer_(shaders_, settings),
       timer_(capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
@@ -87,6 +87,7 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
             facePass->mipmapper.run(voxels);
         });
         timer_.time(Step::bounces, [&] { facePass->bounces.run(bounces, voxels, facePass->mipmapper); });
+        light.faces = &voxels.faces();
         light.gather =
             timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
     }
@@ -173,8 +174,10 @@ Image Renderer::tracedView(int view) {
     ConeTracer::Light light;
     if (settings_.voxels == Voxels::words)
         light.voxels = &wordPasses().pyramid.texture();
-    else
+    else {
+        light.faces = &facePasses().voxels.faces();
         light.gather = gather(view).draw(surface, facePasses().voxels);
+    }
     return readImage(coneTracer_.draw(view, surface, &shadowMap().texture(), light));
 }
 
@@ -187,6 +190,13 @@ std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
     parts.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
     parts.push_back({"indirect_light", std::move(indirect), true});
     parts.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
+    if (gBuffer_.targets().gloss != nullptr) {
+        draw(Mode::giConeShadow, camera, settings_.bounces);
+        Image specular = tracedView(VCT_VIEW_SPECULAR);
+        for (glm::vec3& p : specular.pixels)
+            p *= radianceUnit(light_);
+        parts.push_back({"specular_light", std::move(specular), true});
+    }
     gl::checkErrors("light parts");
     return parts;
 }
@@ -248,7 +258,8 @@ std::vector<Renderer::Resource> Renderer::resources() const {
     add(frameUniforms_);
     if (shadowMap_) add(shadowMap_->texture());
     const GBuffer::Targets surface = gBuffer_.targets();
-    for (const gl::Texture* target : {surface.albedo, surface.normal, surface.emissive, surface.depth})
+    for (const gl::Texture* target :
+         {surface.albedo, surface.normal, surface.emissive, surface.gloss, surface.depth})
         if (target != nullptr) add(*target);
     const auto addPyramid = [&](const VoxelPyramid& pyramid) {
         add(pyramid.texture());

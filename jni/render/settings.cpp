@@ -62,6 +62,16 @@ Shadow shadowFromText(const std::string& text) {
     throw Error("--shadow '" + text + "' does not exist; use cone or soft-map");
 }
 
+const char* specularName(Specular specular) {
+    return specular == Specular::none ? "none" : "cone";
+}
+
+Specular specularFromText(const std::string& text) {
+    for (Specular specular : {Specular::none, Specular::cone})
+        if (text == specularName(specular)) return specular;
+    throw Error("--specular '" + text + "' does not exist; use none or cone");
+}
+
 const char* voxelizationName(Voxelization voxelization) {
     return voxelization == Voxelization::geometryShader ? "geometry-shader" : "sorted-axes";
 }
@@ -110,6 +120,7 @@ Settings presetSettings(const std::string& name) {
     settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
     settings.bounces = 4;
+    settings.specular = Specular::cone;
     settings.occlusion.startOffset = 0.5F;
     if (name == "mobile") {
         settings.grid = 64;
@@ -217,6 +228,8 @@ void validate(const Settings& settings) {
             "--bounces: the preset thesis has one; use another preset");
     require(settings.voxels == Voxels::words || settings.shadow == Shadow::softMap,
             "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
+    require(settings.voxels == Voxels::faces || settings.specular == Specular::none,
+            "--specular cone: the preset thesis has none; use another preset");
     require(settings.voxelSamples >= 1 && settings.voxelSamples <= 4,
             "--voxel-samples must be between 1 and 4");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,

@@ -42,6 +42,15 @@ const char* shadowName(Shadow shadow);  // "cone", "soft-map"
 // Throws vct::Error listing the names.
 Shadow shadowFromText(const std::string& text);
 
+// What glossy materials (roughness below 1) reflect besides diffuse light.
+enum class Specular {
+    none,  // nothing: every surface is a Lambert one of its base colour
+    cone,  // the sun, and one cone along the mirror direction (shaders/shared/glossy.glsl)
+};
+const char* specularName(Specular specular);  // "none", "cone"
+// Throws vct::Error listing the names.
+Specular specularFromText(const std::string& text);
+
 // What the cones go through.
 enum class Voxels {
     words,  // the thesis's: one packed word per voxel, filtered by hand
@@ -87,6 +96,7 @@ struct Settings {
     Voxels voxels = Voxels::words;
     Voxelization voxelization = Voxelization::geometryShader;
     int voxelSamples = 1;                  // of the triangles, along each side of a voxel
+    Specular specular = Specular::none;    // of modes 4 and 5, where voxels are faces
     int bounces = 0;                       // beyond the first, where voxels are faces
     GatherSettings gather;                 // of diffuse light, where voxels are faces
     GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise

@@ -68,6 +68,9 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
             static_cast<float>(std::clamp(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0.0, 1.0));
     material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
 
+    material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
+    material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
+
     double strength = 1.0;
     const auto extension = source.extensions.find("KHR_materials_emissive_strength");
     if (extension != source.extensions.end())

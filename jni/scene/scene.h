@@ -26,6 +26,8 @@ struct Material {
     int baseColorTexture = -1;  // index into Scene::textures, or -1
     glm::vec3 emissive{0.0F};   // radiance in W/(sr m^2) or nits, strength included; multiplies the texture
     int emissiveTexture = -1;   // index into Scene::textures, or -1
+    float metallic = 1.0F;      // 0 to 1; the defaults are those of glTF
+    float roughness = 1.0F;     // 0 to 1
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;

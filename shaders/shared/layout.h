@@ -26,6 +26,7 @@ using glm::vec4;
 #define VCT_VIEW_AO 6
 #define VCT_VIEW_INDIRECT 7
 #define VCT_VIEW_CONE_SHADOW 8
+#define VCT_VIEW_SPECULAR 9
 
 // What the stage view shows.
 #define VCT_STAGE_SHADOW_MAP 0
@@ -84,7 +85,8 @@ using glm::vec4;
 #define VCT_TRIPS_GATHER_STEP 35
 #define VCT_TRIPS_GATHER_FILTER 36
 #define VCT_TRIPS_GATHER_FILTER_NEIGHBOUR 37
-#define VCT_TRIPS_COUNT 38
+#define VCT_TRIPS_SPECULAR_STEP 38
+#define VCT_TRIPS_COUNT 39
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -99,6 +101,7 @@ using glm::vec4;
 #define VCT_TEX_FACES 9
 #define VCT_TEX_GATHER 10
 #define VCT_TEX_GATHER_SURFACE 11
+#define VCT_TEX_G_GLOSS 12
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -146,7 +149,7 @@ struct DrawUniforms {
     mat4 normalFromObject;  // upper 3x3: inverse transpose
     vec4 baseColor;
     vec4 emissive;  // rgb: relative to E/pi
-    vec4 surface;   // x: alpha cutoff, y: 1 if double-sided
+    vec4 surface;   // x: alpha cutoff, y: 1 if double-sided, z: metallic, w: roughness
 };
 
 // One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,

@@ -32,6 +32,8 @@ TEST(GltfMaterials, MissingMaterialIsTheDefaultOne) {
     EXPECT_EQ(material.baseColor, glm::vec4(1.0F));
     EXPECT_EQ(material.emissive, glm::vec3(0.0F));
     EXPECT_EQ(material.baseColorTexture, -1);
+    EXPECT_EQ(material.metallic, 1.0F);
+    EXPECT_EQ(material.roughness, 1.0F);
     EXPECT_EQ(material.alphaMode, Material::AlphaMode::opaque);
     EXPECT_FALSE(material.doubleSided);
 }
@@ -51,6 +53,17 @@ TEST(GltfMaterials, FactorsMaskAndEmissiveStrength) {
     EXPECT_EQ(material.alphaCutoff, 0.25F);
     EXPECT_TRUE(material.doubleSided);
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMaterials, MetallicAndRoughnessAreReadEachAlone) {
+    const auto gloss = [](const json& surface) {
+        const Material material = load(textured({{"pbrMetallicRoughness", surface}})).materials.at(0);
+        return glm::vec2(material.metallic, material.roughness);
+    };
+    EXPECT_EQ(gloss({{"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}), glm::vec2(0.25F, 0.5F));
+    EXPECT_EQ(gloss({{"metallicFactor", 0}}), glm::vec2(0.0F, 1.0F));
+    EXPECT_EQ(gloss({{"roughnessFactor", 0}}), glm::vec2(1.0F, 0.0F));
+    EXPECT_EQ(gloss({{"metallicFactor", 7}, {"roughnessFactor", -3}}), glm::vec2(1.0F, 0.0F));
 }
 
 TEST(GltfMaterials, BlendBecomesMaskWithAWarning) {

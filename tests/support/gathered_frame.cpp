@@ -26,7 +26,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
-      gBuffer_(shaders_, scene_, settings.size),
+      gBuffer_(shaders_, scene_, settings.size, settings.specular == Specular::cone),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
       light_(shaders_, settings.gather, GatherOf::light, settings.size),
       occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.size),
@@ -49,7 +49,8 @@ Image GatheredFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const bool occlusion = view == VCT_VIEW_AO || view == VCT_MODE_AO;
     const Gather::Targets gathered = (occlusion ? occlusion_ : light_).draw(gBuffer_.targets(), voxels_);
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {nullptr, gathered}));
+    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
+                                      {nullptr, gathered, &voxels_.faces()}));
 }
 
 }  // namespace vct::test
