@@ -30,7 +30,7 @@ SIZE = (1600, 860)  # pixels of the file, drawn twice as large
 TWICE = 2
 LEFT, TOP, RIGHT, BOTTOM = 160, 100, 1570, 730
 # The report's, a little darker: they must stand on white.
-COLOURS = {"thesis": "#c8641e", "mobile": "#0a7f5d", "quality": "#3b7fc4"}
+COLOURS = {"thesis": "#c8641e", "mobile": "#3b7fc4", "quality": "#0a7f5d"}
 INK, SOFT, PAPER = "#222222", "#777777", "#ffffff"
 
 
@@ -157,13 +157,12 @@ def footnote(sweep: dict[str, Any]) -> str:
 
 
 def draw(found: list[Dot], note: str) -> bytes:
-    page, axes = Page(), Axes(found)
+    small, middle = [dot for dot in found if is_usual(dot)], means(found)
+    page, axes = Page(), Axes(small + middle)
     scenes = sorted({dot.scene for dot in found})
     draw_axes(page, axes)
-    middle = means(found)
-    for dot in found:
-        if is_usual(dot):
-            page.shape(scenes.index(dot.scene), axes.at(dot), 9, COLOURS[dot.preset])
+    for dot in small:
+        page.shape(scenes.index(dot.scene), axes.at(dot), 9, COLOURS[dot.preset])
     page.line([axes.at(dot) for dot in middle if dot.preset == "thesis"], COLOURS["thesis"], 2.5)
     for dot in middle:
         x, y = axes.at(dot)
@@ -172,7 +171,7 @@ def draw(found: list[Dot], note: str) -> bytes:
             page.cubed((x, y - 40), f"{dot.preset} {dot.grid}", 32, COLOURS[dot.preset])
         else:
             page.shape(0, (x, y), 11, COLOURS[dot.preset])
-            page.cubed((x, y - 28), f"{dot.grid}", 24, COLOURS[dot.preset])
+            page.cubed((x, y + 28), f"{dot.grid}", 24, COLOURS[dot.preset])
     x = page.text((LEFT, 40), "Lower left is better.  Large: mean of the scenes.  Small:", 26)
     for number, scene in enumerate(scenes):
         page.shape(number, (x + 26, 40), 9, SOFT)
