@@ -20,12 +20,26 @@ constexpr int comparisonVersion = 1;
 constexpr const char* voxelsStep = "voxelize_mipmap";
 
 struct Column {
-    const char* step;
-    const char* title;
+    std::string title, mode, step;
 };
-constexpr Column columns[] = {
-    {"shadow_map", "shadow map"}, {"render_data", "G-buffer"}, {voxelsStep, "voxelize + mipmap"},
-    {"bounces", "bounces"},       {"trace", "trace"},          {"total", "frame"}};
+
+std::vector<Column> summaryColumns() {
+    const std::string four = modeName(Mode::gi);
+    const std::string five = modeName(Mode::giConeShadow);
+    return {{"voxelize + mipmap", five, voxelsStep}, {"bounces", five, "bounces"},
+            {"trace, mode 4", four, "trace"},        {"trace, mode 5", five, "trace"},
+            {"frame, mode 4", four, "total"},        {"frame, mode 5", five, "total"}};
+}
+
+std::vector<Column> stepColumns(Mode mode) {
+    const std::string name = modeName(mode);
+    return {{"shadow map", name, "shadow_map"},
+            {"G-buffer", name, "render_data"},
+            {"voxelize + mipmap", name, voxelsStep},
+            {"bounces", name, "bounces"},
+            {"trace", name, "trace"},
+            {"frame", name, "total"}};
+}
 
 double rounded(double value) {
     return std::round(value * 1000.0) / 1000.0;
@@ -128,23 +142,24 @@ std::string markdownTable(const Rows& rows) {
     return text;
 }
 
-Rows modeRows(const ordered_json& comparison, Mode mode) {
-    const std::string name = modeName(mode);
-    Rows rows(1, {"mode " + std::to_string(static_cast<int>(mode)) + ", " + name});
+// A row for each preset, and one for each ratio.
+Rows presetRows(const ordered_json& comparison, const std::string& head, const std::vector<Column>& columns) {
+    Rows rows(1, {head});
     for (const Column& column : columns)
-        rows[0].emplace_back(column.title);
+        rows[0].push_back(column.title);
     rows[0].emplace_back("GL memory, MB");
     for (const ordered_json& preset : comparison.at("presets")) {
         rows.push_back({preset.at("preset").get<std::string>() + ", " +
                         std::to_string(preset.at("settings").at("grid").get<int>()) + "^3"});
         for (const Column& column : columns)
-            rows.back().push_back(cell("%.2f", preset.at("modes").at(name).at(column.step).at("median")));
+            rows.back().push_back(
+                cell("%.2f", preset.at("modes").at(column.mode).at(column.step).at("median")));
         rows.back().push_back(cell("%.1f", preset.at("bytes").get<double>() / 1e6));
     }
     for (const ordered_json& ratios : comparison.at("ratios")) {
         rows.push_back({ratios.at("of").get<std::string>() + " / " + ratios.at("over").get<std::string>()});
         for (const Column& column : columns)
-            rows.back().push_back(ratioCell(ratios.at("modes").at(name).at(column.step)));
+            rows.back().push_back(ratioCell(ratios.at("modes").at(column.mode).at(column.step)));
         rows.back().push_back(ratioCell(ratios.at("bytes")));
     }
     return rows;
@@ -182,8 +197,11 @@ std::string comparisonText(const ordered_json& comparison) {
          << comparison.at("machine").at("threads") << " threads\nMilliseconds; "
          << comparison.at("method").at("processes") << " processes of " << timedFrames
          << " frames each, the presets in turn; medians, and how many times the first preset's\n";
-    for (const Mode mode : {Mode::ao, Mode::gi, Mode::giConeShadow})
-        text << "\n" << markdownTable(modeRows(comparison, mode));
+    text << "\n" << markdownTable(presetRows(comparison, "preset", summaryColumns()));
+    for (const Mode mode : {Mode::ao, Mode::gi, Mode::giConeShadow}) {
+        const std::string head = "mode " + std::to_string(static_cast<int>(mode)) + ", " + modeName(mode);
+        text << "\n" << markdownTable(presetRows(comparison, head, stepColumns(mode)));
+    }
     return text.str();
 }
 

@@ -16,7 +16,7 @@ struct PresetRuns {
 // docs/timings.md, "Presets side by side". Every preset has as many processes, and the same modes.
 nlohmann::ordered_json comparisonJson(const std::vector<PresetRuns>& presets);
 
-// Markdown: a table for each mode that needs voxels.
+// Markdown: the README's table, and one for each mode that needs voxels.
 std::string comparisonText(const nlohmann::ordered_json& comparison);
 
 }  // namespace vct

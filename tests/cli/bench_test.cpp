@@ -122,7 +122,7 @@ TEST(Bench, ComparesPresetsAtTheirOwnGrids) {
     EXPECT_LT(second, third);
     EXPECT_NE(third, std::string::npos);
     EXPECT_EQ(readBytes(program.folder.file("out/bench.txt")), program.out);
-    for (const char* text : {"| mode 5, gi-cone-shadow |", "| thesis, 256^3 ", "| thesis / mobile ", "|--"})
+    for (const char* text : {"| trace, mode 4 |", "| mode 5, gi-cone-shadow |", "| thesis, 256^3 ", "| thesis / mobile ", "|--"})
         EXPECT_NE(program.out.find(text), std::string::npos) << text;
     EXPECT_EQ(program.temporary.list(), std::vector<std::string>{});
 }
