@@ -31,11 +31,11 @@ vec3 received(ivec3 block, int axis, int side) {
     // Half a voxel more than from a pixel: the surface may lie anywhere in its voxels.
     vec3 start = middle.xyz / middle.w + normal * (VCT_GATHER_START + 0.5);
     mat3 volumeFromCone = frameAround(normal);
-    float turn = float((block.x * 5 + block.y * 3 + block.z * 7) & 15) / 16.0;
+    int rotation = (block.x * 5 + block.y * 3 + block.z * 7) & 15;
     vec3 sum = vec3(0.0);
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
         TRIP(VCT_TRIPS_BOUNCE_GATHER_CONE);
-        vec3 cone = gatherCone(i, turn);
+        vec3 cone = gatherCone(i, rotation);
         ConeResult result =
             traceCone(start, normal, volumeFromCone * cone, 2.0 * float(frame.grid.x));
         sum += result.radiance + result.transmittance * frame.skyRadiance.rgb;

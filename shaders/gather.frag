@@ -10,16 +10,20 @@ layout(location = 0) out mediump vec4 outGather;  // rgb: radiance relative to E
 layout(location = 1) out vec4 outSurface;
 
 // Ordered as Bayer's matrix, so that any 2 x 2 pixels are turned by about quarters.
-float turnOf(ivec2 pixel) {
-    int x = pixel.x & 3, y = pixel.y & 3;
-    int even = (x ^ y) & 1, odd = ((x ^ y) >> 1) & 1;
-    return float(8 * even + 4 * (y & 1) + 2 * odd + (y >> 1)) / 16.0;
+int rotationOf(ivec2 p) {
+    int even = (p.x ^ p.y) & 1, odd = (p.x ^ p.y) >> 1;
+    return 8 * even + 4 * (p.y & 1) + 2 * odd + (p.y >> 1);
 }
 
 void main() {
     TRIP(VCT_TRIPS_GATHER);
-    ivec2 gatherPixel = ivec2(gl_FragCoord.xy);
-    ivec2 pixel = gatheredPixel(gatherPixel, textureSize(depthTarget, 0));
+    ivec2 size = textureSize(depthTarget, 0);
+    ivec2 stored = ivec2(gl_FragCoord.xy);
+    ivec2 tile = tileSize(size);
+    int tileOfPixel = stored.x / tile.x;
+    ivec2 inPattern = ivec2(tileOfPixel & 3, tileOfPixel >> 2);
+    ivec2 inTile = ivec2(stored.x - tileOfPixel * tile.x, stored.y);
+    ivec2 pixel = gatheredPixel(inTile * 4 + inPattern, size);
     float depth = surfaceDepth(pixel);
     outGather = vec4(0.0);
     outSurface = vec4(0.0);
@@ -30,7 +34,7 @@ void main() {
     outSurface = vec4(normal, dot(normal, position));
     vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
     mat3 volumeFromCone = frameAround(normal);
-    float turn = turnOf(gatherPixel);
+    int rotation = rotationOf(inPattern);
 #ifdef VCT_GATHER_OCCLUSION
     float reach = frame.cone.y * float(frame.grid.x);
 #else
@@ -38,7 +42,7 @@ void main() {
 #endif
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
         TRIP(VCT_TRIPS_GATHER_CONE);
-        vec3 cone = gatherCone(i, turn);
+        vec3 cone = gatherCone(i, rotation);
         ConeResult result = traceCone(start, normal, volumeFromCone * cone, reach);
         outGather.rgb += result.radiance + result.transmittance * frame.skyRadiance.rgb;
         outGather.a += result.transmittance;

@@ -9,11 +9,14 @@ Gather::Gather(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
                glm::ivec2 pictureSize)
     : trace_(shaders, gatherProgram(settings, of)), filter_(shaders, gatherFilterProgram(settings)) {
     const glm::ivec2 size = (pictureSize + settings.scale - 1) / settings.scale;
-    raw_ = gl::Texture::make2d("gathered light", GL_RGBA16F, size.x, size.y);
-    surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16F, size.x, size.y);
+    // In 16 tiles side by side: shaders/shared/gather_surface.glsl.
+    const glm::ivec2 tiled = (size + 3) / 4 * glm::ivec2(16, 1);
+    raw_ = gl::Texture::make2d("gathered light", GL_RGBA16F, tiled.x, tiled.y);
+    surface_ = gl::Texture::make2d("gathering surfaces", GL_RGBA16F, tiled.x, tiled.y);
     filtered_ = gl::Texture::make2d("filtered light", GL_RGBA16F, size.x, size.y);
+    filteredSurface_ = gl::Texture::make2d("surfaces of filtered light", GL_RGBA16F, size.x, size.y);
     traceTarget_ = gl::Framebuffer("gather", {&raw_, &surface_}, nullptr);
-    filterTarget_ = gl::Framebuffer("gather filter", {&filtered_}, nullptr);
+    filterTarget_ = gl::Framebuffer("gather filter", {&filtered_, &filteredSurface_}, nullptr);
 }
 
 Gather::Targets Gather::draw(const GBuffer::Targets& surface, const FaceVoxels& voxels) {
@@ -34,7 +37,7 @@ Gather::Targets Gather::draw(const GBuffer::Targets& surface, const FaceVoxels& 
     surface_.bind(VCT_TEX_GATHER_SURFACE);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
-    return {&filtered_, &surface_};
+    return {&filtered_, &filteredSurface_};
 }
 
 }  // namespace vct

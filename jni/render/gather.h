@@ -20,11 +20,11 @@ class Gather {
     };
     Targets draw(const GBuffer::Targets& surface, const FaceVoxels& voxels);
 
-    std::vector<const gl::Texture*> textures() const { return {&raw_, &surface_, &filtered_}; }
+    std::vector<const gl::Texture*> textures() const { return {&raw_, &surface_, &filtered_, &filteredSurface_}; }
 
   private:
     gl::Program trace_, filter_;
-    gl::Texture raw_, surface_, filtered_;
+    gl::Texture raw_, surface_, filtered_, filteredSurface_;
     gl::Framebuffer traceTarget_, filterTarget_;
     gl::VertexArray noVertices_;
 };

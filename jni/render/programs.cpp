@@ -27,12 +27,10 @@ std::string number(float value) {
 
 std::vector<std::string> gatherDefines(const GatherSettings& g, int finestLevel = 0) {
     return {"VCT_GATHER_CONES " + std::to_string(g.cones),
-            "VCT_GATHER_TANGENT " + number(g.tangent()),
             "VCT_GATHER_START " + number(g.startOffset),
             "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
             "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
             "VCT_GATHER_STEP " + number(g.step),
-            "VCT_GATHER_SKIP " + number(g.skip),
             "VCT_GATHER_HEIGHT " + number(g.height),
             "VCT_GATHER_EXTINCTION " + number(g.extinction),
             "VCT_GATHER_THRESHOLD " + number(g.threshold),

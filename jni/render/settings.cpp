@@ -102,11 +102,6 @@ const std::vector<Experiment>& allExperiments() {
     return experiments;
 }
 
-float GatherSettings::tangent() const {
-    // A cone's share of the hemisphere: 1 - cos of half its angle is 1/n.
-    return tangentScale * std::tan(std::acos(1.0F - 1.0F / static_cast<float>(cones)));
-}
-
 const std::vector<std::string>& presetNames() {
     static const std::vector<std::string> names{"thesis", "mobile", "quality"};
     return names;
@@ -121,19 +116,25 @@ Settings presetSettings(const std::string& name) {
     settings.shadow = Shadow::softMap;
     settings.bounces = 4;
     settings.specular = Specular::cone;
+    settings.shadowMapSize = 1024;
     settings.occlusion.startOffset = 0.5F;
     if (name == "mobile") {
         settings.grid = 64;
-        settings.gather.scale = 4;
+        settings.gather.scale = 6;
         return settings;
     }
     if (name == "quality") {
         settings.grid = 128;
-        settings.gather.cones = 16;
+        settings.gather.cones = 24;
+        settings.gather.startOffset = 0.5F;
+        settings.gather.ownSurface = 4.0F;
+        settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
-        settings.gather.height = 0.4F;
-        settings.gather.threshold = 0.02F;
-        settings.occlusion = settings.gather;
+        settings.gather.height = 0.3F;
+        settings.gather.scale = 4;
+        settings.occlusion.cones = 16;
+        settings.occlusion.step = 1.0F;
+        settings.occlusion.height = 0.4F;
         return settings;
     }
     throw Error("--preset '" + name + "' does not exist; the presets are: " + presetList());
@@ -160,13 +161,10 @@ const std::vector<GatherPart>& allGatherParts() {
     using G = GatherSettings;
     static const std::vector<GatherPart> parts{
         {"cones", "cones over the hemisphere", nullptr, &G::cones, 2, 64},
-        {"tangent", "of half the cone's angle, of what fills the hemisphere", &G::tangentScale, nullptr,
-         0.05F, 2},
         {"start", "offset along the normal, voxels", &G::startOffset, nullptr, 0, 16},
         {"first", "first sample along the cone, voxels", &G::firstSample, nullptr, 0.25F, 16},
         {"own", "added to that per unit of the surface's own faces", &G::ownSurface, nullptr, 0, 16},
-        {"step", "of a sample's diameter", &G::step, nullptr, 0.1F, 4},
-        {"skip", "longest step in footprints", &G::skip, nullptr, 0.1F, 100},
+        {"step", "between samples, in footprints", &G::step, nullptr, 0.1F, 4},
         {"height", "largest footprint, of the height above the plane", &G::height, nullptr, 0.05F, 100},
         {"extinction", "scales a sample's opacity", &G::extinction, nullptr, 0.1F, 4},
         {"threshold", "transmittance at which a cone ends", &G::threshold, nullptr, 0.001F, 0.9F},

@@ -76,19 +76,15 @@ enum class GatherOf { light, occlusion };
 // A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
 // in docs/levers.md.
 struct GatherSettings {
-    int cones = 3;              // a Fibonacci set over the hemisphere
-    float tangentScale = 0.7F;  // of tan(acos(1 - 1/n)), where n cones would fill the hemisphere
+    int cones = 3;              // over the hemisphere; 16 such sets together are a Hammersley set
     float startOffset = 0.75F;  // along the normal
     float firstSample = 0.5F;   // along the cone
-    float ownSurface = 2.0F;    // added to that per unit of the surface's own faces that the cone meets
-    float step = 1.25F;         // of the sample's diameter
-    float skip = 1.0F;          // longest step, in footprints
+    float ownSurface = 3.0F;    // added to that per unit of the surface's own faces that the cone meets
+    float step = 1.25F;         // between samples, in footprints
     float height = 0.5F;        // largest footprint, of the sample's height above the surface's plane
     float extinction = 1.05F;   // scales the opacity of a sample
-    float threshold = 0.1F;     // a cone with less transmittance left is done
+    float threshold = 0.15F;    // a cone with less transmittance left is done
     int scale = 2;              // every how many pixels, in x and y, light is gathered
-
-    float tangent() const;  // of half a cone's opening angle
 };
 
 struct Settings {

@@ -11,30 +11,36 @@ layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 // A direction, and what sampling along it needs: each axis's share, and the side of the faces that look against it.
 struct Ray {
     vec3 direction;
-    vec3 share;
-    vec3 side;  // in texture coordinates
+    mediump vec3 share;
+    mediump vec3 side;  // in texture coordinates
 };
 
 Ray rayAlong(vec3 direction) {
     return Ray(direction, abs(direction), mix(vec3(0.0), vec3(0.5), greaterThan(direction, vec3(0.0))));
 }
 
-// Radiance (premultiplied) and coverage that the ray meets around a position (volume space) at a whole mip level.
+// Of the volume in the texture: each block of faces is one.
+const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
+
+// Radiance (premultiplied) and coverage that the ray meets around a position (volume space) at a whole mip level;
+// coverage up to 1.73, where it meets three faces of a corner.
 mediump vec4 sampleFaces(vec3 position, Ray ray, float level) {
     // No texel of the next block may leak in.
     float margin = 0.5 * exp2(level) / float(frame.grid.x);
-    vec3 p = clamp(position, margin, 1.0 - margin) * vec3(1.0 / 3.0, 0.5, 1.0);
-    mediump vec4 value = HALF(ray.share.x * textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level) +
-                              ray.share.y * textureLod(faces, p + vec3(1.0 / 3.0, ray.side.y, 0.0), level) +
-                              ray.share.z * textureLod(faces, p + vec3(2.0 / 3.0, ray.side.z, 0.0), level));
-    return HALF(value / max(value.a, 1.0));
+    vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
+    mediump vec4 sum = ray.share.x * textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
+    sum += ray.share.y * textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
+    sum += ray.share.z * textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
+    return HALF(sum);
 }
 
-// Cone i of the set around a normal along +y, with its cosine in y: a Fibonacci set, whose equal weights contain the
-// cosine of the gather; the golden angle from one to the next, all turned by `turn` (of a whole turn).
-vec3 gatherCone(int i, float turn) {
-    float fraction = (float(i) + 0.5) / float(VCT_GATHER_CONES);
-    float phi = 6.2831853 * fract(0.381966 * float(i) + turn);
+// Cone i of the set around a normal along +y, with its cosine in y. `rotation`, 0 to 15, is one of 16 sets that
+// together are a Hammersley set of the hemisphere, weighted by the cosine: 16 equal turns, each at another height
+// within the cone's ring. Along a set: equal weights that contain the cosine, the golden angle from one to the next.
+vec3 gatherCone(int i, int rotation) {
+    int height = ((rotation & 1) << 3) | ((rotation & 2) << 1) | ((rotation & 4) >> 1) | (rotation >> 3);
+    float fraction = (float(i) + (float(height) + 0.5) / 16.0) / float(VCT_GATHER_CONES);
+    float phi = 6.2831853 * (0.381966 * float(i) + float(rotation) / 16.0);
     return vec3(sqrt(fraction) * cos(phi), sqrt(1.0 - fraction), sqrt(fraction) * sin(phi));
 }
 
@@ -43,40 +49,42 @@ struct ConeResult {
     mediump float transmittance;  // what is left
 };
 
-const float finestFootprint = exp2(float(VCT_GATHER_FINEST_LEVEL));
+// Of a sample: those of neighbours are a step apart, and overlap or gap by as much.
+const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 
 // One cone from a point near a surface with that normal. Samples beyond `reach` are not taken. Lengths in voxels.
 ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
-    float voxel = 1.0 / float(frame.grid.x);
+    float grid = float(frame.grid.x);
     Ray ray = rayAlong(direction);
     ConeResult result = ConeResult(vec3(0.0), 1.0);
     // Faces are one-sided along the axes only: the ray also meets those of its own surface that look against it, the
     // more the further the surface is from an axis. It starts behind them.
     vec3 own = max(-direction * normal, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE + VCT_GATHER_OWN_SURFACE * (own.x + own.y + own.z);
+    float rise = dot(direction, normal);
+    // Where it leaves the volume (in the far corner's or the near one's planes).
+    vec3 away = (step(0.0, direction) * grid - start) / direction;
+    reach = min(reach, min(away.x, min(away.y, away.z)));
     // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
     for (int i = 0; i < 512 && distance < reach; ++i) {
-        vec3 p = (start + direction * distance) * voxel;
-        vec3 fromCentre = abs(p - 0.5);
-        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5) break;
         TRIP(VCT_CONE_TRIPS);
-        float diameter = max(finestFootprint, 2.0 * distance * VCT_GATHER_TANGENT);
-        // Wider than its height above the tangent plane, a sample would contain the surface that it starts from.
-        float height = VCT_GATHER_START + distance * dot(direction, normal);
-        // Whole levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is
-        // the footprint.
-        float level = floor(log2(max(finestFootprint, min(diameter, VCT_GATHER_HEIGHT * height))));
-        float footprint = exp2(level);
-        // Steps longer than the footprint would skip matter.
-        float stride = VCT_GATHER_STEP * min(diameter, VCT_GATHER_SKIP * footprint);
-        mediump vec4 value = HALF(sampleFaces(p, ray, level) * (VCT_GATHER_EXTINCTION * stride / footprint));
+        // A sample wider than its height above the tangent plane would contain the surface that it starts from. Whole
+        // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
+        // footprint.
+        float height = VCT_GATHER_START + distance * rise;
+        float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), float(VCT_GATHER_FINEST_LEVEL));
+        mediump vec4 met = sampleFaces((start + direction * distance) / grid, ray, level);
         // Added, and cut off at what is left: multiplied transmittances let too much through.
-        mediump float share = HALF(min(1.0, result.transmittance / max(value.a, 1e-4)));
-        result.radiance = HALF(result.radiance + value.rgb * share);
-        result.transmittance = HALF(result.transmittance - value.a * share);
+        mediump float taken = HALF(min(sampleOpacity * min(met.a, 1.0), result.transmittance));
+        result.radiance = HALF(result.radiance + met.rgb * (taken / max(met.a, 1e-4)));
+        result.transmittance = HALF(result.transmittance - taken);
         if (result.transmittance < VCT_GATHER_THRESHOLD) break;
-        distance += stride;
+        distance += VCT_GATHER_STEP * exp2(level);
     }
-    result.radiance = HALF(result.radiance * frame.faces.y);
+    // A cone that ended early met, in the rest, what it met before.
+    mediump float met = 1.0 - result.transmittance;
+    bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
+    result.radiance = HALF(result.radiance * (frame.faces.y / (ended ? met : 1.0)));
+    if (ended) result.transmittance = 0.0;
     return result;
 }

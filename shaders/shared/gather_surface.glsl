@@ -2,17 +2,34 @@
 // (0, 0, 0, 0) where there is none.
 #include "shared/surface.glsl"
 
+// Gather pixels are stored by their place in the pattern of 4 x 4 rotations: 16 tiles side by side, all of whose pixels send their
+// cones the same ways. Neighbours on the screen then do the same work and read the same texels (Keller and Heidrich
+// 2001, "Interleaved Sampling"; Bavoil 2014, "Deinterleaved Texturing").
+ivec2 tileSize(ivec2 size) {
+    return (size + (4 * VCT_GATHER_SCALE - 1)) / (4 * VCT_GATHER_SCALE);
+}
+
+ivec2 storedPixel(ivec2 gatherPixel, ivec2 tile) {
+    return ivec2(((gatherPixel.y & 3) * 4 + (gatherPixel.x & 3)) * tile.x, 0) + (gatherPixel >> 2);
+}
+
 // The full-resolution pixel that a gather pixel stands for: the middle of its block, or, where that is sky, another of
 // the block's with a surface. A thing thinner than the block would otherwise find no light at all before the sky.
 ivec2 gatheredPixel(ivec2 gatherPixel, ivec2 size) {
     ivec2 first = gatherPixel * VCT_GATHER_SCALE;
-    ivec2 middle = min(first + VCT_GATHER_SCALE / 2, size - 1);
-    if (surfaceDepth(middle) != 1.0) return middle;
-    for (int i = 0; i < VCT_GATHER_SCALE * VCT_GATHER_SCALE; ++i) {
-        ivec2 pixel = min(first + ivec2(i % VCT_GATHER_SCALE, i / VCT_GATHER_SCALE), size - 1);
-        if (surfaceDepth(pixel) != 1.0) return pixel;
-    }
-    return middle;
+    ivec2 found = min(first + VCT_GATHER_SCALE / 2, size - 1);
+    if (surfaceDepth(found) != 1.0) return found;
+    // Four at a time: the components are the pixels (0, 1), (1, 1), (1, 0), (0, 0).
+    for (int y = 0; y < VCT_GATHER_SCALE; y += 2)
+        for (int x = 0; x < VCT_GATHER_SCALE; x += 2) {
+            ivec2 corner = first + ivec2(x, y);
+            vec4 depths = textureGather(depthTarget, vec2(corner + 1) / vec2(size));
+            if (depths.x != 1.0) found = corner + ivec2(0, 1);
+            if (depths.y != 1.0) found = corner + ivec2(1, 1);
+            if (depths.z != 1.0) found = corner + ivec2(1, 0);
+            if (depths.w != 1.0) found = corner;
+        }
+    return min(found, size - 1);
 }
 
 // Whether light gathered on `surface` is also that of a point with this position and normal: within three quarters of

@@ -12,39 +12,30 @@ struct Gather {
     mediump float openness;  // 1 - ambient occlusion
 };
 
+// What a gather pixel of another surface weighs: nothing, unless there is no other, on a thing thinner than the
+// gather's pixels.
+const mediump float foreign = 1.0 / 1024.0;
+
 Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
     ivec2 last = textureSize(gatherTarget, 0) - 1;
     vec2 gatherPixel = (vec2(pixel) - float(VCT_GATHER_SCALE / 2)) / float(VCT_GATHER_SCALE);
     ivec2 low = ivec2(floor(gatherPixel));
-    vec2 part = gatherPixel - vec2(low);
+    mediump vec2 part = gatherPixel - vec2(low);
     float voxel = 1.0 / float(frame.grid.x);
     mediump vec4 sum = vec4(0.0);
-    mediump float total = 0.0;
-    mediump vec4 anySum = vec4(0.0);
-    mediump float anyTotal = 0.0;
+    float total = 0.0;
     for (int i = 0; i < 4; ++i) {
         TRIP(VCT_TRIPS_GATHERED_CORNER);
         ivec2 corner = ivec2(i & 1, i >> 1);
         ivec2 other = clamp(low + corner, ivec2(0), last);
         mediump vec2 weights = mix(1.0 - part, part, vec2(corner));
-        // Not 0, so that a pixel on top of a foreign neighbour still finds one of its own.
-        mediump float weight = max(weights.x * weights.y, 1e-3);
         vec4 surface = texelFetch(gatherSurface, other, 0);
-        mediump vec4 value = texelFetch(gatherTarget, other, 0);
-        if (surface != vec4(0.0)) {
-            anySum += weight * value;
-            anyTotal += weight;
-        }
-        if (sharesSurface(position, normal, surface, voxel)) {
-            sum += weight * value;
-            total += weight;
-        }
+        // Not 0, so that a pixel on top of a foreign neighbour still finds one of its own.
+        float weight = max(weights.x * weights.y, foreign);
+        if (!sharesSurface(position, normal, surface, voxel)) weight *= surface == vec4(0.0) ? 0.0 : foreign;
+        sum += HALF(weight * texelFetch(gatherTarget, other, 0));
+        total += weight;
     }
-    // Thinner than the gather's pixels: of all neighbours.
-    if (total == 0.0) {
-        sum = anySum;
-        total = max(anyTotal, 1e-3);
-    }
-    mediump vec4 mean = HALF(sum / total);
+    mediump vec4 mean = HALF(sum / max(total, foreign * foreign));
     return Gather(mean.rgb, mean.a);
 }
