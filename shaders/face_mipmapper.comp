@@ -1,8 +1,8 @@
-// One mip level of the faces from the one below, over that level's occupied voxels. Per face: of each of the four pairs
+// One mip level of the faces from the one below, over that level's faces that are not empty: of each of the four pairs
 // of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
 // voxel stays opaque at every level, and is seen from one side only.
 #include "shared/trips.glsl"
-#include "shared/commands.glsl"
+#include "shared/face_list.glsl"
 #include "shared/face_voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -12,29 +12,25 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
 
 void main() {
     TRIP(VCT_TRIPS_FACE_MIPMAPPER);
-    uint count = activeVoxelCount(level);
+    uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int childGrid = textureSize(faces, int(level) - 1).z;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_TRIPS_FACE_MIPMAPPER_VOXEL);
-        ivec3 parent = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + i]));
-        for (int axis = 0; axis < 3; ++axis) {
-            ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
-            ivec3 across = along.zxy;
-            ivec3 third = along.yzx;
-            for (int side = 0; side < 2; ++side) {
-                vec4 sum = vec4(0.0);
-                for (int pair = 0; pair < 4; ++pair) {
-                    ivec3 near = parent * 2 + across * (pair & 1) + third * (pair >> 1) + along * (1 - side);
-                    ivec3 far = near - along * (1 - 2 * side);
-                    vec4 front = texelFetch(faces, faceTexel(near, axis, side, childGrid), int(level) - 1);
-                    vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
-                    sum += front + (1.0 - front.a) * back;
-                }
-                if (sum == vec4(0.0)) continue;  // most are, and have been cleared
-                ivec3 texel = faceTexel(parent, axis, side, childGrid >> 1);
-                imageStore(parents, texel, storedFace(sum * 0.25, texel));
-            }
+        TRIP(VCT_TRIPS_FACE_MIPMAPPER_FACE);
+        ListedFace listed = listedFace(level, i);
+        int axis = listed.face >> 1, side = listed.face & 1;
+        ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
+        ivec3 across = along.zxy;
+        ivec3 third = along.yzx;
+        vec4 sum = vec4(0.0);
+        for (int pair = 0; pair < 4; ++pair) {
+            ivec3 near = listed.voxel * 2 + across * (pair & 1) + third * (pair >> 1) + along * (1 - side);
+            ivec3 far = near - along * (1 - 2 * side);
+            vec4 front = texelFetch(faces, faceTexel(near, axis, side, childGrid), int(level) - 1);
+            vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
+            sum += front + (1.0 - front.a) * back;
         }
+        ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
+        imageStore(parents, texel, storedFace(sum * 0.25, texel));
     }
 }

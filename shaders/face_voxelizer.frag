@@ -2,7 +2,7 @@
 // voxel that it looks towards. Sums of integers: the order of the fragments changes nothing.
 #include "shared/trips.glsl"
 #include "shared/material.glsl"
-#include "shared/face_sums.glsl"
+#include "shared/face_list.glsl"
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
 
@@ -29,11 +29,12 @@ vec3 directRadiance(vec3 albedo, float facing) {
 }
 
 // One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
-void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
+void addSide(ivec3 voxel, uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
     for (int axis = 0; axis < 3; ++axis) {
         TRIP(VCT_TRIPS_FACE_VOXELIZER_AXIS);
-        if (weights[axis] != 0.0)
-            addToFace(slot, 2 * axis + (weights[axis] > 0.0 ? 0 : 1), abs(weights[axis]), albedo, radiance);
+        int face = 2 * axis + (weights[axis] > 0.0 ? 0 : 1);
+        if (weights[axis] != 0.0 && addToFace(slot, face, abs(weights[axis]), albedo, radiance))
+            appendFace(0u, uvec3(voxel), uint(face));
     }
 }
 
@@ -54,7 +55,7 @@ void main() {
     vec3 normal = safeNormalize(fragmentNormal);
     vec3 emissive = materialEmissive(fragmentEmissiveUv);
     float facing = dot(normal, frame.towardsLight.xyz);
-    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
+    addSide(voxel, slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
     if (draw.surface.y > 0.5)
-        addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+        addSide(voxel, slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
 }

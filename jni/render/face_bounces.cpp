@@ -7,37 +7,63 @@
 
 namespace vct {
 
-FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, const GatherSettings& pixels)
-    : gather_(shaders, faceBounceGatherProgram(pixels)), apply_(shaders, faceBounceProgram()) {}
+float largestBounceShare(const Scene& scene) {
+    float largest = 0.0F;
+    for (const Instance& instance : scene.instances) {
+        // A texture only makes it smaller.
+        const glm::vec4& color = scene.materials[scene.meshes[instance.mesh].material].baseColor;
+        largest = std::max({largest, color.r, color.g, color.b});
+    }
+    return std::min(largest, 0.95F);
+}
+
+FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, int grid)
+    : level_(patchLevel(grid)),
+      place_(shaders, facePatchesProgram()),
+      albedos_(shaders, faceAlbedosProgram(grid)),
+      gather_(shaders, faceBounceGatherProgram(grid)),
+      applyToPatches_(shaders, faceBouncePatchesProgram()),
+      apply_(shaders, faceBounceProgram(grid)) {}
 
 // Reads the list's length back, once: what is voxelized does not change.
-void FaceBounces::reserveLight(const FaceVoxels& voxels) {
-    if (light_.bytes() > 0) return;
-    const std::size_t blocks = std::max<std::size_t>(voxels.slots().readActiveCounts()[1], 1);
-    light_ = gl::Buffer("light of the voxel faces", GL_SHADER_STORAGE_BUFFER,
-                        blocks * 6 * 2 * sizeof(std::uint32_t), nullptr, GL_DYNAMIC_COPY);
+void FaceBounces::reservePatches(const FaceVoxels& voxels) {
+    if (patches_.bytes() > 0) return;
+    const std::size_t blocks = std::max<std::size_t>(voxels.slots().readActiveCounts()[level_], 1);
+    std::vector<std::uint32_t> words(VCT_PATCH_HEADER + blocks * 6 * VCT_PATCH_WORDS);
+    words[VCT_PATCH_PLACES] = static_cast<std::uint32_t>(blocks);
+    patches_ = gl::Buffer("patches of the voxel faces", GL_SHADER_STORAGE_BUFFER,
+                          words.size() * sizeof words[0], words.data(), GL_DYNAMIC_COPY);
 }
 
 void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
     if (count == 0) return;
     const gl::DebugGroup group("bounces");
-    reserveLight(voxels);
+    reservePatches(voxels);
     const VoxelPyramid& slots = voxels.slots();
-    for (int bounce = 0; bounce < count; ++bounce) {
-        slots.bindLists();
-        light_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_LIGHT);
-        voxels.sums().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
-        voxels.faces().bind(VCT_TEX_FACES);
-        slots.texture().bind(VCT_TEX_VOXELS);
+    voxels.bindLists();
+    patches_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_PATCHES);
+    voxels.faces().bind(VCT_TEX_FACES);
+    slots.texture().bind(VCT_TEX_VOXELS);
+    place_.use();
+    slots.dispatchOverFaces(level_);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    albedos_.use();
+    slots.dispatchOverFaces(0);
+    for (int bounce = 1; bounce <= count; ++bounce) {
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         gather_.use();
-        slots.dispatchOverLevel(1);
+        gl::Uniform1ui(VCT_UNIFORM_BOUNCE, static_cast<GLuint>(bounce));
+        slots.dispatchOverFaces(level_);
         // Next: the light is read as a buffer, and the faces that were fetched are written as an image.
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        apply_.use();
-        voxels.bindLevel(VCT_IMAGE_FACES, 0);
-        slots.dispatchOverLevel(0);
+        const bool last = bounce == count;
+        const int written = last ? 0 : level_;
+        (last ? apply_ : applyToPatches_).use();
+        if (last) gl::Uniform1ui(VCT_UNIFORM_BOUNCE, static_cast<GLuint>(bounce));
+        voxels.bindLevel(VCT_IMAGE_FACES, written);
+        slots.dispatchOverFaces(written);
         gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        mipmapper.run(voxels);
+        mipmapper.run(voxels, written + 1);
     }
 }
 

@@ -1,26 +1,32 @@
-// Further bounces of light: the voxels gather at their own surfaces, and shine with what they got.
+// Further bounces of light: patches of the voxels' surfaces gather, and shine with what they got.
 #pragma once
 
 #include "render/face_mipmapper.h"
-#include "render/settings.h"
 
 namespace vct {
 
+// No bounce passes on more than this share of its light: the scene's largest albedo, and at most 0.95, as a
+// closed room where nothing is absorbed would have no bound.
+float largestBounceShare(const Scene& scene);
+
 class FaceBounces {
   public:
-    FaceBounces(const gl::ShaderLibrary& shaders, const GatherSettings& pixels);
+    // `grid`: of the voxels.
+    FaceBounces(const gl::ShaderLibrary& shaders, int grid);
 
-    // Adds `count` bounces to the direct light of the faces, every level of which must be there.
+    // Adds `count` bounces to the direct light of the faces, every level of which must be there, and from two
+    // on an estimate of all that would follow.
     void run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
-    // Empty before the first bounce.
-    const gl::Buffer& light() const { return light_; }
+    // shaders/shared/face_patches.glsl. Empty before the first bounce.
+    const gl::Buffer& patches() const { return patches_; }
 
   private:
-    void reserveLight(const FaceVoxels& voxels);
+    void reservePatches(const FaceVoxels& voxels);
 
-    gl::Program gather_, apply_;
-    gl::Buffer light_;  // shaders/shared/face_bounce.glsl
+    int level_;  // of the patches
+    gl::Program place_, albedos_, gather_, applyToPatches_, apply_;
+    gl::Buffer patches_;
 };
 
 }  // namespace vct

@@ -11,26 +11,26 @@ FaceMipmapper::FaceMipmapper(const gl::ShaderLibrary& shaders)
 void FaceMipmapper::makeLists(const FaceVoxels& voxels) {
     const gl::DebugGroup group("lists of the levels");
     const VoxelPyramid& slots = voxels.slots();
-    slots.bindLists();
+    voxels.bindLists();
     parents_.use();
     for (int level = 0; level + 1 < voxels.levels(); ++level) {
         slots.bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
-        slots.dispatchOverLevel(level);
+        slots.dispatchOverFaces(level);
         // The next level's list and command are this dispatch's output.
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     }
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-void FaceMipmapper::run(const FaceVoxels& voxels) {
+void FaceMipmapper::run(const FaceVoxels& voxels, int first) {
     const gl::DebugGroup group("mipmap");
     const VoxelPyramid& slots = voxels.slots();
-    slots.bindLists();
+    voxels.bindLists();
     mipmap_.use();
     voxels.faces().bind(VCT_TEX_FACES);
-    for (int level = 1; level < voxels.levels(); ++level) {
+    for (int level = first; level < voxels.levels(); ++level) {
         voxels.bindLevel(VCT_IMAGE_FACES, level);
-        slots.dispatchOverLevel(level);
+        slots.dispatchOverFaces(level);
         gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     }
 }

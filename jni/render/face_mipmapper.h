@@ -11,8 +11,9 @@ class FaceMipmapper {
 
     // The lists of every level from the base level's.
     void makeLists(const FaceVoxels& voxels);
-    // The faces of every level from the base level's. Afterwards they are ready to be fetched as a texture.
-    void run(const FaceVoxels& voxels);
+    // The faces of every level from `first` on from the level below. Afterwards they are ready to be fetched
+    // as a texture.
+    void run(const FaceVoxels& voxels, int first = 1);
 
   private:
     gl::Program parents_, mipmap_;

@@ -27,15 +27,16 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
     voxels.reserveSums();
-    voxels.sums().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
+    voxels.bindLists();
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     slots.texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(accumulate_);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 
     resolve_.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    slots.dispatchOverLevel(0);
+    slots.dispatchOverFaces(0);
     // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

@@ -53,23 +53,31 @@ void FaceVoxels::clear() {
     const gl::DebugGroup group("clear faces");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    clear_.use();
-    slots_.bindLists();
-    sums_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
-    for (int level = 0; level < levels(); ++level) {
-        bindLevel(VCT_IMAGE_FACES, level);
-        slots_.dispatchOverLevel(level);
+    // Until there is room for the sums, no face is written.
+    if (sums_.bytes() > 0) {
+        clear_.use();
+        bindLists();
+        slots_.texture().bind(VCT_TEX_VOXELS);
+        for (int level = 0; level < levels(); ++level) {
+            bindLevel(VCT_IMAGE_FACES, level);
+            slots_.dispatchOverFaces(level);
+        }
     }
     slots_.clear();
 }
 
 void FaceVoxels::reserveSums() {
     if (sums_.bytes() > 0) return;
-    const std::size_t voxels = slots_.readActiveCounts()[0];
-    const std::size_t words = std::max<std::size_t>(voxels, 1) * 6 * VCT_FACE_SUM_WORDS;
+    const std::uint32_t voxels = std::max(slots_.readActiveCounts()[0], 1U);
+    const std::size_t words = slots_.placeFaceLists(std::size_t{voxels} * 6 * VCT_FACE_SUM_WORDS, voxels);
     const std::vector<std::uint32_t> zeros(words);
     sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
                        GL_DYNAMIC_COPY);
+}
+
+void FaceVoxels::bindLists() const {
+    slots_.bindLists();
+    sums_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
 }
 
 void FaceVoxels::bindLevel(int unit, int level) const {

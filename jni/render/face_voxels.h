@@ -31,17 +31,19 @@ class FaceVoxels {
     const gl::Texture& faces() const { return faces_; }
     // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
     const VoxelPyramid& slots() const { return slots_; }
-    // What voxelization adds up per occupied voxel: shaders/shared/face_sums.glsl. Empty before
-    // reserveSums().
+    // What voxelization adds up per occupied voxel, and the lists of faces: shaders/shared/face_sums.glsl,
+    // face_list.glsl. Empty before reserveSums().
     const gl::Buffer& sums() const { return sums_; }
 
     // Empties everything through the last frame's lists.
     void clear();
-    // Makes room for the sums of every voxel in the base level's list, whose length it reads back: only once,
-    // as what is voxelized does not change.
+    // Makes room for the sums and the faces of every voxel in the base level's list, whose length it reads
+    // back: only once, as what is voxelized does not change.
     void reserveSums();
 
     void bindLevel(int unit, int level) const;
+    // The lists of voxels and faces, and the sums, for shaders.
+    void bindLists() const;
 
   private:
     VoxelPyramid slots_;

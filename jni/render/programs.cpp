@@ -1,6 +1,7 @@
 #include "render/programs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <tuple>
 
@@ -151,14 +152,36 @@ gl::ProgramDescription faceClearProgram() {
     return {"face_clear", {"face_clear.comp"}, {}};
 }
 
-gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels) {
-    GatherSettings bounces = pixels;
-    bounces.cones = 3;  // no filter follows
-    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces, 1)};
+int patchLevel(int grid) {
+    return static_cast<int>(std::log2(grid)) - 5;
 }
 
-gl::ProgramDescription faceBounceProgram() {
-    return {"face_bounce", {"face_bounce.comp"}, {}};
+gl::ProgramDescription facePatchesProgram() {
+    return {"face_patches", {"face_patches.comp"}, {}};
+}
+
+gl::ProgramDescription faceAlbedosProgram(int grid) {
+    return {"face_albedos", {"face_albedos.comp"}, {"VCT_PATCH_LEVEL " + std::to_string(patchLevel(grid))}};
+}
+
+gl::ProgramDescription faceBounceGatherProgram(int grid) {
+    GatherSettings bounces;
+    // What cones lose through gaps, every bounce loses again: a closed room gets 15 % darker by it.
+    bounces.extinction = 1.3F;
+    // The blocks of any grid are those of 64^3.
+    const auto scale = static_cast<float>(grid) / 64.0F;
+    bounces.startOffset *= scale;
+    bounces.firstSample *= scale;
+    bounces.ownSurface *= scale;
+    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces, patchLevel(grid))};
+}
+
+gl::ProgramDescription faceBouncePatchesProgram() {
+    return {"face_bounce_patches", {"face_bounce_patches.comp"}, {}};
+}
+
+gl::ProgramDescription faceBounceProgram(int grid) {
+    return {"face_bounce", {"face_bounce.comp"}, {"VCT_PATCH_LEVEL " + std::to_string(patchLevel(grid))}};
 }
 
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of) {
@@ -214,9 +237,9 @@ gl::ProgramDescription hudProgram() {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),   presentProgram(),
-        hudProgram(),       faceResolveProgram(), faceParentsProgram(), faceMipmapperProgram(),
-        faceClearProgram(), faceBounceProgram()};
+        mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),        presentProgram(),
+        hudProgram(),       faceResolveProgram(), faceParentsProgram(),      faceMipmapperProgram(),
+        faceClearProgram(), facePatchesProgram(), faceBouncePatchesProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
@@ -245,7 +268,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
         programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion));
         for (const GatherSettings& gather : {settings.gather, settings.occlusion})
             programs.push_back(gatherFilterProgram(gather));
-        programs.push_back(faceBounceGatherProgram(settings.gather));
+        programs.push_back(faceAlbedosProgram(settings.grid));
+        programs.push_back(faceBounceGatherProgram(settings.grid));
+        programs.push_back(faceBounceProgram(settings.grid));
     }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
@@ -290,8 +315,11 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
         add(Step::mipmap, faceMipmapperProgram());
         const bool occlusion = mode == Mode::ao;
         if (settings.bounces > 0 && !occlusion) {
-            add(Step::bounces, faceBounceGatherProgram(settings.gather));
-            add(Step::bounces, faceBounceProgram());
+            add(Step::bounces, facePatchesProgram());
+            add(Step::bounces, faceAlbedosProgram(settings.grid));
+            add(Step::bounces, faceBounceGatherProgram(settings.grid));
+            add(Step::bounces, faceBouncePatchesProgram());
+            add(Step::bounces, faceBounceProgram(settings.grid));
         }
         const GatherSettings& gather = occlusion ? settings.occlusion : settings.gather;
         add(Step::trace, gatherProgram(gather, occlusion ? GatherOf::occlusion : GatherOf::light));

@@ -47,8 +47,13 @@ gl::ProgramDescription faceParentsProgram();
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();
 // `pixels`: the gather's settings, from which those of the bounces follow.
-gl::ProgramDescription faceBounceGatherProgram(const GatherSettings& pixels);
-gl::ProgramDescription faceBounceProgram();
+gl::ProgramDescription facePatchesProgram();
+gl::ProgramDescription faceAlbedosProgram(int grid);
+gl::ProgramDescription faceBounceGatherProgram(int grid);
+gl::ProgramDescription faceBouncePatchesProgram();
+gl::ProgramDescription faceBounceProgram(int grid);
+// The level whose blocks gather for bounces: 32^3.
+int patchLevel(int grid);
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of);
 gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.

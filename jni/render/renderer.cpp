@@ -42,6 +42,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
       faceRadianceRange_(faceRadianceRange(scene, light, settings.skyRadiance)),
+      largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
              settings.voxelization),
@@ -134,7 +135,7 @@ Renderer::FacePasses& Renderer::facePasses() {
             FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
             FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
             FaceMipmapper(shaders_),
-            FaceBounces(shaders_, settings_.gather),
+            FaceBounces(shaders_, settings_.grid),
             {},
             {}});
     }
@@ -160,6 +161,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
     values.faces.x = faceSumUnits(triangles_, settings_.voxelSamples);
     values.faces.y = faceRadianceRange_;
+    values.faces.z = largestBounceShare_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
@@ -271,7 +273,7 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         addPyramid(facePasses_->voxels.slots());
         add(facePasses_->voxels.faces());
         add(facePasses_->voxels.sums());
-        if (facePasses_->bounces.light().bytes() > 0) add(facePasses_->bounces.light());
+        if (facePasses_->bounces.patches().bytes() > 0) add(facePasses_->bounces.patches());
         for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
             if (*gather)
                 for (const gl::Texture* texture : (*gather)->textures())

@@ -101,7 +101,7 @@ class Renderer {
     DirectionalLight light_;
     Bounds boundsWorld_;
     std::size_t triangles_;
-    float faceRadianceRange_;
+    float faceRadianceRange_, largestBounceShare_;
     Volume volume_;
     GpuScene scene_;
     gl::Buffer frameUniforms_;

@@ -114,7 +114,7 @@ Settings presetSettings(const std::string& name) {
     settings.voxels = Voxels::faces;
     settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
-    settings.bounces = 4;
+    settings.bounces = 2;
     settings.specular = Specular::cone;
     settings.shadowMapSize = 1024;
     settings.occlusion.startOffset = 0.5F;

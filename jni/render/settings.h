@@ -93,7 +93,8 @@ struct Settings {
     Voxelization voxelization = Voxelization::geometryShader;
     int voxelSamples = 1;                  // of the triangles, along each side of a voxel
     Specular specular = Specular::none;    // of modes 4 and 5, where voxels are faces
-    int bounces = 0;                       // beyond the first, where voxels are faces
+    int bounces = 0;                       // beyond the first, where voxels are faces; from 2 on also
+                                           // an estimate of all that would follow
     GatherSettings gather;                 // of diffuse light, where voxels are faces
     GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
     int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512

@@ -24,7 +24,7 @@ std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint
     for (int level = 0; level < levels; ++level) {
         shared::LevelCommands& c = commands[level];
         c.indexCount = VoxelView::indexCount;
-        c.groupsY = c.groupsZ = 1;
+        c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(level)));
         firstEntry += c.capacity;
@@ -98,6 +98,32 @@ void VoxelPyramid::dispatchOverLevel(int level) const {
     commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
     gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
                                                       offsetof(shared::LevelCommands, groupsX)));
+}
+
+void VoxelPyramid::dispatchOverFaces(int level) const {
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
+                                                      offsetof(shared::LevelCommands, faceGroupsX)));
+}
+
+std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels) {
+    std::vector<shared::LevelCommands> current(VCT_MAX_LEVELS);
+    const std::size_t bytes = current.size() * sizeof current[0];
+    commands_.read(current.data(), bytes);
+    for (int level = 0; level < levels(); ++level) {
+        const std::uint32_t capacity = 6 * std::min(voxels, initialCommands_[level].capacity);
+        for (std::vector<shared::LevelCommands>* commands : {&current, &initialCommands_}) {
+            (*commands)[level].firstFace = static_cast<std::uint32_t>(first);
+            (*commands)[level].faceCapacity = capacity;
+        }
+        first += capacity;
+    }
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), current.data());
+    resetCommands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), initialCommands_.data());
+    return first;
 }
 
 std::vector<std::uint32_t> VoxelPyramid::readActiveCounts() const {

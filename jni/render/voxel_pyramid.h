@@ -35,6 +35,13 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a level.
     void dispatchOverLevel(int level) const;
+    // Likewise over the faces of a level that are not empty.
+    void dispatchOverFaces(int level) const;
+
+    // Says where the levels' lists of faces lie in the buffer that holds them: from word `first` on, six for
+    // each of the base level's `voxels`; a coarser level has no more of them. Returns the word behind the
+    // last.
+    std::size_t placeFaceLists(std::size_t first, std::uint32_t voxels);
 
     // Reads the commands back and returns the active voxels of each level. Throws vct::Error where there were
     // more than the list can hold, with the number that is needed.

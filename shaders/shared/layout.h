@@ -43,7 +43,7 @@ using glm::vec4;
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACE_SUMS 2
-#define VCT_SSBO_FACE_LIGHT 3
+#define VCT_SSBO_FACE_PATCHES 3
 #define VCT_SSBO_TRIPS 4
 
 // What the counting variant counts (shared/trips.glsl): invocations of a stage, and iterations of its loops.
@@ -65,28 +65,33 @@ using glm::vec4;
 #define VCT_TRIPS_FACE_VOXELIZER 15
 #define VCT_TRIPS_FACE_VOXELIZER_AXIS 16
 #define VCT_TRIPS_FACE_RESOLVE 17
-#define VCT_TRIPS_FACE_RESOLVE_VOXEL 18
+#define VCT_TRIPS_FACE_RESOLVE_FACE 18
 #define VCT_TRIPS_FACE_PARENTS 19
-#define VCT_TRIPS_FACE_PARENTS_VOXEL 20
+#define VCT_TRIPS_FACE_PARENTS_FACE 20
 #define VCT_TRIPS_FACE_MIPMAPPER 21
-#define VCT_TRIPS_FACE_MIPMAPPER_VOXEL 22
+#define VCT_TRIPS_FACE_MIPMAPPER_FACE 22
 #define VCT_TRIPS_FACE_CLEAR 23
-#define VCT_TRIPS_FACE_CLEAR_VOXEL 24
-#define VCT_TRIPS_FACE_CLEAR_WORD 25
-#define VCT_TRIPS_BOUNCE_GATHER 26
-#define VCT_TRIPS_BOUNCE_GATHER_FACE 27
-#define VCT_TRIPS_BOUNCE_GATHER_RECEIVED 28
-#define VCT_TRIPS_BOUNCE_GATHER_CONE 29
-#define VCT_TRIPS_BOUNCE_GATHER_STEP 30
-#define VCT_TRIPS_BOUNCE 31
-#define VCT_TRIPS_BOUNCE_VOXEL 32
-#define VCT_TRIPS_GATHER 33
-#define VCT_TRIPS_GATHER_CONE 34
-#define VCT_TRIPS_GATHER_STEP 35
-#define VCT_TRIPS_GATHER_FILTER 36
-#define VCT_TRIPS_GATHER_FILTER_NEIGHBOUR 37
-#define VCT_TRIPS_SPECULAR_STEP 38
-#define VCT_TRIPS_COUNT 39
+#define VCT_TRIPS_FACE_CLEAR_FACE 24
+#define VCT_TRIPS_FACE_CLEAR_SUMS 25
+#define VCT_TRIPS_FACE_PATCHES 26
+#define VCT_TRIPS_FACE_PATCHES_PATCH 27
+#define VCT_TRIPS_FACE_ALBEDOS 28
+#define VCT_TRIPS_FACE_ALBEDOS_FACE 29
+#define VCT_TRIPS_BOUNCE_GATHER 30
+#define VCT_TRIPS_BOUNCE_GATHER_PATCH 31
+#define VCT_TRIPS_BOUNCE_GATHER_CONE 32
+#define VCT_TRIPS_BOUNCE_GATHER_STEP 33
+#define VCT_TRIPS_BOUNCE_PATCHES 34
+#define VCT_TRIPS_BOUNCE_PATCHES_PATCH 35
+#define VCT_TRIPS_BOUNCE 36
+#define VCT_TRIPS_BOUNCE_FACE 37
+#define VCT_TRIPS_GATHER 38
+#define VCT_TRIPS_GATHER_CONE 39
+#define VCT_TRIPS_GATHER_STEP 40
+#define VCT_TRIPS_GATHER_FILTER 41
+#define VCT_TRIPS_GATHER_FILTER_NEIGHBOUR 42
+#define VCT_TRIPS_SPECULAR_STEP 43
+#define VCT_TRIPS_COUNT 44
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -116,14 +121,23 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized.
+// the triangles of a draw call are voxelized; which bounce it is, counted from 1.
 #define VCT_UNIFORM_LEVEL 0
+#define VCT_UNIFORM_BOUNCE 1
 #define VCT_UNIFORM_AXIS 0
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 // Directional coverage voxels, per face while voxelizing: coverage, radiance, albedo.
 #define VCT_FACE_SUM_WORDS 7u
+// The image of occupied voxels, above the base level: a bit for each face that is not empty, and above them the
+// place in the list.
+#define VCT_FACE_MASK_BITS 6
+// Bounces, per face of a block: VCT_PATCH_* of shared/face_patches.glsl.
+#define VCT_PATCH_WORDS 11u
+#define VCT_PATCH_ENERGIES 9u
+#define VCT_PATCH_PLACES 9u
+#define VCT_PATCH_HEADER 10u
 
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
@@ -140,7 +154,7 @@ struct FrameUniforms {
     vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
                             // zw: the cone's radius in the shadow map at one unit of its depth
     vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl), y: the radiance that
-                            // is stored as 1, relative to E/pi
+                            // is stored as 1, relative to E/pi, z: largest share of the light that a bounce passes on
     ivec4 grid;             // x: voxels along a side, y: last mip level
 };
 
@@ -166,6 +180,13 @@ struct LevelCommands {
     uint groupsZ;
     uint firstEntry;  // of this level, in entries of the list
     uint capacity;    // of this level, in entries
+    // Directional coverage voxels only: the faces that are not empty (shared/face_list.glsl).
+    uint faceGroupsX;  // DispatchIndirectCommand
+    uint faceGroupsY;
+    uint faceGroupsZ;
+    uint faceCount;
+    uint firstFace;  // of this level, in words of the buffer of sums
+    uint faceCapacity;
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
@@ -174,6 +195,17 @@ VCT_FUNCTION uint packEntry(uvec3 voxel) {
 }
 VCT_FUNCTION uvec3 unpackEntry(uint entry) {
     return uvec3(entry >> 21, (entry >> 10) & 0x7FFu, entry & 0x3FFu);
+}
+
+// Entry of the list of faces: face 3 bits, x 9, y 9, z 9.
+VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
+    return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;
+}
+VCT_FUNCTION uvec3 unpackFaceVoxel(uint entry) {
+    return uvec3((entry >> 18) & 0x1FFu, (entry >> 9) & 0x1FFu, entry & 0x1FFu);
+}
+VCT_FUNCTION uint unpackFace(uint entry) {
+    return entry >> 27;
 }
 
 // The voxel word (thesis figure 4.3), high to low: light counter 4 bits, count 4, R 8, G 8, B 8. Light comes

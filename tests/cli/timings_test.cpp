@@ -88,6 +88,8 @@ TEST(Timings, OneModeHasItsStepsAtTheTop) {
         else
             EXPECT_GT(timings.at("steps").at(step).at("min").get<double>(), 0.0) << step;
 
+    // RGBA8, RG16UI, a 32-bit depth; the scene does not emit.
+    EXPECT_EQ(timings.at("g_buffer_bytes_per_pixel"), 12);
     const std::vector<long long> active = timings.at("active_voxels");
     ASSERT_EQ(active.size(), 7U);  // 64, 32, 16, 8, 4, 2, 1
     for (std::size_t level = 1; level < active.size(); ++level)

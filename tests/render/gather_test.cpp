@@ -303,5 +303,70 @@ TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
     EXPECT_NEAR(lit(10.0F, 4), 10.0 * all, 0.3 * all);
 }
 
+// A closed white box, a thousandth of which shines. As much light comes out as the emitter's power over what
+// the walls absorb of it: with the direct light D of all walls, bounces bring D albedo / (1 - albedo) in all.
+class BoxOfAlbedo {
+  public:
+    BoxOfAlbedo(const Context& context, const char* preset, float albedo, int grid = 0)
+        : context_(context), scene_(closedBox(0.0)), settings_(presetAt(preset, {64, 64})) {
+        if (grid > 0) settings_.grid = grid;
+        scene_.materials[0].baseColor = glm::vec4(glm::vec3(albedo), 1.0F);
+        scene_.materials.push_back(scene_.materials[0]);
+        scene_.materials[1].emissive = glm::vec3(1.0F);
+        addQuad(scene_, {-0.25, 0.98, -0.25}, {0.5, 0, 0}, {0, 0, 0.5}, 1);
+        scene_ = finished(std::move(scene_));
+    }
+
+    // Mean over a picture that does not show the emitter.
+    double withBounces(int bounces) const {
+        Settings settings = settings_;
+        settings.bounces = bounces;
+        Renderer renderer = makeRenderer(context_, scene_, noLight(), settings);
+        renderer.frame(Mode::gi, lookAt({0, 0.5, 0.9}, {0, -0.6, -0.4}, 70));
+        for (const glm::vec3& pixel : renderer.radiance().pixels)
+            EXPECT_TRUE(std::isfinite(pixel.x) && pixel.x >= 0.0F) << bounces << " bounces";
+        return meanOf(renderer.radiance());
+    }
+
+  private:
+    const Context& context_;
+    Scene scene_;
+    Settings settings_;
+};
+
+TEST_P(GatherOf, BouncesInAClosedBoxConvergeFromBelow) {
+    const Context context = openContext(Backend::egl);
+    for (const float albedo : {0.5F, 0.8F, 0.9F}) {
+        const BoxOfAlbedo box(context, GetParam(), albedo);
+        const double first = box.withBounces(0);
+        // The first of them is in the picture without bounces.
+        const double right = 1.0 / (1.0 - static_cast<double>(albedo));
+        std::printf("%s, albedo %.1f, of what is right (%.1f):", GetParam(), albedo, right);
+        double share = 0.0, before = 0.0;
+        for (const int bounces : {1, 2, 4, 8, 16, 32}) {
+            before = share;
+            share = box.withBounces(bounces) / first / right;
+            std::printf(" %d: %.3f", bounces, share);
+            EXPECT_LE(share, 1.0) << albedo << ", " << bounces << " bounces";
+        }
+        std::printf("\n");
+        EXPECT_NEAR(share, before, 0.1 * share) << albedo;
+    }
+}
+
+TEST_P(GatherOf, BouncesThatNothingAbsorbsGrowNoFasterThanLinearly) {
+    const Context context = openContext(Backend::egl);
+    const BoxOfAlbedo box(context, GetParam(), 1.0F);
+    const double first = box.withBounces(0);
+    std::printf("%s, albedo 1, over one bounce:", GetParam());
+    // From two on, the estimate of the rest adds at most 0.95 / (1 - 0.95) times the last.
+    for (const int bounces : {1, 2, 4, 8, 16, 32, 64}) {
+        const double times = box.withBounces(bounces) / first;
+        std::printf(" %d: %.2f", bounces, times);
+        EXPECT_LE(times, 1.05 * (1.0 + bounces + (bounces > 1 ? 19.0 : 0.0)));
+    }
+    std::printf("\n");
+}
+
 }  // namespace
 }  // namespace vct::test
