@@ -49,6 +49,8 @@ struct ConeResult {
     mediump float transmittance;  // what is left
 };
 
+const float finestFootprint = exp2(float(VCT_GATHER_FINEST_LEVEL));
+
 // Of a sample: those of neighbours are a step apart, and overlap or gap by as much.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 

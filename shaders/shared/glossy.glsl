@@ -34,15 +34,21 @@ vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
     return min(fresnel * (alpha2 / (d * d) * visibility * cosSun), 6e4) * frame.lightColor.rgb;
 }
 
+// Where a ray meets the faces of a corner, it is covered once.
+mediump vec4 sampleCovered(vec3 position, Ray ray, float level) {
+    mediump vec4 value = sampleFaces(position, ray, level);
+    return HALF(value / max(value.a, 1.0));
+}
+
 // Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
 // then a wall's coverage sums to 1 over the samples that pass it. Lengths in voxels.
 mediump vec4 sampleBetween(vec3 position, Ray ray, float footprint, float stride) {
     float level = floor(log2(footprint));
     float texel = exp2(level);
     float part = footprint / texel - 1.0;
-    mediump vec4 value = HALF(sampleFaces(position, ray, level) * (stride / texel));
+    mediump vec4 value = HALF(sampleCovered(position, ray, level) * (stride / texel));
     if (part > 0.0)
-        value = HALF(mix(value, sampleFaces(position, ray, level + 1.0) * (0.5 * stride / texel), part));
+        value = HALF(mix(value, sampleCovered(position, ray, level + 1.0) * (0.5 * stride / texel), part));
     return value;
 }
 
