@@ -52,8 +52,6 @@ void main() {
     }
     vec3 position = surfacePosition(pixel, depth);
     vec3 normal = surfaceNormal(pixel);
-    mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);
-    mediump vec3 albedo = HALF(root * root);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
 
 #ifdef VCT_GATHERED
@@ -77,6 +75,8 @@ void main() {
     light = HALF(shadowMapLight(position, cosTheta));
 #endif
 
+    mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);
+    mediump vec3 albedo = HALF(root * root);
 #ifdef VCT_SOFT_SHADOW
     mediump float total = light;  // what the sun's disc shows is the direct light; nothing else dims or lifts it
 #else

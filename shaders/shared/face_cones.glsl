@@ -67,8 +67,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
     // Where it leaves the volume (in the far corner's or the near one's planes).
     vec3 away = (step(0.0, direction) * grid - start) / direction;
     reach = min(reach, min(away.x, min(away.y, away.z)));
-    // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
-    for (int i = 0; i < 512 && distance < reach; ++i) {
+    while (distance < reach) {
         TRIP(VCT_CONE_TRIPS);
         // A sample wider than its height above the tangent plane would contain the surface that it starts from. Whole
         // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
