@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "scene/camera.h"
 #include "support/gathered_frame.h"
@@ -69,16 +70,24 @@ std::vector<int> surfacesOf(const std::vector<SurfacePixel>& pixels) {
     return result;
 }
 
-class Upsampling : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Scales, Upsampling, testing::Values(2, 4));
+// What was measured, with head-room.
+struct Bound {
+    int scale;
+    int leaks;      // pixels
+    double change;  // mean
+};
+class Upsampling : public testing::TestWithParam<Bound> {};
+INSTANTIATE_TEST_SUITE_P(Scales, Upsampling,
+                         testing::Values(Bound{2, 55, 0.0065}, Bound{4, 5, 0.011}, Bound{6, 6, 0.0125}),
+                         [](const auto& test) { return std::to_string(test.param.scale); });
 
 // Every pixel's light is between the least and the most that full resolution has on the same surface nearby.
 TEST_P(Upsampling, NothingLeaksAcrossDepthEdgesAndCreases) {
-    const int scale = GetParam();
+    const int scale = GetParam().scale;
     const Context context = openContext(Backend::egl);
     const Scene scene = shelf();
     const Camera camera = lookAt({0.4, 0.35, 3.4}, {0, 0.85, 0}, 42);
-    constexpr int size = 96;
+    constexpr int size = 144;
     GatheredFrame full = frameOf(context, scene, mobileAt(glm::ivec2(size), 1), camera);
     GatheredFrame coarse = frameOf(context, scene, mobileAt(glm::ivec2(size), scale), camera);
     const Image right = full.view(VCT_VIEW_INDIRECT);
@@ -106,12 +115,14 @@ TEST_P(Upsampling, NothingLeaksAcrossDepthEdgesAndCreases) {
             change += std::abs(value - right.at(x, y).x);
             brightest = std::max<double>(brightest, most);
             largest = std::max(largest, outside);
+            // A foreign neighbour weighs a thousandth, which shows only where those of its own weigh as
+            // little.
             if (outside > 0.03) ++leaks;
         }
     // Where an edge leaves a gather pixel few neighbours, the mean is over few turns of the cones; and a
     // sliver may find no neighbour of its own.
-    EXPECT_LE(leaks, count / 300);
-    EXPECT_LE(change / count, 0.025);
+    EXPECT_LE(leaks, GetParam().leaks);
+    EXPECT_LE(change / count, GetParam().change);
     std::printf("scale %d: %d of %d pixels leak, by up to %.3f; mean change %.4f; brightest %.2f\n", scale,
                 leaks, count, largest, change / count, brightest);
     ASSERT_GT(brightest, 0.4);
