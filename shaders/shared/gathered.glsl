@@ -12,9 +12,11 @@ struct Gather {
     mediump float openness;  // 1 - ambient occlusion
 };
 
-// What a gather pixel of another surface weighs: nothing, unless there is no other, on a thing thinner than the
-// gather's pixels.
-const mediump float foreign = 1.0 / 1024.0;
+// The least that a gather pixel of the same surface weighs, so that a pixel right on top of a foreign one still finds
+// one of its own; and what one of another surface weighs, which counts only where there is no other, on a thing thinner
+// than the gather's pixels. A quarter of it, the least that the nearest of four can have, is still a normal half.
+const float leastOwn = 1.0 / 64.0;
+const float foreign = 1.0 / 4096.0;
 
 Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
     ivec2 last = textureSize(gatherTarget, 0) - 1;
@@ -30,12 +32,11 @@ Gather gatheredAt(ivec2 pixel, vec3 position, vec3 normal) {
         ivec2 other = clamp(low + corner, ivec2(0), last);
         mediump vec2 weights = mix(1.0 - part, part, vec2(corner));
         vec4 surface = texelFetch(gatherSurface, other, 0);
-        // Not 0, so that a pixel on top of a foreign neighbour still finds one of its own.
-        float weight = max(weights.x * weights.y, foreign);
+        float weight = max(weights.x * weights.y, leastOwn);
         if (!sharesSurface(position, normal, surface, voxel)) weight *= surface == vec4(0.0) ? 0.0 : foreign;
         sum += HALF(weight * texelFetch(gatherTarget, other, 0));
         total += weight;
     }
-    mediump vec4 mean = HALF(sum / max(total, foreign * foreign));
+    mediump vec4 mean = HALF(sum / max(total, 1e-6));
     return Gather(mean.rgb, mean.a);
 }
