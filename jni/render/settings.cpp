@@ -125,13 +125,12 @@ Settings presetSettings(const std::string& name) {
     }
     if (name == "quality") {
         settings.grid = 128;
-        settings.gather.cones = 24;
+        settings.gather.cones = 16;
         settings.gather.startOffset = 0.5F;
         settings.gather.ownSurface = 4.0F;
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
         settings.gather.height = 0.3F;
-        settings.gather.scale = 4;
         settings.occlusion.cones = 16;
         settings.occlusion.step = 1.0F;
         settings.occlusion.height = 0.4F;
