@@ -99,7 +99,9 @@ class Page:
     def shape(self, number: int, at: tuple[float, float], r: float, colour: str) -> None:
         outlines = ([(math.cos(t / 20 * math.tau), math.sin(t / 20 * math.tau)) for t in range(20)],
                     [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], [(0, -1.15), (1.1, 0.9), (-1.1, 0.9)],
-                    [(0, -1.3), (1.3, 0), (0, 1.3), (-1.3, 0)], [(0, 1.15), (1.1, -0.9), (-1.1, -0.9)])
+                    [(0, -1.3), (1.3, 0), (0, 1.3), (-1.3, 0)], [(0, 1.15), (1.1, -0.9), (-1.1, -0.9)],
+                    [(-0.4, -1.2), (0.4, -1.2), (0.4, -0.4), (1.2, -0.4), (1.2, 0.4), (0.4, 0.4), (0.4, 1.2),
+                     (-0.4, 1.2), (-0.4, 0.4), (-1.2, 0.4), (-1.2, -0.4), (-0.4, -0.4)])
         outline = outlines[number % len(outlines)]
         self.pen.polygon([((at[0] + r * x) * TWICE, (at[1] + r * y) * TWICE) for x, y in outline], colour, PAPER, TWICE)
 
