@@ -49,6 +49,7 @@ def dots(sweep: dict[str, Any]) -> list[Dot]:
         settings = entry["settings"]
         error = entry.get("errors", {}).get("indirect", {}).get("relmse")
         if (error and entry["scene"] not in NO_SHARE | SAME_PICTURE.keys() and settings["experiment"] == "none"
+                and settings["grid"] != "auto"
                 and settings["cone_angle_deg"] == USUAL["cone_angle_deg"]):
             found.append(Dot(entry["scene"], settings["preset"], settings["grid"], light_ms(entry["modes"]["gi"])[0], error))
     return found

@@ -8,6 +8,7 @@
 
 #include "cli/child_process.h"
 #include "cli/commands.h"
+#include "cli/grid_option.h"
 #include "cli/output.h"
 #include "core/error.h"
 #include "core/files.h"
@@ -26,7 +27,7 @@ using nlohmann::ordered_json;
 struct BenchOptions {
     std::string scene, out, json;
     std::vector<std::string> presets{"thesis"};
-    std::optional<int> grid;
+    GridOption grid;
     std::string size = "400x400";
     std::string camera, light;
     std::string backend = "egl";
@@ -44,7 +45,7 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const std:
                                        "--out=" + folder.file("pictures"),
                                        "--timings=" + folder.file("timings.json"),
                                        "--mode=" + config.modes,
-                                       "--grid=" + std::to_string(config.grid),
+                                       options.grid.argument(config.grid),
                                        "--cone-angle=" + angle.str(),
                                        "--preset=" + preset,
                                        "--size=" + options.size,
@@ -107,8 +108,8 @@ Result presetsHere(const BenchOptions& options) {
     std::vector<PresetRuns> runs;
     for (const std::string& preset : options.presets) {
         BenchConfig config = benchConfigs().front();
-        config.grid = options.grid.value_or(presetSettings(preset).grid);
-        config.name = preset + ", scenes 1 to 5, " + std::to_string(config.grid) + "^3";
+        config.grid = presetSettings(preset).grid;
+        config.name = preset + ", scenes 1 to 5, " + options.grid.name(config.grid);
         processes.push_back({preset, config});
         runs.push_back({preset, {}});
     }
@@ -124,14 +125,14 @@ void bench(const BenchOptions& options) {
     backendFromName(options.backend);
     for (const std::string& preset : options.presets) {
         Settings settings = presetSettings(preset);
-        settings.grid = options.grid.value_or(settings.grid);
+        options.grid.applyNumber(settings);
         validate(settings);
     }
     std::optional<OutputFolder> out;
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
-    const bool tables = options.presets == std::vector<std::string>{"thesis"} && !options.grid;
+    const bool tables = options.presets == std::vector<std::string>{"thesis"} && !options.grid.given();
     const Result result = tables ? thesisTablesHere(options) : presetsHere(options);
     if (!options.json.empty()) writeJson(options.json, result.json);
     if (out) {
@@ -167,8 +168,7 @@ void addBench(CLI::App& app, int&) {
             "Sets of settings, several with commas: " + presetList() + "; thesis alone gives the tables")
         ->delimiter(',')
         ->capture_default_str();
-    command->add_option("--grid", options->grid,
-                        "Voxels along a side, of every preset (default: each preset's own; no tables)");
+    options->grid.addTo(*command);
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
     command->add_option("--camera", options->camera, "As for render");

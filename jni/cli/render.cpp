@@ -7,6 +7,7 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/grid_option.h"
 #include "cli/output.h"
 #include "core/error.h"
 #include "image/image.h"
@@ -35,7 +36,8 @@ struct RenderOptions {
     std::string backend = "egl";
     int device = -1;
     // Over the preset's, where given.
-    std::optional<int> grid, shadowMap, bounces;
+    GridOption grid;
+    std::optional<int> shadowMap, bounces;
     std::optional<float> coneAngleDeg, aoDistance;
     float exposure = 1.0F;
     std::vector<std::string> experiments, gather, occlusion;
@@ -50,7 +52,7 @@ struct RenderOptions {
 Settings settingsFrom(const RenderOptions& options) {
     Settings settings = presetSettings(options.preset);
     settings.size = sizeFromText(options.size);
-    settings.grid = options.grid.value_or(settings.grid);
+    options.grid.applyNumber(settings);
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
@@ -144,7 +146,7 @@ StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
 
 void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
-    const Settings settings = settingsFrom(options);
+    Settings settings = settingsFrom(options);
     const Backend backend = backendFromName(options.backend);
     if (!(options.exposure > 0.0F) || !std::isfinite(options.exposure))
         throw Error("--exposure must be a number above 0");
@@ -174,6 +176,7 @@ void render(const RenderOptions& options) {
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
     progress(context.capabilities.renderer + ", " + context.capabilities.version);
+    options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
     Renderer renderer(scene, light, settings, context.capabilities,
                       gl::shadersFromFolder(gl::defaultShaderFolder()));
 
@@ -232,8 +235,7 @@ void addRender(CLI::App& app, int&) {
         ->capture_default_str();
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
-    command->add_option("--grid", options->grid,
-                        "Voxels along a side: 64, 128, 256, 512 (default: the preset's)");
+    options->grid.addTo(*command);
     command->add_option("--voxelization", options->voxelization,
                         "What finds the axis along which a triangle is voxelized: geometry-shader, or "
                         "sorted-axes (once, when the scene is loaded); default: the preset's");

@@ -44,10 +44,19 @@ std::string megabytes(std::size_t bytes) {
     return std::to_string((bytes + 999999) / 1000000) + " MB";
 }
 
+std::size_t freeBytes() {
+    return std::min(freeMemory(), freeAddressSpace());
+}
+
 }  // namespace
 
+std::size_t availableMemory() {
+    const std::size_t available = freeBytes();
+    return available > driverReserve ? available - driverReserve : 0;
+}
+
 void requireMemory(std::size_t bytes, const std::string& what) {
-    const std::size_t available = std::min(freeMemory(), freeAddressSpace());
+    const std::size_t available = freeBytes();
     if (bytes + driverReserve > available)
         throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " +
                     megabytes(driverReserve) + " for the driver, of which " + megabytes(available) +

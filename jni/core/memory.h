@@ -7,6 +7,10 @@
 
 namespace vct {
 
+// Bytes that textures and buffers may take: what is free, less what the driver takes besides. As many as
+// there can be where the system does not tell.
+std::size_t availableMemory();
+
 // Throws vct::Error naming `what`, the bytes it needs, those there are and the remedy. Does nothing where the
 // system does not tell.
 void requireMemory(std::size_t bytes, const std::string& what);

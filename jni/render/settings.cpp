@@ -102,6 +102,11 @@ const std::vector<Experiment>& allExperiments() {
     return experiments;
 }
 
+const std::vector<int>& allGrids() {
+    static const std::vector<int> grids{64, 128, 256, 512};
+    return grids;
+}
+
 const std::vector<std::string>& presetNames() {
     static const std::vector<std::string> names{"thesis", "mobile", "quality"};
     return names;
@@ -120,11 +125,13 @@ Settings presetSettings(const std::string& name) {
     settings.occlusion.startOffset = 0.5F;
     if (name == "mobile") {
         settings.grid = 64;
+        settings.gridRange = {64, 128};
         settings.gather.scale = 6;
         return settings;
     }
     if (name == "quality") {
         settings.grid = 128;
+        settings.gridRange = {128, 256};
         settings.gather.cones = 16;
         settings.gather.startOffset = 0.5F;
         settings.gather.ownSurface = 4.0F;
@@ -208,8 +215,8 @@ void validate(const Settings& settings) {
         if (!ok) throw Error(message);
     };
     const int grid = settings.grid;
-    require(grid == 64 || grid == 128 || grid == 256 || grid == 512,
-            "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512");
+    require(std::count(allGrids().begin(), allGrids().end(), grid) > 0,
+            "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512, auto");
     require(
         settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
         "--size must be between 1x1 and 8192x8192 pixels");

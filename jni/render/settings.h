@@ -87,6 +87,12 @@ struct GatherSettings {
     int scale = 2;              // every how many pixels, in x and y, light is gathered
 };
 
+// The grids among which one is chosen by the scene (grid_choice.h), both included.
+struct GridRange {
+    int coarsest = 64;
+    int finest = 512;
+};
+
 struct Settings {
     Mode mode = Mode::giConeShadow;
     Voxels voxels = Voxels::words;
@@ -97,7 +103,8 @@ struct Settings {
                                            // an estimate of all that would follow
     GatherSettings gather;                 // of diffuse light, where voxels are faces
     GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
-    int grid = 256;                        // voxels along a side of the volume: 64, 128, 256 or 512
+    int grid = 256;                        // voxels along a side of the volume, one of allGrids()
+    GridRange gridRange;                   // for a grid that follows from the scene
     glm::ivec2 size{400, 400};             // pixels
     int shadowMapSize = 512;               // texels along a side
     float shadowConeAngleDeg = 5.0F;       // full opening angle of the cone towards the light
@@ -111,6 +118,8 @@ struct Settings {
     bool emulateHalf = false;              // round the shaders' mediump values to 16 bits, as Mali does
     std::uint32_t activeVoxelLimit = 0;    // capacity of the active-voxel list's base level; 0: by the grid
 };
+
+const std::vector<int>& allGrids();  // 64, 128, 256, 512
 
 const std::vector<std::string>& presetNames();
 std::string presetList();  // with commas

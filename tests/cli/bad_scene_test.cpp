@@ -141,6 +141,23 @@ TEST_F(BadScene, GridThatDoesNotFitInMemory) {
         "--grid");
 }
 
+TEST_F(BadScene, VoxelsThatNoGridGives) {
+    const Bytes file = triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    expectOneError(render("good.glb", file, "--voxel-size 1e-6"), "512^3, gives this scene voxels of");
+    expectOneError(render("good.glb", file, "--voxel-size 0"), "above 0");
+    EXPECT_NE(render("good.glb", file, "--voxel-size 0.1 --grid 64"), 0);
+    EXPECT_NE(text.find("excludes"), std::string::npos) << text;
+}
+
+TEST_F(BadScene, GridsThatFollowFromAGoodSceneAreNamed) {
+    const Bytes file = triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0});  // 1 m
+    EXPECT_EQ(render("good.glb", file, "--preset mobile --grid auto --mode phong"), 0) << text;
+    EXPECT_NE(text.find("grid 64: voxels of 1.69 cm; the narrowest 2 % of the surface"), std::string::npos)
+        << text;
+    EXPECT_EQ(render("good.glb", file, "--voxel-size 0.01 --mode phong"), 0) << text;
+    EXPECT_NE(text.find("grid 128: voxels of 8.13 mm"), std::string::npos) << text;
+}
+
 TEST_F(BadScene, ListThatIsTooSmallNamesTheSizeThatIsNeeded) {
     expectOneError(render("cornell.glb", cornell(), "--grid 64 --active-voxels 100"), "--active-voxels");
 }

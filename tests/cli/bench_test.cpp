@@ -139,6 +139,13 @@ TEST(Bench, AGridThatIsAskedForIsEveryPresets) {
     const json comparison = program.json("b.json");
     EXPECT_EQ(comparison.at("presets").at(0).at("settings").at("grid"), 64);
     EXPECT_EQ(comparison.at("ratios").size(), 0U);
+    ASSERT_EQ(
+        program.run(std::string("bench ") + ProgramRun::cornell +
+                    " --preset mobile --grid auto --repeat 1 --size 16x16 --shadow-map 64 --json b.json"),
+        0)
+        << program.err;
+    EXPECT_EQ(program.json("b.json").at("presets").at(0).at("settings").at("grid"), 64);
+    EXPECT_NE(program.err.find("mobile, scenes 1 to 5, grid auto"), std::string::npos) << program.err;
     EXPECT_EQ(program.run(std::string("bench ") + ProgramRun::cornell + " --preset thesis,none"), 1);
     EXPECT_NE(program.err.find("--preset 'none' does not exist"), std::string::npos) << program.err;
 }

@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"TimingsInNoFolder", renderCornell("--out out --timings none/t.json"), "none/t.json"},
         BadCommand{"BenchBackend", benchCornell("--backend direct3d"), "egl, osmesa, zink"},
         BadCommand{"BenchPreset", benchCornell("--preset thesis,best"), "mobile"},
+        BadCommand{"GridInWords", renderCornell("--out out --grid fine"), "'fine' is not one of 64, 128"},
         BadCommand{"BenchGrid", benchCornell("--preset mobile --grid 100"), "64, 128, 256, 512"},
         BadCommand{"BenchOutBelowAFile", benchCornell("--out file/out"), "file/out"},
         BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"}),

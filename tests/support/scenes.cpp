@@ -24,6 +24,27 @@ void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const 
     scene.meshes.push_back(std::move(mesh));
 }
 
+void addBox(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre, int material) {
+    Mesh mesh;
+    mesh.material = material;
+    mesh.centre = centre;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            glm::dvec3 normal(0.0), u(0.0), v(0.0);
+            normal[axis] = side;
+            u[(axis + 1) % 3] = sides[(axis + 1) % 3];
+            v[(axis + 2) % 3] = side * sides[(axis + 2) % 3];
+            const glm::dvec3 corner = 0.5 * (normal * sides - u - v);
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const glm::dvec3& p : {corner, corner + u, corner + u + v, corner + v})
+                mesh.vertices.push_back({glm::vec3(p), glm::vec3(normal), glm::vec2(0.0F), glm::vec2(0.0F)});
+            for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U})
+                mesh.indices.push_back(first + i);
+        }
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+    scene.meshes.push_back(std::move(mesh));
+}
+
 glm::dmat4 turnScene(Scene& scene, double angleDeg) {
     const glm::dmat4 rotation =
         glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));

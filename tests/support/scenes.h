@@ -14,6 +14,10 @@ Scene emptyScene();
 void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v,
              int material = 0);
 
+// Adds a closed box with sides along the axes around `centre`, its outside the front, as one mesh.
+void addBox(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre = glm::dvec3(0.0),
+            int material = 0);
+
 // Turns everything around (1, 2, 3) through the origin, and returns the rotation.
 glm::dmat4 turnScene(Scene& scene, double angleDeg);
 

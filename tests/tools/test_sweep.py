@@ -71,6 +71,15 @@ def test_the_grids_of_presets_are_the_programs(tmp_path: Path):
 
 
 @needs_program
+def test_a_grid_that_the_scene_chooses_is_recorded(tmp_path: Path):
+    done = sweep(tmp_path, "--scenes", "corridor", "--sizes", "8x8", "--presets", "mobile", "--grids", "auto,64",
+                 "--modes", "ao", "--error-scales", "1")
+    assert done.returncode == 0, done.stderr
+    found = [(entry["settings"]["grid"], entry["grid"]) for entry in stored(tmp_path)["points"]]
+    assert found == [("auto", 128), (64, 64)]
+
+
+@needs_program
 def test_more_bounces_are_judged_against_the_full_light(tmp_path: Path):
     done = sweep(tmp_path, "--scenes", "cornell", "--sizes", "32x32", "--presets", "mobile")
     assert done.returncode == 0, done.stderr

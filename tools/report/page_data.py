@@ -35,7 +35,7 @@ def setting_rows(entries: list[dict[str, Any]]) -> list[dict[str, Any]]:
     rows = []
     for setting in SETTINGS:
         values = sorted({entry["settings"].get(setting.name, setting.default[0]) for entry in entries},
-                        key=lambda value: (value != setting.leave_out, value))
+                        key=lambda value: (value != setting.leave_out, isinstance(value, str), value))
         rows.append({"name": setting.name, "label": LABELS.get(setting.name, setting.name), "values": values,
                      "changes": sorted(setting.changes) if setting.changes else None})
     return rows

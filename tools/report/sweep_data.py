@@ -25,7 +25,7 @@ def point(entry: dict[str, Any]) -> dict[str, Any]:
     """A point without samples and hashes."""
     modes = {mode: {step: [steps[step]["median"], steps[step]["min"], steps[step]["max"]] for step in STEPS}
              | {"light": light_ms(steps)} for mode, steps in entry["modes"].items() if steps}
-    kept = ("key", "scene", "settings", "run", "status", "message", "active_voxels", "resources", "errors", "wall_s")
+    kept = ("key", "scene", "settings", "grid", "run", "status", "message", "active_voxels", "resources", "errors", "wall_s")
     return {name: entry[name] for name in kept if name in entry} | {"modes": modes, "asked_modes": list(entry["modes"])}
 
 

@@ -81,6 +81,7 @@ def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str
         render(program, [*common[:at], "--size", size, *common[at + 2:], "--light-parts"], timeout_s)
         average_down(folder, side)
     entry = {name: timings[name] for name in COPIED if name in timings}
+    entry["grid"] = timings["settings"]["grid"]  # which the scene chose where "auto" was asked for
     entry["bounces"] = timings["settings"]["bounces"]
     entry["modes"] = step_medians(timings, point.modes)
     entry["wall_s"] = round(time.monotonic() - start, 2)

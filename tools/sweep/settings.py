@@ -33,6 +33,10 @@ class Setting:
     of_preset: dict[str, tuple[Any, ...]] = field(default_factory=dict, hash=False)
 
 
+def grid_from_text(text: str) -> int | str:
+    return text if text == "auto" else int(text)
+
+
 SETTINGS: tuple[Setting, ...] = (
     Setting("backend", "--backends", "--backend", str, ("egl",), ("egl",), "drivers: egl, osmesa, zink"),
     Setting("preset", "--presets", "--preset", str, ("thesis", "mobile", "quality"), ("thesis", "mobile", "quality"),
@@ -40,7 +44,8 @@ SETTINGS: tuple[Setting, ...] = (
     Setting("size", "--sizes", "--size", str, ("256x256",), ("64x64",), "pictures, WIDTHxHEIGHT"),
     Setting("error_scale", "--error-scales", None, int, (2,), (1,),
             "errors are of a picture this many times as wide and high, averaged down"),
-    Setting("grid", "--grids", "--grid", int, (64, 128, 256, 512), (64, 128), "voxels along a side",
+    Setting("grid", "--grids", "--grid", grid_from_text, (64, 128, 256, 512), (64, 128),
+            "voxels along a side, or auto",
             of_preset={"mobile": (64,), "quality": (128,)}),
     # The reference's sun is 5 degrees wide: other angles show what the thesis's cone costs and gets wrong.
     Setting("cone_angle_deg", "--cone-angles", "--cone-angle", float, (2.5, 5.0, 7.5, 10.0), (5.0,),
@@ -80,7 +85,7 @@ class Point:
         # Times are of 7 frames, errors of one and its parts.
         pixels = width * height / 256**2 * (1 + self.settings["error_scale"]**2 / 6)
         mode = {"phong": 0.02, "shadow-map": 0.02, "ao": 0.4, "gi": 0.7, "gi-cone-shadow": 2.5}
-        grid = self.settings["grid"] / 128
+        grid = 1 if self.settings["grid"] == "auto" else self.settings["grid"] / 128
         return 1 + sum(0.3 * grid * grid / 4 + mode[m] * pixels * (0.5 + grid / 2) for m in self.modes)
 
 

@@ -57,7 +57,7 @@ function metricCell(error, metric) {
 }
 
 function settingText(name, value) {
-  if (name === "grid") return `${value}³`;
+  if (name === "grid" && value !== "auto") return `${value}³`;
   if (name === "cone_angle_deg") return `${value}°`;
   if (name === "error_scale") return `errors of ${value}×${value} samples`;
   return String(value).replace("x", "×");

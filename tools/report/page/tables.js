@@ -72,7 +72,7 @@ function drawVoxels() {
     make("h3", {}, "Active voxels per level, finest first"),
     table(headRow(["Grid", "share of level 0", ...Array.from({length: levels}, (_, level) => `level ${level}`)]),
       points.map(point => make("tr", rowClass(point), make("th", {scope: "row"}, name(point)),
-        make("td", {}, `${(point.active_voxels[0] / point.settings.grid ** 3 * 100).toFixed(2)} %`),
+        make("td", {}, `${(point.active_voxels[0] / (point.grid ?? point.settings.grid) ** 3 * 100).toFixed(2)} %`),
         Array.from({length: levels}, (_, level) => make("td", {}, point.active_voxels[level] === undefined ? "" : whole(point.active_voxels[level])))))),
     make("h3", {}, "Bytes on the GPU"),
     table(headRow(["Resource", ...points.map(name)]),
@@ -104,7 +104,7 @@ function drawExperiments() {
       : number(point.modes[mode].total[0])));
   const rows = changed.filter(point => point.scene === state.scene).map(point => {
     const base = without(point);
-    return make("tr", {}, make("th", {scope: "row"}, point.settings.experiment), make("td", {}, `${point.settings.grid}³`),
+    return make("tr", {}, make("th", {scope: "row"}, point.settings.experiment), make("td", {}, settingText("grid", point.settings.grid)),
       times(point, base), measures.map(measure => cell(point, base, measure)));
   });
   body.replaceChildren(make("p", {}, `One change to the algorithm at a time, ${state.scene}: without it → with it. Times of a

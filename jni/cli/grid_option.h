@@ -1,0 +1,31 @@
+// --grid and --voxel-size, of the commands that take them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "render/settings.h"
+#include "scene/scene.h"
+
+namespace vct::cli {
+
+struct GridOption {
+    std::optional<std::string> grid;  // a number or "auto"
+    std::optional<double> voxelSize;  // metres
+
+    bool given() const { return grid || voxelSize; }
+    void addTo(CLI::App& command);
+    // Sets a grid that is given as a number; the preset's stays where it follows from the scene. Throws
+    // vct::Error where it is neither.
+    void applyNumber(Settings& settings) const;
+    // Sets one that follows from the scene, and prints the reason. `texturesInMainMemory`: so how much memory
+    // there is can be asked.
+    void applyScene(Settings& settings, const Scene& scene, bool texturesInMainMemory) const;
+    // For people: "64^3", "grid auto".
+    std::string name(int presetGrid) const;
+    // What another process of vct has to be told for the same.
+    std::string argument(int presetGrid) const;
+};
+
+}  // namespace vct::cli

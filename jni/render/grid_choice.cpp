@@ -1,0 +1,116 @@
+#include "render/grid_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "core/error.h"
+#include "render/face_voxels.h"
+#include "render/volume.h"
+#include "render/voxel_pyramid.h"
+#include "scene/parts.h"
+
+namespace vct {
+
+namespace {
+
+constexpr double voxelsAcross = 2.0;
+constexpr double shareOfSurface = 0.02;
+// Of the next side; a sheet's shortest side is 0 but for rounding.
+constexpr double sheet = 1e-4;
+
+double voxelSize(const Bounds& boundsWorld, int grid) {
+    return volumeAround(boundsWorld, grid).voxelSize();
+}
+
+std::string lengthText(double metres) {
+    const struct {
+        double metres;
+        const char* name;
+    } units[] = {{1000.0, "km"}, {1.0, "m"}, {0.01, "cm"}, {0.001, "mm"}};
+    const auto* unit = units;
+    while (unit != std::end(units) - 1 && metres < 0.9995 * unit->metres)
+        ++unit;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %s", metres / unit->metres, unit->name);
+    return text;
+}
+
+std::string voxelsText(const Bounds& boundsWorld, int grid) {
+    return "grid " + std::to_string(grid) + ": voxels of " + lengthText(voxelSize(boundsWorld, grid));
+}
+
+std::size_t voxelBytes(const Settings& settings, int grid) {
+    return settings.voxels == Voxels::words ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
+                                            : FaceVoxels::bytesFor(grid, settings.activeVoxelLimit);
+}
+
+struct Narrow {
+    double across = 0.0;  // metres
+    std::string name;     // of the mesh
+};
+
+// The parts that are no wider than this make up shareOfSurface of the surface.
+Narrow narrowest(const Scene& scene, Voxels voxels) {
+    std::vector<Part> parts = connectedParts(scene);
+    const auto across = [&](const Part& part) {
+        const bool thin = voxels == Voxels::words && part.sides[0] > sheet * part.sides[1];
+        return part.sides[thin ? 0 : 1];
+    };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const Part& a, const Part& b) { return across(a) < across(b); });
+    double area = 0.0, total = 0.0;
+    for (const Part& part : parts)
+        total += part.area;
+    for (const Part& part : parts) {
+        area += part.area;
+        if (area < shareOfSurface * total) continue;
+        const Instance& instance = scene.instances[static_cast<std::size_t>(part.instance)];
+        return {across(part), scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
+    }
+    return {};
+}
+
+}  // namespace
+
+GridChoice gridForVoxelSize(const Bounds& boundsWorld, double metres) {
+    if (!(metres > 0.0) || !std::isfinite(metres))
+        throw Error("--voxel-size must be a length above 0, in metres");
+    for (const int grid : allGrids())
+        if (voxelSize(boundsWorld, grid) <= metres) return {grid, voxelsText(boundsWorld, grid)};
+    const int finest = allGrids().back();
+    throw Error("--voxel-size " + lengthText(metres) + ": the finest grid, " + std::to_string(finest) +
+                "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
+                "; ask for that or more, or render a part of the scene");
+}
+
+GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t bytes) {
+    const Narrow narrow = narrowest(scene, settings.voxels);
+    const double needed = narrow.across / voxelsAcross;
+    const auto enough = [&](int grid) {
+        return needed <= 0.0 || voxelSize(scene.boundsWorld, grid) <= needed;
+    };
+    int chosen = settings.gridRange.coarsest;
+    std::string limit;
+    for (const int grid : allGrids()) {
+        if (enough(chosen)) break;
+        if (grid <= chosen) continue;
+        if (grid > settings.gridRange.finest) break;
+        if (voxelBytes(settings, grid) > bytes) {
+            limit = ", the finest that memory allows";
+            break;
+        }
+        chosen = grid;
+    }
+    if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
+    std::string reason = voxelsText(scene.boundsWorld, chosen) + limit;
+    if (needed > 0.0)
+        reason += "; the narrowest 2 % of the surface are parts up to " + lengthText(narrow.across) +
+                  (settings.voxels == Voxels::words ? " thick" : " wide") +
+                  (narrow.name.empty() ? "" : " (\"" + narrow.name + "\")") + ", which ask for " +
+                  lengthText(needed);
+    return {chosen, reason};
+}
+
+}  // namespace vct
