@@ -101,6 +101,23 @@ Camera frameScene(const Scene& scene) {
     return lookAt(view.eye, view.target, framingFovDeg);
 }
 
+Camera posed(Camera camera, const Pose& pose) {
+    if (camera.node < 0) return camera;
+    const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(camera.node));
+    const std::optional<glm::dmat4> worldFromCamera = withoutScale(worldFromNode);
+    if (worldFromCamera) camera.worldFromCamera = *worldFromCamera;
+    camera.worldFromCamera[3] = worldFromNode[3];
+    return camera;
+}
+
+DirectionalLight posed(DirectionalLight light, const Pose& pose) {
+    if (light.node < 0) return light;
+    const glm::dvec3 back(pose.worldFromNode.at(static_cast<std::size_t>(light.node))[2]);
+    const double length = glm::length(back);
+    if (length > 0.0) light.towardsLight = back / length;
+    return light;
+}
+
 DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light;
@@ -109,7 +126,7 @@ DirectionalLight chooseLight(const Scene& scene) {
     return light;
 }
 
-glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect) {
+glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {
     const glm::dmat3 worldFromCameraAxes(camera.worldFromCamera);
     const glm::dvec3 eye(camera.worldFromCamera[3]);
     const glm::dmat3 cameraFromWorldAxes = glm::transpose(worldFromCameraAxes);
@@ -119,16 +136,18 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
     const double diagonal = std::max(glm::length(bounds.max - bounds.min), 1e-30);
     double farthest = 0.0;  // along the view axis
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 world((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
-                               (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                               (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+        const glm::dvec3 world((corner & 1) != 0 ? visible.max.x : visible.min.x,
+                               (corner & 2) != 0 ? visible.max.y : visible.min.y,
+                               (corner & 4) != 0 ? visible.max.z : visible.min.z);
         farthest = std::max(farthest, -(cameraFromWorldAxes * (world - eye)).z);
     }
 
     // A point at distance d in the corner of the picture is only d cos(corner angle) deep.
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
     const double cosCorner = 1.0 / std::sqrt(1.0 + tanHalf * tanHalf * (1.0 + aspect * aspect));
-    const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(bounds, eye), 1e-3 * diagonal);
+    const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(visible, eye), 1e-3 * diagonal);
+    // A million diagonals away nothing is a pixel wide, and more would not fit floats.
+    farthest = std::min(farthest, 1e6 * diagonal);
     const double far = std::max(1.001 * farthest + 1e-3 * diagonal, 2.0 * near);  // also when it looks away
     return glm::perspectiveRH_NO(camera.verticalFovRad, aspect, near, far) * cameraFromWorld;
 }

@@ -18,11 +18,20 @@ Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex);
 // A camera that sees the whole scene from the front and above.
 Camera frameScene(const Scene& scene);
 
+// Where a camera or a light is in a pose of its scene's animation. One that a scale of zero leaves without an
+// orientation keeps that of rest.
+Camera posed(Camera camera, const Pose& pose);
+DirectionalLight posed(DirectionalLight light, const Pose& pose);
+
 // The scene's first directional light, or a default one (from the upper front right, E = pi).
 DirectionalLight chooseLight(const Scene& scene);
 
-// Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene.
-// Returns clipFromWorld.
-glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect);
+// Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene: to
+// `visibleWorld`, which is `boundsWorld` and what has moved out of it. Returns clipFromWorld.
+glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect,
+                         const Bounds& visibleWorld);
+inline glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect) {
+    return clipFromWorld(camera, boundsWorld, aspect, boundsWorld);
+}
 
 }  // namespace vct

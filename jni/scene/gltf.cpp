@@ -7,6 +7,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "scene/gltf_animations.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
@@ -54,22 +55,24 @@ class MeshLoader {
     std::map<int, std::vector<int>> meshes_;
 };
 
-Scene buildScene(GltfFile& file) {
+Scene buildScene(GltfFile& file, const std::string& animation) {
     Scene scene;
     scene.path = file.path;
     MeshLoader meshes(file, scene);
     std::size_t triangles = 0;
-    for (const PlacedNode& placed : placeNodes(file)) {
+    std::vector<PlacedNode> nodes = placeNodes(file);
+    scene.animation = loadAnimation(file, animation, nodes);
+    for (const PlacedNode& placed : nodes) {
         addCamera(file, placed, scene);
         addLight(file, placed, scene);
         if (placed.node->mesh == -1) continue;
         const std::vector<int>& parts = meshes.get(placed.node->mesh);
-        if (isFlattened(placed.worldFromNode)) {
+        if (placed.moving < 0 && isFlattened(placed.worldFromNode)) {
             file.warn("nodes scaled to zero are left out");
             continue;
         }
         for (const int mesh : parts) {
-            scene.instances.push_back({mesh, placed.worldFromNode});
+            scene.instances.push_back({mesh, placed.worldFromNode, placed.moving});
             triangles += scene.meshes[static_cast<std::size_t>(mesh)].indices.size() / 3;
             if (triangles > maxTriangles || scene.instances.size() > maxInstances)
                 file.fail("it places more triangles than this program can draw", "simplify the scene");
@@ -103,10 +106,10 @@ std::vector<unsigned char> readFileFromDisk(const std::string& path) {
     return bytes;
 }
 
-Scene loadGltf(const std::string& path, const ReadFile& readFile) {
+Scene loadGltf(const std::string& path, const ReadFile& readFile, const std::string& animation) {
     try {
         GltfFile file = openGltf(path, readFile);
-        return buildScene(file);
+        return buildScene(file, animation);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -14,11 +14,17 @@ using ReadFile = std::function<std::vector<unsigned char>(const std::string& pat
 
 std::vector<unsigned char> readFileFromDisk(const std::string& path);
 
-// Throws vct::Error with one sentence: the file, the cause, the remedy.
-Scene loadGltf(const std::string& path, const ReadFile& readFile = readFileFromDisk);
+// Throws vct::Error with one sentence: the file, the cause, the remedy. `animation`: the one to play, by name
+// or index; "" takes the first.
+Scene loadGltf(const std::string& path, const ReadFile& readFile = readFileFromDisk,
+               const std::string& animation = "");
 
-// Recomputes scene.boundsWorld from the vertices that the triangles of the instances use.
-// Throws where there is no triangle or a position is not finite.
+// Recomputes scene.boundsWorld from the vertices that the triangles of the instances use: at rest and in
+// every pose, as the volume of the voxels must not change from frame to frame. (The poses at all keys and
+// three in each interval between, as a rotation swings out.) What the animation does adds no more than half
+// of the largest side of the bounds at rest to each side: one bird that flies off must not make all voxels
+// coarse. What leaves the volume has no voxels there. Throws where there is no triangle or a position is not
+// finite.
 void computeBounds(Scene& scene);
 
 // Permutes the instances and the triangles of every mesh; the picture and the voxels must not depend on it.

@@ -146,17 +146,21 @@ std::vector<float> readFloats(GltfFile& file, int index, int width, Components c
                               const std::string& attribute) {
     const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
     const std::string name = named(index) + " (" + attribute + ")";
-    const int expected = width == 2 ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3;
-    if (accessor.type != expected) file.fail(name + " is not a VEC" + std::to_string(width));
+    constexpr int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
+                             TINYGLTF_TYPE_VEC4};
+    if (accessor.type != types[width - 1])
+        file.fail(name + " is not a " + (width == 1 ? "SCALAR" : "VEC" + std::to_string(width)));
 
     const int type = accessor.componentType;
     const std::size_t componentSize = componentBytes(type);
     const bool isUnsigned =
         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    const bool isSmall = componentSize == 1 || componentSize == 2;
     const bool allowed =
         type == TINYGLTF_COMPONENT_TYPE_FLOAT ||
         (components == Components::floatOrNormalizedUnsigned && isUnsigned && accessor.normalized) ||
-        (components == Components::anySmallInteger && (componentSize == 1 || componentSize == 2));
+        (components == Components::floatOrNormalized && isSmall && accessor.normalized) ||
+        (components == Components::anySmallInteger && isSmall);
     if (!allowed)
         file.fail(name + " has component type " + std::to_string(type) + ", which is not allowed there");
 

@@ -16,9 +16,9 @@ struct ByteRange {
 ByteRange viewBytes(const GltfFile& file, int bufferView);
 
 // Which component types an attribute may have besides float.
-enum class Components { floatOnly, floatOrNormalizedUnsigned, anySmallInteger };
+enum class Components { floatOnly, floatOrNormalizedUnsigned, floatOrNormalized, anySmallInteger };
 
-// `width` (2 or 3) floats per element, normalized integers converted, sparse values put in place.
+// `width` (1 to 4) floats per element, normalized integers converted, sparse values put in place.
 // `attribute` names it in an error.
 std::vector<float> readFloats(GltfFile& file, int accessor, int width, Components components,
                               const std::string& attribute);

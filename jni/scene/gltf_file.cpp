@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "scene/gltf_animations.h"
 
 namespace vct {
 namespace {
@@ -249,8 +250,7 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
     checkSparseOffsets(file, document);
     const json buffers = take(file, document, "buffers");
     const json images = take(file, document, "images");
-    if (!take(file, document, "animations").empty())
-        file.warn("animations are ignored: nodes stay where the file puts them");
+    const json animations = take(file, document, "animations");
     if (!take(file, document, "skins").empty())
         file.warn("skins are ignored: meshes stay as they are modelled");
 
@@ -265,6 +265,7 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
 
     readBuffers(file, buffers, chunks);
     readImageSources(file, images);
+    readAnimations(file, animations);
     return file;
 }
 

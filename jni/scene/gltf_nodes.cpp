@@ -23,7 +23,7 @@ void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf:
     }
 }
 
-glm::dmat4 localTransform(const GltfFile& file, const tinygltf::Node& node) {
+NodeTransform localTransform(const GltfFile& file, const tinygltf::Node& node) {
     const auto wrongSize = [](const std::vector<double>& values, std::size_t size) {
         return !values.empty() && values.size() != size;
     };
@@ -31,25 +31,27 @@ glm::dmat4 localTransform(const GltfFile& file, const tinygltf::Node& node) {
         wrongSize(node.scale, 3))
         file.fail(named(file, node) + " has a transformation with a wrong number of elements");
 
-    glm::dmat4 matrix(1.0);
+    NodeTransform transform;
     if (!node.matrix.empty()) {
+        glm::dmat4 matrix;
         for (int i = 0; i < 16; ++i)
             matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
         if (matrix[0][3] != 0.0 || matrix[1][3] != 0.0 || matrix[2][3] != 0.0 || matrix[3][3] != 1.0)
             file.fail(named(file, node) + " has a matrix whose last row is not 0 0 0 1");
-        return matrix;
+        transform.matrix = matrix;
+        return transform;
     }
-    if (!node.translation.empty())
-        matrix = glm::translate(matrix, {node.translation[0], node.translation[1], node.translation[2]});
+    const auto three = [](const std::vector<double>& v) { return glm::dvec3(v[0], v[1], v[2]); };
+    if (!node.translation.empty()) transform.translation = three(node.translation);
     if (!node.rotation.empty()) {
         const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
         const double length = glm::length(rotation);
         if (!(length > 1e-6) || !std::isfinite(length))
             file.fail(named(file, node) + " has a rotation that is not a unit quaternion");
-        matrix *= glm::mat4_cast(rotation / length);
+        transform.rotation = rotation / length;
     }
-    if (!node.scale.empty()) matrix = glm::scale(matrix, {node.scale[0], node.scale[1], node.scale[2]});
-    return matrix;
+    if (!node.scale.empty()) transform.scale = three(node.scale);
+    return transform;
 }
 
 // Every node has one parent at most: else the walk below might not end.
@@ -102,7 +104,7 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
     struct Pending {
         int node;
         int depth;
-        glm::dmat4 worldFromParent;
+        int parent;  // index into `placed`, or -1
     };
     const std::vector<bool> isChild = findChildren(file);
     checkCycles(file, isChild);
@@ -110,7 +112,7 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
     std::vector<Pending> pending;
     const std::vector<int> roots = findRoots(file, isChild);
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-        pending.push_back({*root, 1, glm::dmat4(1.0)});
+        pending.push_back({*root, 1, -1});
 
     std::vector<PlacedNode> placed;
     std::vector<bool> visited(file.model.nodes.size());
@@ -123,11 +125,15 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         visited[index] = true;
         if (next.depth > maxDepth)
             file.fail("its nodes are nested more than " + std::to_string(maxDepth) + " levels deep");
-        const glm::dmat4 worldFromNode = next.worldFromParent * localTransform(file, node);
+        const glm::dmat4 worldFromParent =
+            next.parent < 0 ? glm::dmat4(1.0) : placed[static_cast<std::size_t>(next.parent)].worldFromNode;
+        const NodeTransform transform = localTransform(file, node);
+        const glm::dmat4 worldFromNode = worldFromParent * transform.parentFromNode();
         checkFinite(file, worldFromNode, node);
-        placed.push_back({&node, worldFromNode});
+        const int self = static_cast<int>(placed.size());
+        placed.push_back({&node, worldFromNode, transform, next.parent});
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-            pending.push_back({*child, next.depth + 1, worldFromNode});
+            pending.push_back({*child, next.depth + 1, self});
     }
     return placed;
 }
@@ -146,20 +152,13 @@ void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
         file.fail("camera \"" + oneLine(camera.name) +
                   "\" has a field of view that is not between 0 and 180 degrees");
 
-    // The axes that matter are where it looks (-Z) and which way is up (+Y); scale and mirroring are dropped.
-    const glm::dmat4& world = placed.worldFromNode;
-    const glm::dvec3 back(world[2]);
-    const glm::dvec3 right = glm::cross(glm::dvec3(world[1]), back);
-    const double backLength = glm::length(back);
-    const double rightLength = glm::length(right);
-    if (!(backLength > 0.0 && rightLength > 0.0 && std::isfinite(rightLength))) {
+    const std::optional<glm::dmat4> worldFromCamera = withoutScale(placed.worldFromNode);
+    if (!worldFromCamera) {
         file.warn("a camera without an orientation (zero scale) is left out");
         return;
     }
-    const glm::dvec3 z = back / backLength;
-    const glm::dvec3 x = right / rightLength;
-    camera.worldFromCamera =
-        glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0), glm::dvec4(z, 0.0), world[3]);
+    camera.worldFromCamera = *worldFromCamera;
+    camera.node = placed.moving;
     scene.cameras.push_back(std::move(camera));
 }
 
@@ -191,6 +190,7 @@ void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
 
     DirectionalLight light;
     light.towardsLight = back / length;
+    light.node = placed.moving;
     const bool shines = intensity > 0.0;
     light.color = shines ? glm::vec3(color / largest) : glm::vec3(0.0F);
     light.intensity = shines ? static_cast<float>(intensity) : 0.0F;

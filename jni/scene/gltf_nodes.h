@@ -10,6 +10,9 @@ namespace vct {
 struct PlacedNode {
     const tinygltf::Node* node = nullptr;
     glm::dmat4 worldFromNode{1.0};
+    NodeTransform transform;
+    int parent = -1;  // index of a node before it, or -1
+    int moving = -1;  // index into Animation::nodes, or -1: it never moves
 };
 
 // The nodes of the default scene, parents first. Throws where the nodes are not a forest.

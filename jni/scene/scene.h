@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "scene/animation.h"
+#include "scene/bounds.h"
+
 namespace vct {
 
 struct Vertex {
@@ -45,7 +48,11 @@ struct Mesh {
 // A mesh placed in the world.
 struct Instance {
     int mesh = 0;
-    glm::dmat4 worldFromObject{1.0};  // of the file's object space, so before Mesh::centre is subtracted
+    glm::dmat4 worldFromObject{
+        1.0};       // of the file's object space, so before Mesh::centre is subtracted; at rest
+    int node = -1;  // the one that moves it, of Scene::animation; -1: it never moves
+
+    bool moves() const { return node >= 0; }
 };
 
 // 8-bit RGBA, sRGB-encoded colour (linear alpha), first row at the top (glTF: uv (0,0)).
@@ -66,19 +73,18 @@ struct Camera {
     std::string name;
     glm::dmat4 worldFromCamera{1.0};  // rigid: rotation and translation only
     double verticalFovRad = 0.8;
+    int node = -1;  // as Instance::node
 };
 
 struct DirectionalLight {
     glm::dvec3 towardsLight{0.0, 1.0, 0.0};  // world, unit length
     glm::vec3 color{1.0F};                   // linear RGB, largest component 1 (0 when the light is off)
     float intensity = 3.14159265F;           // E in lux: irradiance of a surface that faces the light
+    int node = -1;                           // as Instance::node
 };
 
-struct Bounds {
-    glm::dvec3 min{0.0};
-    glm::dvec3 max{0.0};
-};
-
+// Everything is at rest, as the nodes of the file put it; a Pose of the animation says where what moves is at
+// a time.
 struct Scene {
     std::string path;
     std::vector<Texture> textures;
@@ -87,7 +93,10 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Camera> cameras;
     std::vector<DirectionalLight> lights;
-    Bounds boundsWorld;                 // of all instances' vertices that triangles use
+    Animation animation;
+    // Of all instances' vertices that triangles use: at rest, and in the animation's poses as far as
+    // computeBounds() says.
+    Bounds boundsWorld;
     std::vector<std::string> warnings;  // what the file asks for that is not honoured
 
     std::size_t triangleCount() const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "core/error.h"
@@ -13,6 +14,7 @@ namespace {
 
 // Beyond this a coordinate squared leaves the range of float.
 constexpr double maxCoordinate = 1e18;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Fisher and Yates; std::shuffle differs between standard libraries, and a seed must mean one order.
 template <class T>
@@ -33,10 +35,78 @@ std::vector<glm::dvec3> usedPositions(const Mesh& mesh) {
     return positions;
 }
 
+// Of all keys and three between each two, at most `most` of them, evenly.
+std::vector<double> poseTimes(const Animation& animation, std::size_t most) {
+    std::vector<double> keys;
+    for (const AnimationChannel& channel : animation.channels)
+        keys.insert(keys.end(), channel.times.begin(), channel.times.end());
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    std::vector<double> times;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        times.push_back(keys[i]);
+        for (int quarter = 1; quarter < 4 && i + 1 < keys.size(); ++quarter)
+            times.push_back(keys[i] + 0.25 * quarter * (keys[i + 1] - keys[i]));
+    }
+    if (times.size() <= most) return times;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < most; ++i)
+        some.push_back(times[i * (times.size() - 1) / (most - 1)]);
+    return some;
+}
+
+bool isUsable(const glm::dvec3& world) {
+    const double largest = std::max({std::abs(world.x), std::abs(world.y), std::abs(world.z)});
+    return std::isfinite(world.x + world.y + world.z) && largest <= maxCoordinate;
+}
+
+// Around `rest` and whatever the poses reach of `limit`.
+Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit) {
+    struct Moving {
+        int node;
+        const std::vector<glm::dvec3>* positions;
+        std::vector<glm::dvec3> corners;  // of the box around them
+    };
+    std::map<int, std::vector<glm::dvec3>> positionsOf;  // of the meshes that move
+    std::vector<Moving> moving;
+    std::size_t work = scene.animation.nodes.size();
+    for (const Instance& instance : scene.instances) {
+        if (!instance.moves()) continue;
+        const auto [found, added] = positionsOf.try_emplace(instance.mesh);
+        if (added) found->second = usedPositions(scene.meshes[static_cast<std::size_t>(instance.mesh)]);
+        moving.push_back(
+            {instance.node, &found->second, cornersOf(boundsOf(found->second, glm::dmat4(1.0)))});
+        work += found->second.size();
+    }
+
+    Bounds bounds = rest;
+    const auto reach = [&](const std::vector<glm::dvec3>& positions, const glm::dmat4& worldFromObject) {
+        const Bounds reached = boundsOf(positions, worldFromObject);
+        return united(bounds, {glm::max(reached.min, limit.min), glm::min(reached.max, limit.max)});
+    };
+    // A second or two, whatever the file says.
+    const std::size_t most =
+        std::max<std::size_t>(16, (std::size_t{1} << 28) / std::max<std::size_t>(work, 1));
+    for (const double seconds : poseTimes(scene.animation, most)) {
+        const Pose pose = poseAt(scene.animation, seconds);
+        for (const Moving& m : moving) {
+            const glm::dmat4& worldFromObject = pose.worldFromNode[static_cast<std::size_t>(m.node)];
+            for (const glm::dvec3& corner : m.corners)
+                if (!isUsable(glm::dvec3(worldFromObject * glm::dvec4(corner, 1.0))))
+                    throw Error("cannot use the scene " + scene.path + ": at " + std::to_string(seconds) +
+                                " s its animation \"" + scene.animation.name +
+                                "\" moves a mesh beyond 1e18, or to where no number is; correct its values");
+            // Most poses stay inside: the box says so at once.
+            const Bounds box = reach(m.corners, worldFromObject);
+            if (box.min != bounds.min || box.max != bounds.max) bounds = reach(*m.positions, worldFromObject);
+        }
+    }
+    return bounds;
+}
+
 }  // namespace
 
 void computeBounds(Scene& scene) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
     const std::string prefix = "cannot use the scene " + scene.path + ": ";
     if (scene.triangleCount() == 0) throw Error(prefix + "it has no triangles; export it with a mesh");
@@ -49,8 +119,7 @@ void computeBounds(Scene& scene) {
         for (const glm::dvec3& position : usedPositions(scene.meshes[mesh])) {
             for (const Instance* instance : instancesOf[mesh]) {
                 const glm::dvec3 world(instance->worldFromObject * glm::dvec4(position, 1.0));
-                const double largest = std::max({std::abs(world.x), std::abs(world.y), std::abs(world.z)});
-                if (!std::isfinite(world.x + world.y + world.z) || largest > maxCoordinate)
+                if (!isUsable(world))
                     throw Error(
                         prefix + "the mesh \"" + scene.meshes[mesh].name +
                         "\" has a position that is not finite or beyond 1e18; correct its vertices or scale");
@@ -59,6 +128,12 @@ void computeBounds(Scene& scene) {
             }
         }
     }
+    const glm::dvec3 extent = bounds.max - bounds.min;
+    const double reach = 0.5 * std::max({extent.x, extent.y, extent.z});
+    // A scene that grows out of one point has no size at rest to go by.
+    const double limit = reach > 0.0 ? reach : maxCoordinate;
+    if (!scene.animation.channels.empty())
+        bounds = boundsOfPoses(scene, bounds, {bounds.min - limit, bounds.max + limit});
     if (bounds.min == bounds.max)
         throw Error(prefix + "all of its triangles lie in one point; correct its vertices or scale");
     scene.boundsWorld = bounds;

@@ -39,6 +39,9 @@ Bytes validFile(const Bytes& image) {
     b.node({{"camera", 0},
             {"rotation", {0, 0, 0, 1}},
             {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    b.animate(0, "rotation", {0, 1}, {0, 0, 0, 1, 0.6F, 0, 0, 0.8F});
+    b.animate(0, "translation", {0, 1}, {9, 9, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 9, 9, 9},
+              "CUBICSPLINE");
     return b.glb();
 }
 
@@ -66,6 +69,9 @@ void checkScene(const Scene& scene) {
     for (const Texture& texture : scene.textures)
         ASSERT_EQ(texture.rgba.size(), static_cast<std::size_t>(texture.width) * texture.height * 4U);
     ASSERT_TRUE(finite(glm::vec3(scene.boundsWorld.max - scene.boundsWorld.min)));
+    for (const double seconds : {0.0, 0.5, 1e9})
+        for (const glm::dmat4& worldFromNode : poseAt(scene.animation, seconds).worldFromNode)
+            ASSERT_TRUE(finite(glm::vec3(worldFromNode * glm::dvec4(1.0))));
 }
 
 enum class Outcome { loaded, refused };

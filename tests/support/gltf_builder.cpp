@@ -76,6 +76,20 @@ int GltfBuilder::triangle() {
     return node({{"mesh", mesh({{"attributes", {{"POSITION", positions}}}})}});
 }
 
+void GltfBuilder::animate(int node, const std::string& path, const std::vector<float>& times,
+                          const std::vector<float>& values, const std::string& interpolation,
+                          std::size_t animation) {
+    const int input = floats(times, "SCALAR");
+    const int output = floats(values, path == "rotation" ? "VEC4" : "VEC3");
+    json& all = document["animations"];
+    while (all.size() <= animation)
+        all.push_back({{"channels", json::array()}, {"samplers", json::array()}});
+    json& target = all[animation];
+    target["channels"].push_back(
+        {{"sampler", target["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+    target["samplers"].push_back({{"input", input}, {"output", output}, {"interpolation", interpolation}});
+}
+
 int GltfBuilder::texture(const Bytes& image, json sampler) {
     json texture = {{"source", add("images", {{"bufferView", view(image.data(), image.size())},
                                               {"mimeType", "image/png"}})}};

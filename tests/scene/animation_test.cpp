@@ -1,0 +1,391 @@
+// Node animation from a glTF file to matrices at a time: hand-computed values, and everything that is not
+// valid.
+#include "scene/animation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "core/error.h"
+#include "scene/camera.h"
+#include "support/gltf_builder.h"
+
+namespace vct::test {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+const float half = std::sqrt(0.5F);
+
+// Where instance 0 is at a time.
+glm::dmat4 at(const Scene& scene, double seconds) {
+    return poseAt(scene.animation, seconds)
+        .worldFromNode.at(static_cast<std::size_t>(scene.instances.at(0).node));
+}
+glm::dvec3 placeAt(const Scene& scene, double seconds) {
+    return at(scene, seconds)[3];
+}
+
+void expectNear(const glm::dvec3& a, const glm::dvec3& b, const std::string& what, double tolerance = 1e-6) {
+    EXPECT_NEAR(glm::distance(a, b), 0.0, tolerance) << what << ": " << a.x << " " << a.y << " " << a.z
+                                                     << ", expected " << b.x << " " << b.y << " " << b.z;
+}
+
+// A triangle that an animation of one channel moves.
+Scene moved(const std::string& path, const std::vector<float>& times, const std::vector<float>& values,
+            const std::string& interpolation = "LINEAR") {
+    GltfBuilder builder;
+    builder.animate(builder.triangle(), path, times, values, interpolation);
+    return load(builder);
+}
+
+TEST(Animation, LinearKeysAreJoinedByStraightLinesAndHeldAtBothEnds) {
+    const Scene scene = moved("translation", {1, 3}, {0, 0, 0, 4, 8, -2});
+    EXPECT_EQ(scene.animation.durationS, 3.0);
+    for (const double early : {0.0, 0.5, 1.0})
+        EXPECT_EQ(placeAt(scene, early), glm::dvec3(0)) << early;
+    EXPECT_EQ(placeAt(scene, 1.5), glm::dvec3(1, 2, -0.5));
+    EXPECT_EQ(placeAt(scene, 2.0), glm::dvec3(2, 4, -1));
+    for (const double late : {3.0, 3.5, 1e9})
+        EXPECT_EQ(placeAt(scene, late), glm::dvec3(4, 8, -2)) << late;
+}
+
+TEST(Animation, StepKeysHoldUntilTheNext) {
+    const Scene scene = moved("translation", {0, 1, 2}, {5, 0, 0, 6, 0, 0, 7, 0, 0}, "STEP");
+    EXPECT_EQ(placeAt(scene, 0.999).x, 5.0);
+    EXPECT_EQ(placeAt(scene, 1.0).x, 6.0);
+    EXPECT_EQ(placeAt(scene, 1.999).x, 6.0);
+    EXPECT_EQ(placeAt(scene, 2.0).x, 7.0);
+}
+
+// In-tangent, value, out-tangent. Over 2 s from value 1 with tangent 3 to value 5 with tangent -1, by hand:
+// u = 1/4: 0.84375 * 1 + 2 * 0.140625 * 3 + 0.15625 * 5 + 2 * -0.046875 * -1 = 2.5625.
+TEST(Animation, CubicSplineFollowsItsTangents) {
+    const Scene scene =
+        moved("translation", {1, 3}, {9, 9, 9, 1, 0, 0, 3, 0, 0, -1, 0, 0, 5, 0, 0, 9, 9, 9}, "CUBICSPLINE");
+    EXPECT_EQ(placeAt(scene, 0.0), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(placeAt(scene, 1.0), glm::dvec3(1, 0, 0));
+    EXPECT_NEAR(placeAt(scene, 1.5).x, 2.5625, 1e-12);
+    EXPECT_NEAR(placeAt(scene, 2.0).x, 0.5 * 1 + 2 * 0.125 * 3 + 0.5 * 5 + 2 * -0.125 * -1, 1e-12);
+    EXPECT_EQ(placeAt(scene, 3.0), glm::dvec3(5, 0, 0));
+}
+
+TEST(Animation, RotationsTakeTheShorterWayAtEvenSpeed) {
+    // About +Z: none, then 120 degrees given as its negative, which is the same rotation.
+    const float s = std::sin(glm::radians(60.0F)), c = std::cos(glm::radians(60.0F));
+    for (const float sign : {1.0F, -1.0F}) {
+        const Scene scene = moved("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, sign * s, sign * c});
+        for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+            const double angle = glm::radians(120.0 * t);
+            expectNear(at(scene, t)[0], {std::cos(angle), std::sin(angle), 0},
+                       "x axis at " + std::to_string(t));
+        }
+    }
+}
+
+TEST(Animation, ACubicSplineOfRotationsIsNormalised) {
+    // No tangents: half way it is the mean of the two keys, which is shorter than 1.
+    const Scene scene =
+        moved("rotation", {0, 1},
+              {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, half, half, 0, 0, 0, 0}, "CUBICSPLINE");
+    expectNear(at(scene, 0.5)[0], {half, half, 0}, "45 degrees about z");
+    EXPECT_NEAR(glm::determinant(at(scene, 0.5)), 1.0, 1e-9);
+}
+
+TEST(Animation, IntegerRotationsAreNormalised) {
+    GltfBuilder builder;
+    const int node = builder.triangle();
+    builder.animate(node, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half});
+    const auto use = [&](int accessor) {
+        builder.document["animations"][0]["samplers"][0]["output"] = accessor;
+        return at(load(builder), 1.0);
+    };
+    const glm::dmat4 exact = at(load(builder), 1.0);
+    const glm::dmat4 fromShort = use(
+        builder.accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 23170, 23170}, int16, "VEC4", true));
+    expectNear(fromShort[0], exact[0], "short", 1e-4);
+    const glm::dmat4 fromByte =
+        use(builder.accessor(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 90, 90}, int8, "VEC4", true));
+    expectNear(fromByte[0], exact[0], "byte", 1e-2);
+    EXPECT_NEAR(glm::determinant(fromByte), 1.0, 1e-9) << "a rotation";
+}
+
+TEST(Animation, ScaleOfZeroAndBack) {
+    const Scene scene = moved("scale", {0, 1, 2}, {1, 1, 1, 0, 0, 0, 1, 1, 1});
+    EXPECT_EQ(glm::determinant(at(scene, 1.0)), 0.0);
+    EXPECT_EQ(at(scene, 1.5), glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)));
+}
+
+// It is there, though nothing of it is to be seen at rest.
+TEST(Animation, WhatIsScaledToZeroAtRestIsKeptWhereItMoves) {
+    GltfBuilder builder;
+    builder.triangle();
+    const int node = builder.triangle();
+    builder.document["nodes"][1]["scale"] = {0, 0, 0};
+    builder.animate(node, "scale", {0, 1}, {0, 0, 0, 1, 1, 1});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.instances.size(), 2U);
+    EXPECT_FALSE(hasWarning(scene, "zero"));
+}
+
+TEST(Animation, OneKeyIsAConstant) {
+    for (const char* interpolation : {"STEP", "LINEAR"}) {
+        const Scene scene = moved("translation", {2}, {1, 2, 3}, interpolation);
+        for (const double t : {0.0, 2.0, 5.0})
+            EXPECT_EQ(placeAt(scene, t), glm::dvec3(1, 2, 3)) << interpolation << " " << t;
+    }
+    const Scene spline = moved("translation", {2}, {9, 9, 9, 1, 2, 3, 9, 9, 9}, "CUBICSPLINE");
+    for (const double t : {0.0, 2.0, 5.0})
+        EXPECT_EQ(placeAt(spline, t), glm::dvec3(1, 2, 3)) << t;
+}
+
+// A turned root, a moved node, a matrix below it, a mesh below that, and one beside it that stays.
+TEST(Animation, MovesWhatHangsOnANodeAndNothingElse) {
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    builder.triangle();
+    const int crate = builder.add(
+        "nodes", {{"children", {mesh}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 1, 0, 1}}});
+    const int cart =
+        builder.add("nodes", {{"children", {crate}}, {"translation", {9, 9, 9}}, {"scale", {1, 1, 3}}});
+    const int root = builder.add("nodes", {{"children", {cart, 1}}, {"rotation", {0, 0, half, half}}});
+    builder.document["scenes"][0]["nodes"] = {root};
+    builder.animate(cart, "translation", {0, 1}, {0, 0, 0, 4, 0, 0});
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.instances.size(), 2U);
+    EXPECT_TRUE(scene.instances[0].moves());
+    EXPECT_FALSE(scene.instances[1].moves());
+    ASSERT_EQ(scene.animation.nodes.size(), 3U);  // cart, crate, mesh
+    // At rest, as the file puts it.
+    expectNear(scene.instances[0].worldFromObject[3], {-10, 9, 9}, "rest");
+    // 4 along x and 1 along y, turned by a quarter about z; scaled by 2, and by 3 along z.
+    const glm::dmat4 world = at(scene, 1.0);
+    expectNear(world[3], {-1, 4, 0}, "place");
+    expectNear(world[0], {0, 2, 0}, "x");
+    expectNear(world[1], {-2, 0, 0}, "y");
+    expectNear(world[2], {0, 0, 6}, "z");
+}
+
+TEST(Animation, APoseDependsOnItsTimeAlone) {
+    GltfBuilder builder;
+    const int node = builder.triangle();
+    builder.animate(node, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0.6F, 0, 0.8F, 0, half, 0, 0, half});
+    builder.animate(node, "translation", {0, 2}, {0.1F, 0, 0, 3, 1, 0.7F});
+    const Scene scene = load(builder), other = load(builder);
+    const glm::dmat4 before = at(scene, 1.3);
+    for (const double t : {0.2, 1.9, 7.0, 0.0})
+        at(scene, t);
+    EXPECT_EQ(at(scene, 1.3), before);
+    EXPECT_EQ(at(other, 1.3), before);
+    EXPECT_NE(at(scene, 1.4), before);
+}
+
+TEST(Animation, MovesCamerasAndLights) {
+    GltfBuilder builder;
+    builder.triangle();
+    builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
+    builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "directional"}}};
+    const int camera = builder.node({{"camera", 0}, {"scale", {2, 2, 2}}});
+    const int sun = builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    builder.animate(camera, "translation", {0, 1}, {0, 0, 5, 2, 0, 5});
+    builder.animate(sun, "rotation", {0, 1}, {0, 0, 0, 1, half, 0, 0, half});
+    builder.animate(sun, "scale", {0, 1, 2}, {1, 1, 1, 1, 1, 1, 0, 0, 0});
+    const Scene scene = load(builder);
+    const Pose pose = poseAt(scene.animation, 1.0);
+    const Camera moved = posed(chooseCamera(scene, ""), pose);
+    EXPECT_EQ(moved.worldFromCamera, glm::translate(glm::dmat4(1.0), glm::dvec3(2, 0, 5))) << "no scale";
+    expectNear(posed(chooseLight(scene), pose).towardsLight, {0, -1, 0}, "under the horizon");
+    // Scaled to nothing it has no direction, and keeps that of rest.
+    EXPECT_EQ(posed(chooseLight(scene), poseAt(scene.animation, 2.0)).towardsLight, glm::dvec3(0, 0, 1));
+    EXPECT_FALSE(scene.instances.at(0).moves());
+    // What is not the scene's own stays.
+    const Camera fixed = lookAt({0, 0, 5}, {0, 0, 0}, 40);
+    EXPECT_EQ(posed(fixed, pose).worldFromCamera, fixed.worldFromCamera);
+}
+
+TEST(Animation, BoundsHoldEveryPoseButNoMoreThanHalfASideBeyondRest) {
+    // A triangle of side 1 beside one that makes the scene 2 wide: at most 1 beyond it.
+    const auto boundsWith = [](const std::vector<float>& target) {
+        GltfBuilder builder;
+        builder.triangle();
+        const int node = builder.triangle();
+        builder.document["nodes"][1]["translation"] = {1, 0, 0};
+        builder.animate(node, "translation", {0, 1}, {1, 0, 0, target[0], target[1], target[2]});
+        return load(builder).boundsWorld;
+    };
+    EXPECT_EQ(boundsWith({1, 0, 0}).max, glm::dvec3(2, 1, 0));
+    EXPECT_EQ(boundsWith({1.5F, 0.5F, 0}).max, glm::dvec3(2.5, 1.5, 0));
+    EXPECT_EQ(boundsWith({1.5F, 0.5F, 0}).min, glm::dvec3(0));
+    EXPECT_EQ(boundsWith({1e6F, -50, 0}).max, glm::dvec3(3, 1, 0));
+    EXPECT_EQ(boundsWith({1e6F, -50, 0}).min, glm::dvec3(0, -1, 0));
+    EXPECT_EQ(boundsWith({1e17F, 0, 0}).max, glm::dvec3(3, 1, 0));
+    try {
+        boundsWith({1e20F, 0, 0});
+        ADD_FAILURE() << "1e20";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("moves a mesh beyond 1e18"), std::string::npos)
+            << error.what();
+    }
+}
+
+// Half a turn: at neither key it is as far to the side as between them.
+TEST(Animation, BoundsHoldWhatSwingsOutBetweenTheKeys) {
+    const Scene scene = moved("rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half});
+    // The corner (1, 0, 0) swings to (0, 1, 0), and (0, 1, 0) to (-1, 0, 0).
+    EXPECT_NEAR(scene.boundsWorld.min.x, -0.5, 1e-6) << "half of the largest side at rest";
+    EXPECT_NEAR(scene.boundsWorld.max.y, 1.0, 1e-6);
+    GltfBuilder builder;
+    const int node = builder.triangle();
+    builder.node({{"mesh", 0}, {"scale", {4, 4, 4}}, {"translation", {-2, -2, 0}}});
+    // Three quarters round, in two steps of 135 degrees.
+    const auto z = [](float degrees) { return std::sin(glm::radians(degrees / 2)); };
+    const auto w = [](float degrees) { return std::cos(glm::radians(degrees / 2)); };
+    builder.animate(node, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, z(135), w(135), 0, 0, z(270), w(270)});
+    builder.document["nodes"][0]["translation"] = {1.5, 0, 0};
+    EXPECT_NEAR(load(builder).boundsWorld.max.x, 2.5, 1e-6);
+}
+
+TEST(Animation, AnotherOneIsChosenByNameOrIndexAndTheRestIsNamed) {
+    GltfBuilder builder;
+    const int node = builder.triangle();
+    const int other = builder.triangle();
+    builder.animate(node, "translation", {0, 1}, {0, 0, 0, 1, 0, 0}, "LINEAR", 0);
+    builder.animate(other, "translation", {0, 1}, {0, 0, 0, 0, 2, 0}, "LINEAR", 1);
+    builder.document["animations"][0]["name"] = "walk";
+    builder.document["animations"][1]["name"] = "wave";
+    const auto loadWith = [&](const std::string& animation) {
+        const Bytes file = builder.glb();
+        return loadGltf(
+            "test.glb", [&](const std::string&) { return file; }, animation);
+    };
+    for (const char* first : {"", "0", "walk"}) {
+        const Scene scene = loadWith(first);
+        EXPECT_EQ(scene.animation.name, "walk") << first;
+        EXPECT_TRUE(scene.instances.at(0).moves());
+        EXPECT_FALSE(scene.instances.at(1).moves());
+        EXPECT_TRUE(hasWarning(scene, "not played (--animation): 1 (wave)")) << first;
+    }
+    for (const char* second : {"1", "wave"}) {
+        const Scene scene = loadWith(second);
+        EXPECT_EQ(scene.animation.name, "wave") << second;
+        EXPECT_FALSE(scene.instances.at(0).moves());
+        EXPECT_TRUE(scene.instances.at(1).moves());
+        EXPECT_TRUE(hasWarning(scene, "not played (--animation): 0 (walk)")) << second;
+    }
+    for (const char* none : {"2", "run", "-1"})
+        try {
+            loadWith(none);
+            ADD_FAILURE() << none;
+        } catch (const std::exception& error) {
+            EXPECT_NE(std::string(error.what()).find("choose one of 0 (walk), 1 (wave)"), std::string::npos)
+                << error.what();
+        }
+}
+
+TEST(Animation, WhatIsIgnoredIsWarnedOf) {
+    GltfBuilder builder;
+    const int node = builder.triangle();
+    builder.animate(node, "translation", {0, 1}, {0, 0, 0, 1, 0, 0});
+    json& channels = builder.document["animations"][0]["channels"];
+    channels.push_back({{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}});
+    channels.push_back({{"sampler", 0}, {"target", {{"path", "translation"}}}});
+    channels.push_back({{"sampler", 0}, {"target", {{"path", "pointer"}}}});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.animation.channels.size(), 1U);
+    for (const char* word : {"weights", "without a node", "\"pointer\""})
+        EXPECT_TRUE(hasWarning(scene, word)) << word;
+}
+
+// Nothing of the scene hangs on it: as if there were no animation.
+TEST(Animation, OfNodesOutsideTheSceneNothingPlays) {
+    GltfBuilder builder;
+    builder.triangle();
+    builder.animate(builder.add("nodes", {{"name", "elsewhere"}}), "translation", {0, 1}, {0, 0, 0, 1, 0, 0});
+    const Scene scene = load(builder);
+    EXPECT_TRUE(scene.animation.channels.empty());
+    EXPECT_FALSE(scene.instances.at(0).moves());
+}
+
+// One channel of animation 0 (spin), channel 0, damaged; the error names all of them.
+TEST(Animation, WhatIsNotValidIsOneErrorThatNamesTheChannel) {
+    struct Damage {
+        const char* part;  // of the message
+        std::function<void(GltfBuilder&, json& animation)> apply;
+    };
+    const auto times = [](std::vector<float> t) {
+        return [t](GltfBuilder& b, json& a) { a["samplers"][0]["input"] = b.floats(t, "SCALAR"); };
+    };
+    const auto values = [](std::vector<float> v) {
+        return [v](GltfBuilder& b, json& a) { a["samplers"][0]["output"] = b.floats(v, "VEC4"); };
+    };
+    const Damage damages[] = {
+        {"unsorted keys", times({1, 0})},
+        {"unsorted keys", times({1, 1})},
+        {"negative or not a number", times({-1, 0})},
+        {"negative or not a number", times({0, nan})},
+        {"negative or not a number", times({0, std::numeric_limits<float>::infinity()})},
+        {"2 values for 3 keys, where 3 are needed", times({0, 1, 2})},
+        {"2 values for 1 keys", times({0})},
+        {"where 6 are needed",
+         [](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "CUBICSPLINE"; }},
+        {"zero length for key 1", values({0, 0, 0, 1, 0, 0, 0, 0})},
+        {"not a usable number", values({0, 0, 0, 1, 0, nan, 0, 1})},
+        {"not a usable number", values({0, 0, 0, 1, 0, 3e38F, 0, 1})},
+        {"no sampler", [](GltfBuilder&, json& a) { a["channels"][0].erase("sampler"); }},
+        {"sampler 3 of 1", [](GltfBuilder&, json& a) { a["channels"][0]["sampler"] = 3; }},
+        {"sampler", [](GltfBuilder&, json& a) { a["channels"][0]["sampler"] = -1; }},
+        {"sampler without input", [](GltfBuilder&, json& a) { a["samplers"][0].erase("input"); }},
+        {"output is accessor 99 of", [](GltfBuilder&, json& a) { a["samplers"][0]["output"] = 99; }},
+        {"node 9 of 1", [](GltfBuilder&, json& a) { a["channels"][0]["target"]["node"] = 9; }},
+        {"has no target", [](GltfBuilder&, json& a) { a["channels"][0].erase("target"); }},
+        {"unknown interpolation \"BEZIER\"",
+         [](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "BEZIER"; }},
+        {"has a matrix",
+         [](GltfBuilder& b, json&) {
+             b.document["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+         }},
+        {"another channel moves already",
+         [](GltfBuilder&, json& a) { a["channels"].push_back(json(a["channels"][0])); }},
+        {"is not a SCALAR",
+         [](GltfBuilder& b, json& a) {
+             a["samplers"][0]["input"] = b.floats({0, 0, 0, 1, 1, 1}, "VEC3");
+         }},
+        {"is not a VEC4",
+         [](GltfBuilder& b, json& a) {
+             a["samplers"][0]["output"] = b.floats({0, 0, 0, 1, 1, 1}, "VEC3");
+         }},
+        {"component type 5123",
+         [](GltfBuilder& b, json& a) {
+             a["samplers"][0]["output"] =
+                 b.accessor(std::vector<std::uint16_t>{0, 0, 0, 1, 0, 0, 0, 1}, uint16, "VEC4");
+         }},
+    };
+    for (const Damage& damage : damages) {
+        GltfBuilder builder;
+        builder.animate(builder.triangle(), "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, half, half});
+        builder.document["animations"][0]["name"] = "spin";
+        EXPECT_EQ(loadError(builder), "");
+        json animation = builder.document["animations"][0];
+        damage.apply(builder, animation);
+        builder.document["animations"][0] = animation;
+        const std::string error = loadError(builder);
+        const bool second = std::string(damage.part).find("another") != std::string::npos;
+        EXPECT_NE(error.find(damage.part), std::string::npos) << damage.part << ": " << error;
+        EXPECT_NE(error.find("test.glb"), std::string::npos) << error;
+        EXPECT_NE(error.find("animation 0"), std::string::npos) << error;
+        EXPECT_NE(error.find(second ? "channel 1" : "channel 0"), std::string::npos) << error;
+    }
+    GltfBuilder builder;
+    builder.triangle();
+    for (const json& wrong :
+         {json(5), json({1, 2}), json({{{"channels", 5}}}), json({{{"samplers", {7}}}})}) {
+        builder.document["animations"] = wrong;
+        EXPECT_NE(loadError(builder).find("list of objects"), std::string::npos) << wrong;
+    }
+}
+
+}  // namespace
+}  // namespace vct::test
