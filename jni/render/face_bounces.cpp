@@ -17,20 +17,23 @@ float largestBounceShare(const Scene& scene) {
     return std::min(largest, 0.95F);
 }
 
-FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, int grid)
+FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, int grid, bool voxelsChange)
     : level_(patchLevel(grid)),
+      voxelsChange_(voxelsChange),
       place_(shaders, facePatchesProgram()),
       albedos_(shaders, faceAlbedosProgram(grid)),
       gather_(shaders, faceBounceGatherProgram(grid)),
       applyToPatches_(shaders, faceBouncePatchesProgram()),
       apply_(shaders, faceBounceProgram(grid)) {}
 
-// Reads the list's length back, once: what is voxelized does not change.
+// Reads the list's length back: once, where what is voxelized does not change.
 void FaceBounces::reservePatches(const FaceVoxels& voxels) {
-    if (patches_.bytes() > 0) return;
-    const std::size_t blocks = std::max<std::size_t>(voxels.slots().readActiveCounts()[level_], 1);
-    std::vector<std::uint32_t> words(VCT_PATCH_HEADER + blocks * 6 * VCT_PATCH_WORDS);
-    words[VCT_PATCH_PLACES] = static_cast<std::uint32_t>(blocks);
+    if (places_ > 0 && !voxelsChange_) return;
+    const std::uint32_t blocks = std::max(voxels.slots().readActiveCounts()[level_], 1U);
+    if (blocks <= places_) return;
+    places_ = voxelsChange_ ? withHeadRoom(blocks) : blocks;
+    std::vector<std::uint32_t> words(VCT_PATCH_HEADER + std::size_t{places_} * 6 * VCT_PATCH_WORDS);
+    words[VCT_PATCH_PLACES] = places_;
     patches_ = gl::Buffer("patches of the voxel faces", GL_SHADER_STORAGE_BUFFER,
                           words.size() * sizeof words[0], words.data(), GL_DYNAMIC_COPY);
 }

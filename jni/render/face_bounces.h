@@ -11,8 +11,8 @@ float largestBounceShare(const Scene& scene);
 
 class FaceBounces {
   public:
-    // `grid`: of the voxels.
-    FaceBounces(const gl::ShaderLibrary& shaders, int grid);
+    // `grid`: of the voxels. `voxelsChange`: whether others are occupied from frame to frame.
+    FaceBounces(const gl::ShaderLibrary& shaders, int grid, bool voxelsChange);
 
     // Adds `count` bounces to the direct light of the faces, every level of which must be there, and from two
     // on an estimate of all that would follow.
@@ -25,6 +25,8 @@ class FaceBounces {
     void reservePatches(const FaceVoxels& voxels);
 
     int level_;  // of the patches
+    bool voxelsChange_;
+    std::uint32_t places_ = 0;  // of blocks in patches_
     gl::Program place_, albedos_, gather_, applyToPatches_, apply_;
     gl::Buffer patches_;
 };

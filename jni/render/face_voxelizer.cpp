@@ -26,7 +26,7 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     // Next: the places in the list are fetched as a texture.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 
-    voxels.reserveSums();
+    voxels.reserveSums(scene.moves());
     voxels.bindLists();
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     slots.texture().bind(VCT_TEX_VOXELS);

@@ -49,6 +49,10 @@ std::size_t FaceVoxels::bytesFor(int grid, std::uint32_t listCapacity) {
            gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, grid, 1) * 8 / 7;
 }
 
+std::uint32_t withHeadRoom(std::uint32_t count) {
+    return count + count / 4;
+}
+
 void FaceVoxels::clear() {
     const gl::DebugGroup group("clear faces");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
@@ -66,10 +70,12 @@ void FaceVoxels::clear() {
     slots_.clear();
 }
 
-void FaceVoxels::reserveSums() {
-    if (sums_.bytes() > 0) return;
+void FaceVoxels::reserveSums(bool changes) {
+    if (places_ > 0 && !changes) return;
     const std::uint32_t voxels = std::max(slots_.readActiveCounts()[0], 1U);
-    const std::size_t words = slots_.placeFaceLists(std::size_t{voxels} * 6 * VCT_FACE_SUM_WORDS, voxels);
+    if (voxels <= places_) return;
+    places_ = changes ? withHeadRoom(voxels) : voxels;
+    const std::size_t words = slots_.placeFaceLists(std::size_t{places_} * 6 * VCT_FACE_SUM_WORDS, places_);
     const std::vector<std::uint32_t> zeros(words);
     sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
                        GL_DYNAMIC_COPY);

@@ -17,6 +17,9 @@ float faceSumUnits(std::size_t triangles, int samples = 1);
 // is brighter still is cut off. Above 0, also in the dark.
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance);
 
+// Room for a count of voxels that changes: so much more that it rarely grows again.
+std::uint32_t withHeadRoom(std::uint32_t count);
+
 class FaceVoxels {
   public:
     // `listCapacity`: of the base level's list, as for VoxelPyramid.
@@ -38,8 +41,9 @@ class FaceVoxels {
     // Empties everything through the last frame's lists.
     void clear();
     // Makes room for the sums and the faces of every voxel in the base level's list, whose length it reads
-    // back: only once, as what is voxelized does not change.
-    void reserveSums();
+    // back, which waits for the GPU: once, or each time where what is voxelized changes (then with head
+    // room).
+    void reserveSums(bool changes);
 
     void bindLevel(int unit, int level) const;
     // The lists of voxels and faces, and the sums, for shaders.
@@ -49,6 +53,7 @@ class FaceVoxels {
     VoxelPyramid slots_;
     gl::Texture faces_;
     gl::Buffer sums_;
+    std::uint32_t places_ = 0;  // of voxels in it
     gl::Program clear_;
 };
 

@@ -43,11 +43,12 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
 }
 
 shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
-                                    const Bounds& boundsWorld, const Volume& volume,
-                                    const Settings& settings) {
+                                    const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
+                                    const Bounds& visibleWorld) {
     const double aspect = static_cast<double>(settings.size.x) / settings.size.y;
     const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
-    const glm::dmat4 clipFromVolume = clipFromWorld(camera, boundsWorld, aspect) * worldFromVolume;
+    const glm::dmat4 clipFromVolume =
+        clipFromWorld(camera, boundsWorld, aspect, visibleWorld) * worldFromVolume;
     const glm::dvec4 eye = volume.volumeFromWorld() * camera.worldFromCamera[3];
 
     shared::FrameUniforms frame{};

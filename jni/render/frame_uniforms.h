@@ -16,8 +16,15 @@ float radianceUnit(const DirectionalLight& light);
 // the length of the bounds' diagonal from every direction, so that the bias means the same for all of them.
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize);
 
+// `visibleWorld`: clipFromWorld()'s.
 shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
-                                    const Bounds& boundsWorld, const Volume& volume,
-                                    const Settings& settings);
+                                    const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
+                                    const Bounds& visibleWorld);
+// Where everything is within the bounds.
+inline shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+                                           const Bounds& boundsWorld, const Volume& volume,
+                                           const Settings& settings) {
+    return frameUniforms(camera, light, boundsWorld, volume, settings, boundsWorld);
+}
 
 }  // namespace vct

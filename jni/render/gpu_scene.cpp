@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -42,13 +44,13 @@ gl::Texture uploadTexture(const Texture& source) {
 }
 
 // All in double until the last step: a scene may lie 10^6 units from the origin.
-shared::DrawUniforms drawUniforms(const Instance& instance, const Mesh& mesh, const Material& material,
-                                  const glm::dmat4& volumeFromWorld, float radianceUnit) {
+void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, const glm::dvec3& meshCentre,
+           const glm::dmat4& volumeFromWorld) {
     const glm::dmat4 centred =
-        instance.worldFromObject * glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
-                                              glm::dvec4(0, 0, 1, 0), glm::dvec4(mesh.centre, 1.0));
+        worldFromObject * glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
+                                     glm::dvec4(meshCentre, 1.0));
     // Cofactors instead of the inverse transpose: the same direction, and finite for a scale of zero.
-    const glm::dmat3 m(instance.worldFromObject);
+    const glm::dmat3 m(worldFromObject);
     glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
     double largest = 0.0;
@@ -56,10 +58,16 @@ shared::DrawUniforms drawUniforms(const Instance& instance, const Mesh& mesh, co
         for (int r = 0; r < 3; ++r)
             largest = std::max(largest, std::abs(cofactors[c][r]));
     cofactors *= largest > 0.0 ? sign / largest : 0.0;
-
-    shared::DrawUniforms uniforms{};
     uniforms.volumeFromObject = glm::mat4(volumeFromWorld * centred);
     uniforms.normalFromObject = glm::mat4(glm::dmat4(cofactors));
+}
+
+bool isMirrored(const glm::dmat4& worldFromObject) {
+    return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
+}
+
+shared::DrawUniforms materialUniforms(const Material& material, float radianceUnit) {
+    shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
     uniforms.surface = glm::vec4(material.alphaCutoff, material.doubleSided ? 1.0F : 0.0F, material.metallic,
@@ -85,6 +93,7 @@ class Indices {
         }
     }
     std::size_t firstOfMesh(int mesh) const { return orders_[mesh][0]; }
+    std::uint32_t firstVertexOf(int mesh) const { return firstVertex_[mesh]; }
     // Where the mesh's triangles stand in this order; it is added if no instance before had the same.
     std::size_t firstOf(int mesh, const std::vector<std::uint32_t>& order) {
         for (const std::size_t first : orders_[mesh]) {
@@ -116,12 +125,18 @@ class Indices {
 
 GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
                    Voxelization voxelization)
-    : voxelization_(voxelization) {
+    : voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
     const auto alignment = static_cast<std::size_t>(uniformAlignment);
     const std::size_t stride = (sizeof(shared::DrawUniforms) + alignment - 1) / alignment * alignment;
-    std::vector<unsigned char> uniforms(stride * scene.instances.size());
+    uniformBytes_.resize(stride * scene.instances.size());
+    // What moves comes last in each buffer: one range to upload.
+    std::size_t nextStatic = 0;
+    auto nextMoving =
+        static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
+                                               [](const Instance& instance) { return !instance.moves(); }));
+    std::map<int, std::size_t> movingMeshes;
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
@@ -130,13 +145,15 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         draw.baseColorTexture = material.baseColorTexture;
         draw.emissiveTexture = material.emissiveTexture;
         draw.doubleSided = material.doubleSided;
-        draw.mirrored = glm::determinant(glm::dmat3(instance.worldFromObject)) < 0.0;
+        draw.mirrored = isMirrored(instance.worldFromObject);
         draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
-        draw.uniformOffset = stride * draws_.size();
-        const shared::DrawUniforms values =
-            drawUniforms(instance, mesh, material, volume.volumeFromWorld(), radianceUnit);
-        std::memcpy(&uniforms[draw.uniformOffset], &values, sizeof values);
-        if (voxelization == Voxelization::sortedAxes) {
+        draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
+        shared::DrawUniforms values = materialUniforms(material, radianceUnit);
+        vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
+        std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
+        if (instance.moves()) {
+            addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
+        } else if (voxelization == Voxelization::sortedAxes) {
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
             std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -146,23 +163,116 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         }
         draws_.push_back(draw);
     }
+    firstMovingIndex_ = indices.all().size();
+    for (Draw& draw : draws_)
+        if (draw.moving >= 0) place(draw);
     std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
                std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
     });
-    visibleDraws_ = draws_;
-    std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](const Draw& a, const Draw& b) {
+    visibleDraws_.resize(draws_.size());
+    std::iota(visibleDraws_.begin(), visibleDraws_.end(), std::size_t{0});
+    sortVisibleDraws();
+
+    uniforms_ = gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniformBytes_.size(), uniformBytes_.data(),
+                           moves() ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+    std::vector<std::uint32_t> allIndices = indices.all();
+    allIndices.insert(allIndices.end(), movingIndices_.begin(), movingIndices_.end());
+    uploadGeometry(scene, allIndices);
+    uploadTextures(scene);
+    if (!moves()) uniformBytes_ = {};
+}
+
+void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
+                         std::map<int, std::size_t>& meshes) {
+    const auto [found, added] = meshes.try_emplace(instance.mesh, movingMeshes_.size());
+    if (added) {
+        std::vector<glm::dvec3> positions;
+        for (const Vertex& vertex : mesh.vertices)
+            positions.push_back(mesh.centre + glm::dvec3(vertex.position));
+        movingMeshes_.push_back({mesh, cornersOf(boundsOf(positions, glm::dmat4(1.0)))});
+    }
+    draw.moving = static_cast<int>(moving_.size());
+    moving_.push_back(
+        {instance.node, instance.worldFromObject, found->second, firstVertex, movingIndices_.size(), {}});
+    if (voxelization_ == Voxelization::sortedAxes)
+        movingIndices_.resize(movingIndices_.size() + mesh.indices.size());
+}
+
+// Into uniformBytes_ and movingIndices_.
+void GpuScene::place(Draw& draw) {
+    Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+    const auto& [mesh, corners] = movingMeshes_[moving.mesh];
+    moving.boundsWorld = boundsOf(corners, moving.worldFromObject);
+    shared::DrawUniforms values;
+    std::memcpy(&values, &uniformBytes_[draw.uniformOffset], sizeof values);
+    vct::place(values, moving.worldFromObject, mesh.centre, volumeFromWorld_);
+    std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
+    draw.mirrored = isMirrored(moving.worldFromObject);
+    if (voxelization_ == Voxelization::geometryShader) return;
+
+    const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
+    std::transform(sorted.indices.begin(), sorted.indices.end(),
+                   movingIndices_.begin() + static_cast<std::ptrdiff_t>(moving.firstIndex),
+                   [&](std::uint32_t index) { return moving.firstVertex + index; });
+    std::size_t first = firstMovingIndex_ + moving.firstIndex;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+        first += static_cast<std::size_t>(sorted.indexCounts[axis]);
+    }
+}
+
+Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
+    Bounds bounds = boundsWorld;
+    for (const Moving& moving : moving_)
+        bounds = united(bounds, moving.boundsWorld);
+    return bounds;
+}
+
+void GpuScene::sortVisibleDraws() {
+    std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](std::size_t i, std::size_t j) {
+        const Draw& a = draws_[i];
+        const Draw& b = draws_[j];
         const auto key = [](const Draw& d) {
             return std::tie(d.features, d.baseColorTexture, d.emissiveTexture, d.triangles.first);
         };
         if (key(a) != key(b)) return key(a) < key(b);
-        return std::memcmp(&uniforms[a.uniformOffset], &uniforms[b.uniformOffset],
+        return std::memcmp(&uniformBytes_[a.uniformOffset], &uniformBytes_[b.uniformOffset],
                            sizeof(shared::DrawUniforms)) < 0;
     });
-    uniforms_ =
-        gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniforms.size(), uniforms.data(), GL_STATIC_DRAW);
-    uploadGeometry(scene, indices.all());
-    uploadTextures(scene);
+}
+
+void GpuScene::setPose(const Pose& pose) {
+    struct Range {
+        std::size_t begin = std::numeric_limits<std::size_t>::max(), end = 0;
+        void add(std::size_t first, std::size_t count) {
+            begin = std::min(begin, first);
+            end = std::max(end, first + count);
+        }
+    };
+    Range bytes, indices;
+    for (Draw& draw : draws_) {
+        if (draw.moving < 0) continue;
+        Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+        const glm::dmat4& worldFromObject = pose.worldFromNode.at(static_cast<std::size_t>(moving.node));
+        if (worldFromObject == moving.worldFromObject) continue;
+        moving.worldFromObject = worldFromObject;
+        place(draw);
+        bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
+        indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
+    }
+    if (bytes.end == 0) return;
+    sortVisibleDraws();
+    const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
+        buffer.bind(GL_COPY_WRITE_BUFFER);
+        gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first), static_cast<GLsizeiptr>(size),
+                          data);
+    };
+    upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
+    if (movingIndices_.empty()) return;
+    constexpr std::size_t size = sizeof movingIndices_[0];
+    upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
+           &movingIndices_[indices.begin]);
 }
 
 void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
@@ -171,7 +281,7 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
         vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
-                          indices.data(), GL_STATIC_DRAW);
+                          indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
                            GL_STATIC_DRAW);
     const auto attribute = [](GLuint location, int components, std::size_t offset) {
@@ -206,7 +316,8 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     vertexArray_.bind();
     gl::CullFace(GL_BACK);
     const gl::Program* current = nullptr;
-    for (const Draw& draw : culling == Culling::backFaces ? visibleDraws_ : draws_) {
+    for (std::size_t i = 0; i < draws_.size(); ++i) {
+        const Draw& draw = draws_[culling == Culling::backFaces ? visibleDraws_[i] : i];
         bindDraw(draw, current, programs);
         (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
         drawTriangles(draw.triangles.first, draw.triangles.count);

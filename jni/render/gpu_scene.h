@@ -19,10 +19,17 @@ class MaterialPrograms;
 
 class GpuScene {
   public:
-    // `radianceUnit`: E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes
-    // the triangles of each instance are sorted by their axis (axis_sort.h).
+    // At rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
+    // Voxelization::sortedAxes the triangles of each instance are sorted by their axis (axis_sort.h).
     GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
              Voxelization voxelization);
+
+    // Of draws to come. Uploads what the instances that moved need, and nothing else.
+    void setPose(const Pose& pose);
+    // Whether a pose can change anything.
+    bool moves() const { return !moving_.empty(); }
+    // Around `boundsWorld` and all that moves, in the present pose.
+    Bounds boundsWith(const Bounds& boundsWorld) const;
 
     enum class Culling { none, backFaces };
 
@@ -54,15 +61,43 @@ class GpuScene {
         IndexRange triangles;
         std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
+        int moving = -1;  // index into moving_, or -1: static
+    };
+    // What the draw of an instance that moves is made of anew in each pose.
+    struct Moving {
+        int node = 0;  // of the scene's animation
+        glm::dmat4 worldFromObject{1.0};
+        std::size_t mesh = 0;           // index into movingMeshes_
+        std::uint32_t firstVertex = 0;  // of the mesh
+        std::size_t firstIndex = 0;     // in movingIndices_: room for all of its triangles
+        Bounds boundsWorld;             // of the box around the mesh, in the present pose
+    };
+    // A mesh of them: what sorts its triangles, and its box.
+    struct MovingMesh {
+        Mesh mesh;
+        std::vector<glm::dvec3> corners;  // object space
     };
 
+    void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
+                   std::map<int, std::size_t>& meshes);
+    void place(Draw& draw);
+    void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
     void bindDraw(const Draw& draw, const gl::Program*& current, const MaterialPrograms& programs) const;
 
     Voxelization voxelization_;
-    std::vector<Draw> draws_;         // in the order of the scene's instances, by material features
-    std::vector<Draw> visibleDraws_;  // the same in an order that does not depend on that of the instances
+    glm::dmat4 volumeFromWorld_;
+    std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
+    // Indices into draws_, in an order that does not depend on that of the instances.
+    std::vector<std::size_t> visibleDraws_;
+    std::vector<Moving> moving_;
+    std::vector<MovingMesh> movingMeshes_;
+    // What the buffers hold, where something moves: the uniforms of all draws, the triangles of those that
+    // move.
+    std::vector<unsigned char> uniformBytes_;
+    std::vector<std::uint32_t> movingIndices_;
+    std::size_t firstMovingIndex_ = 0;
     std::vector<gl::Texture> textures_;
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;

@@ -62,6 +62,10 @@ void Renderer::frame(Mode mode, const Camera& camera) {
 }
 
 void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
+    timer_.beginFrame();
+    // Sorting triangles by their axis takes the longest of it.
+    if (nextPose_) timer_.time(Step::voxelize, [&] { scene_.setPose(*nextPose_); });
+    nextPose_.reset();
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
     const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
@@ -69,7 +73,6 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     WordPasses* const wordPass = words ? &wordPasses() : nullptr;
     FacePasses* const facePass = faces ? &facePasses() : nullptr;
 
-    timer_.beginFrame();
     const gl::Texture* shadow = nullptr;
     if (shadowPass) shadow = timer_.time(Step::shadowMap, [&] { return &shadowPass->draw(scene_); });
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
@@ -135,7 +138,7 @@ Renderer::FacePasses& Renderer::facePasses() {
             FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
             FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
             FaceMipmapper(shaders_),
-            FaceBounces(shaders_, settings_.grid),
+            FaceBounces(shaders_, settings_.grid, scene_.moves()),
             {},
             {}});
     }
@@ -158,7 +161,8 @@ const VoxelPyramid& Renderer::occupancy() {
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
-    shared::FrameUniforms values = frameUniforms(camera, light_, boundsWorld_, volume_, settings_);
+    shared::FrameUniforms values =
+        frameUniforms(camera, light_, boundsWorld_, volume_, settings_, scene_.boundsWith(boundsWorld_));
     values.faces.x = faceSumUnits(triangles_, settings_.voxelSamples);
     values.faces.y = faceRadianceRange_;
     values.faces.z = largestBounceShare_;

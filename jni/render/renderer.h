@@ -34,7 +34,9 @@ class Renderer {
     // Draws one frame; everything is made anew, the voxels too. Throws vct::Error on any GL error.
     void frame(Mode mode, const Camera& camera);
 
-    // Of frames to come. The light's strength stays as it was, as emission is stored relative to it.
+    // Of frames to come: where what moves is. What the pose does to cameras and lights, posed() says.
+    void setPose(const Pose& pose) { nextPose_ = pose; }
+    // Likewise. The light's strength stays as it was, as emission is stored relative to it.
     void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
     // Likewise; full opening angle. Throws vct::Error where it is out of range.
     void setShadowConeAngle(float degrees);
@@ -104,6 +106,7 @@ class Renderer {
     float faceRadianceRange_, largestBounceShare_;
     Volume volume_;
     GpuScene scene_;
+    std::optional<Pose> nextPose_;
     gl::Buffer frameUniforms_;
     GBuffer gBuffer_;
     ConeTracer coneTracer_;

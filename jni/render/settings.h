@@ -61,9 +61,9 @@ enum class Voxels {
 // same, bit for bit.
 enum class Voxelization {
     geometryShader,  // finds the axis, as in the thesis
-    // The triangles are sorted by their axis when the scene is loaded. Some drivers have no geometry shaders;
-    // Mali GPUs have no hardware for them, and Arm's Mali GPU Best Practices advise against them (the
-    // thesis's voxelization took 301 ms of a frame of 856).
+    // The triangles are sorted by their axis when the scene is loaded, and what moves in each pose. Some
+    // drivers have no geometry shaders; Mali GPUs have no hardware for them, and Arm's Mali GPU Best
+    // Practices advise against them (the thesis's voxelization took 301 ms of a frame of 856).
     sortedAxes,
 };
 const char* voxelizationName(Voxelization voxelization);  // "geometry-shader", "sorted-axes"

@@ -1,0 +1,309 @@
+// A renderer that goes from pose to pose against a fresh one of a scene that stands still there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/cpu_mips.h"
+#include "render/read_back.h"
+#include "scene/camera.h"
+#include "support/faces.h"
+#include "support/moving_scenes.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+namespace {
+
+// Everything that voxelization leaves behind. Slots are in whatever order the GPU took them, so not compared.
+struct Grid {
+    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;  // of each level; of the one kind of voxels
+    std::vector<FaceLevel> faces;                   // or of the other
+};
+
+Grid gridOf(Renderer& renderer) {
+    Grid grid;
+    const VoxelPyramid& pyramid =
+        renderer.voxels() != nullptr ? *renderer.voxels() : renderer.faceVoxels()->slots();
+    const std::vector<std::uint32_t> counts = pyramid.readActiveCounts();
+    for (int level = 0; level < pyramid.levels(); ++level) {
+        grid.lists.push_back(readEntries(pyramid, level, counts[static_cast<std::size_t>(level)]));
+        std::sort(grid.lists.back().begin(), grid.lists.back().end());
+        if (renderer.voxels() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
+    }
+    if (renderer.faceVoxels() != nullptr) grid.faces = readFaces(*renderer.faceVoxels());
+    return grid;
+}
+
+// Not EXPECT_EQ: it would print millions of words.
+void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
+    EXPECT_EQ(a.lists[0].size(), b.lists[0].size()) << what;
+    EXPECT_TRUE(a.lists == b.lists) << what << ": other voxels are occupied";
+    EXPECT_TRUE(a.words == b.words) << what << ": words differ";
+    EXPECT_TRUE(a.faces == b.faces) << what << ": faces differ";
+}
+
+// The grid is equal to the last bit, and each pixel's light is added up in the same order.
+void expectSamePicture(const Image& a, const Image& b, const std::string& what) {
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::vec3 d = glm::abs(a.pixels[i] - b.pixels[i]);
+        largest = std::max({largest, d.r, d.g, d.b});
+    }
+    EXPECT_LE(largest, 1e-3F) << what;
+}
+
+Settings settingsOf(const std::string& preset, Voxelization voxelization) {
+    Settings settings = presetSettings(preset);
+    settings.grid = 64;
+    settings.size = glm::ivec2(48);
+    settings.shadowMapSize = 128;
+    settings.voxelization = voxelization;
+    return settings;
+}
+
+// A scene on a renderer of its own, at whatever time.
+class Stage {
+  public:
+    Stage(const Context& context, const Scene& scene, const Settings& settings)
+        : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
+
+    void frameAt(double seconds) {
+        const Pose pose = poseAt(scene_.animation, seconds);
+        renderer_.setPose(pose);
+        renderer_.setLightDirection(posed(chooseLight(scene_), pose).towardsLight);
+        renderer_.frame(Mode::gi, posed(chooseCamera(scene_, ""), pose));
+    }
+    void frame() { renderer_.frame(Mode::gi, chooseCamera(scene_, "")); }
+    Renderer& renderer() { return renderer_; }
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const Renderer::Resource& resource : renderer_.resources())
+            sum += resource.bytes;
+        return sum;
+    }
+
+  private:
+    const Scene& scene_;
+    Renderer renderer_;
+};
+
+void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+                 double seconds) {
+    const std::string what = std::to_string(seconds) + " s";
+    stage.frameAt(seconds);
+    const Scene frozen = frozenAt(scene, seconds);
+    Stage fresh(context, frozen, settings);
+    fresh.frame();
+    expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
+    expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
+}
+
+// A box that turns and crosses another, which stays; a mirrored child of it; light, camera.
+GltfBuilder everything() {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.2F, 0.7F, 0.2F}, {{"translation", {1, 0.5, -1}}});
+    const int box = addCube(builder, {0.8F, 0.1F, 0.1F}, {{"translation", {-1, 0.6, -1}}});
+    const int mesh = builder.document["nodes"][static_cast<std::size_t>(box)]["mesh"];
+    const int child =
+        builder.add("nodes", {{"mesh", mesh}, {"scale", {-0.5, 0.5, 0.3}}, {"translation", {0, 0.9, 0}}});
+    builder.document["nodes"][static_cast<std::size_t>(box)]["children"] = {child};
+    builder.animate(box, "translation", {0, 2}, {-1, 0.6F, -1, 1.2F, 0.7F, -0.8F});
+    // Inside out, and flat in between.
+    builder.animate(child, "scale", {0, 2}, {-0.5F, 0.5F, 0.3F, 0.5F, 0.5F, 0.3F});
+    builder.animate(box, "rotation", {0, 1, 2},
+                    {0, 0, 0, 1, 0.3F, 0.5F, 0.1F, 0.8F, 0.1F, 0.9F, -0.2F, 0.3F});
+    return builder;
+}
+
+struct Kind {
+    const char* preset;
+    Voxelization voxelization;
+};
+class Moving : public testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(
+    Voxels, Moving,
+    testing::Values(Kind{"thesis", Voxelization::geometryShader}, Kind{"thesis", Voxelization::sortedAxes},
+                    Kind{"mobile", Voxelization::geometryShader}, Kind{"mobile", Voxelization::sortedAxes}),
+    [](const auto& test) {
+        return std::string(test.param.preset) +
+               (test.param.voxelization == Voxelization::sortedAxes ? "SortedAxes" : "GeometryShader");
+    });
+
+TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(everything());
+    ASSERT_EQ(std::count_if(scene.instances.begin(), scene.instances.end(),
+                            [](const Instance& instance) { return instance.moves(); }),
+              2);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
+        expectFresh(stage, context, scene, settings, seconds);
+    // And back at rest, as the constructor left it.
+    stage.frameAt(1.0);
+    const Grid moved = gridOf(stage.renderer());
+    stage.frameAt(0.0);
+    EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
+}
+
+// One second inside, one far away (beyond what the volume was made for), one inside again.
+TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 1, 2, 3}, {0, 1, 0, 0, 1, 0, 900, 300, -40, 0.4F, 1.1F, 0});
+    const Scene scene = load(builder);
+    EXPECT_LT(scene.boundsWorld.max.x, 4.1) << "half of the floor's 4 m beyond its edge";
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    const std::size_t inside = gridOf(stage.renderer()).lists[0].size();
+    expectFresh(stage, context, scene, settings, 2.0);
+    const std::size_t away = gridOf(stage.renderer()).lists[0].size();
+    EXPECT_LT(away + 50, inside);
+    expectFresh(stage, context, scene, settings, 1.01);  // partly outside
+    expectFresh(stage, context, scene, settings, 3.0);
+    EXPECT_GT(gridOf(stage.renderer()).lists[0].size(), away + 50);
+}
+
+// More voxels than the first frame had, by far: nothing may be lost for want of room.
+TEST_P(Moving, WhatShrinksToNothingAndGrows) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0, 0, 0}}});
+    builder.animate(box, "scale", {0, 1, 2}, {0, 0, 0, 3, 1.8F, 3, 0, 0, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    stage.frame();  // at rest, which is nothing
+    for (const double seconds : {0.0, 0.3, 1.0, 2.0, 0.9})
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    // About +X: 60 degrees down, level, 60 degrees up.
+    builder.animate(1, "rotation", {0, 1, 2}, {-0.5F, 0, 0, 0.8660254F, 0, 0, 0, 1, 0.5F, 0, 0, 0.8660254F});
+    builder.animate(2, "translation", {0, 2}, {0, 2.6F, 5.2F, 1.5F, 2.2F, 4.4F});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    const auto brightness = [&] {
+        double sum = 0.0;
+        for (const glm::vec3& p : stage.renderer().radiance().pixels) {
+            EXPECT_TRUE(std::isfinite(p.r + p.g + p.b));
+            sum += p.g;
+        }
+        return sum;
+    };
+    expectFresh(stage, context, scene, settings, 0.0);
+    const double day = brightness();
+    for (const double seconds : {0.9, 1.0, 2.0, 0.5})
+        expectFresh(stage, context, scene, settings, seconds);
+    stage.frameAt(2.0);
+    // From below it shines through nothing: on the underside of the floor, which nobody sees.
+    EXPECT_LT(brightness(), 0.05 * day);
+}
+
+// A card with a picture, and the same card turned by half a turn in the same place: the eye sees the one that
+// is drawn first. Half way round the two have changed places.
+TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int texture = builder.texture(encodePng(16));
+    const int material =
+        builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    const int mesh = builder.mesh(
+        {{"attributes",
+          {{"POSITION", builder.floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0})},
+           {"TEXCOORD_0", builder.floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0}, "VEC2")}}},
+         {"material", material}});
+    const int card = builder.add("nodes", {{"mesh", mesh}});
+    const int turned = builder.add("nodes", {{"mesh", mesh}, {"rotation", {0, 0, 1, 0}}});
+    const int wheel = builder.node({{"children", {card, turned}}, {"translation", {0, 1.2, 0}}});
+    builder.animate(wheel, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 0.70710678F, 0.70710678F, 0, 0, 1, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf("mobile", Voxelization::sortedAxes);
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    const Image before = stage.renderer().radiance();
+    for (const double seconds : {2.0, 0.0, 0.7})
+        expectFresh(stage, context, scene, settings, seconds);
+    for (unsigned seed = 1; seed < 4; ++seed) {
+        Scene shuffled = scene;
+        shuffleTriangles(shuffled, seed);
+        Stage other(context, shuffled, settings);
+        other.frameAt(1.3);
+        other.frameAt(0.7);
+        expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
+        expectSamePicture(stage.renderer().radiance(), other.renderer().radiance(), "shuffled");
+    }
+}
+
+TEST(MovingInstances, For300FramesLeaveNothingBehindAndTakeNoMoreMemory) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(everything());
+    Settings settings = settingsOf("mobile", Voxelization::sortedAxes);
+    settings.size = glm::ivec2(24);
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    const std::size_t bytes = stage.bytes();
+    for (int frame = 0; frame <= 300; ++frame) {
+        const double seconds = std::abs(std::fmod(frame / 24.0, 4.0) - 2.0);  // to and fro
+        if (frame % 50 == 0)
+            expectFresh(stage, context, scene, settings, seconds);
+        else
+            stage.frameAt(seconds);
+        ASSERT_EQ(stage.bytes(), bytes) << "frame " << frame;
+    }
+}
+
+// Head room and triangles of its own are for what moves.
+TEST(MovingInstances, AStaticSceneTakesLess) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(everything());
+    const Scene frozen = frozenAt(scene, 0.0);
+    const Settings settings = settingsOf("mobile", Voxelization::sortedAxes);
+    Stage moving(context, scene, settings), still(context, frozen, settings);
+    moving.frameAt(0.0);
+    still.frame();
+    const auto bytesOf = [](Stage& stage, const std::string& name) {
+        for (const Renderer::Resource& resource : stage.renderer().resources())
+            if (resource.name == name) return resource.bytes;
+        return std::size_t{0};
+    };
+    for (const char* name : {"indices", "voxel face sums", "patches of the voxel faces"})
+        EXPECT_LT(bytesOf(still, name), bytesOf(moving, name)) << name;
+    for (const char* name : {"vertices", "draw uniforms", "voxel faces", "active voxels"})
+        EXPECT_EQ(bytesOf(still, name), bytesOf(moving, name)) << name;
+    // A pose of nothing changes nothing.
+    const Grid grid = gridOf(still.renderer());
+    still.renderer().setPose({});
+    still.frame();
+    expectSameGrid(grid, gridOf(still.renderer()), "still");
+}
+
+// A bird at ten times the scene's size is seen, though the volume does not reach it.
+TEST(MovingInstances, AreSeenBeyondTheVolume) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.9F, 0.1F, 0.1F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 1}, {0, 1, 0, 0, 0, -40});
+    builder.animate(bird, "scale", {0, 1}, {1, 1, 1, 6, 6, 6});
+    const Scene scene = load(builder);
+    Stage stage(context, scene, settingsOf("mobile", Voxelization::sortedAxes));
+    const auto redPixels = [&](double seconds) {
+        stage.frameAt(seconds);
+        const std::vector<glm::vec3>& pixels = stage.renderer().radiance().pixels;
+        return std::count_if(pixels.begin(), pixels.end(),
+                             [](const glm::vec3& p) { return p.r > 0.05F && p.r > 3.0F * p.g; });
+    };
+    EXPECT_GT(redPixels(0.0), 20);
+    EXPECT_GT(redPixels(1.0), 10);
+}
+
+}  // namespace
+}  // namespace vct::test
