@@ -9,7 +9,7 @@ import sys
 
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
-from scenes import contact, cornell, corridor, courtyard, furnace, glossy, lone_plane, thin_wall  # noqa: E402
+from scenes import contact, cornell, corridor, courtyard, furnace, glossy, lone_plane, moving, thin_wall  # noqa: E402
 
 SCENES = {
     "contact": contact.build,
@@ -21,6 +21,7 @@ SCENES = {
     "furnace": furnace.build,
     "glossy": glossy.build,
     "lone_plane": lone_plane.build,
+    "moving": moving.build,
     "thin_wall": thin_wall.build,
 }
 ROOT = pathlib.Path(__file__).resolve().parent.parent

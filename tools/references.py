@@ -59,6 +59,11 @@ INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to the sun",
 SEED = 0
 # Scenes that are another one scaled, and so have its picture: their references are its references.
 SAME_PICTURE = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}
+ANIMATED = {"moving"}  # not one picture, so there is none to compare with
+
+
+def still_scenes() -> list[pathlib.Path]:
+    return [path for path in sorted((ROOT / "assets").glob("*.glb")) if path.stem not in ANIMATED]
 
 
 def reference_folder(scene: pathlib.Path, root: pathlib.Path = ROOT / "references") -> pathlib.Path:
@@ -191,7 +196,7 @@ def arguments() -> argparse.Namespace:
     if unknown:
         parser.error(f"unknown kind '{unknown[0]}'; choose from {', '.join((*KINDS, GLOSSY))}")
     if not args.scenes:
-        args.scenes = [p for p in sorted((ROOT / "assets").glob("*.glb")) if p.stem not in SAME_PICTURE]
+        args.scenes = [p for p in still_scenes() if p.stem not in SAME_PICTURE]
     return args
 
 

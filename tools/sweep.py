@@ -15,7 +15,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from references import SAME_PICTURE  # noqa: E402
+from references import SAME_PICTURE, still_scenes  # noqa: E402
 from sweep import identity, measures  # noqa: E402
 from sweep.progress import Progress, duration  # noqa: E402
 from sweep.run import PointFailed, run  # noqa: E402
@@ -27,7 +27,7 @@ METRICS_SOURCE = Path(measures.metrics.__file__)
 
 def arguments() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scenes", help="names in assets/ or paths, with commas (default: all of assets/)")
+    parser.add_argument("--scenes", help="names in assets/ or paths, with commas (default: all of assets/ that stand still)")
     for setting in SETTINGS:
         usual = "; ".join([",".join(map(str, setting.default)), *(f"{preset}: {','.join(map(str, values))}"
                                                                   for preset, values in setting.of_preset.items())])
@@ -49,7 +49,7 @@ def scene_paths(text: str | None, quick: bool) -> list[Path]:
         if quick:
             text = "cornell"
         else:
-            return sorted((identity.ROOT / "assets").glob("*.glb"))
+            return still_scenes()
     paths = [Path(name) if name.endswith((".glb", ".gltf")) else identity.ROOT / "assets" / f"{name}.glb"
              for name in text.split(",")]
     if missing := [str(path) for path in paths if not path.exists()]:

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/grid_option.h"
+#include "cli/moments.h"
 #include "cli/output.h"
 #include "core/error.h"
 #include "image/image.h"
@@ -16,6 +17,7 @@
 #include "platform/context.h"
 #include "render/programs.h"
 #include "render/renderer.h"
+#include "scene/camera.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
@@ -23,7 +25,8 @@ namespace vct::cli {
 namespace {
 
 struct RenderOptions {
-    std::string scene, out, timings;
+    std::string scene, out, timings, animation;
+    MomentOptions moments;
     std::string mode = "gi-cone-shadow";
     std::string preset = "thesis";
     std::string size = "400x400";
@@ -79,13 +82,25 @@ void progress(const std::string& text) {
     std::fprintf(stderr, "%s\n", text.c_str());
 }
 
+std::string secondsText(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", seconds);
+    return text;
+}
+
 Image exposed(Image image, float exposure) {
     for (glm::vec3& pixel : image.pixels)
         pixel *= exposure;
     return image;
 }
 
-// Everything is rendered before anything is written.
+void writePicture(const std::string& name, const Image& image, const RenderOptions& options,
+                  const OutputFolder& out) {
+    writeExr(out.file(name + ".exr"), image);
+    writePng(out.file(name + ".png"), exposed(image, options.exposure));
+}
+
+// Of one moment. Everything is rendered before anything is written.
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
     std::vector<std::pair<std::string, Image>> lightParts;  // likewise
@@ -96,10 +111,8 @@ void write(const Pictures& pictures, const RenderOptions& options, OutputFolder&
     std::vector<std::pair<std::string, Image>> sheet;
     for (const auto* group : {&pictures.modes, &pictures.lightParts})
         for (const auto& [name, image] : *group) {
-            const Image picture = exposed(image, options.exposure);
-            writeExr(out.file(name + ".exr"), image);
-            writePng(out.file(name + ".png"), picture);
-            if (group == &pictures.modes) sheet.emplace_back(name, picture);
+            writePicture(name, image, options, out);
+            if (group == &pictures.modes) sheet.emplace_back(name, exposed(image, options.exposure));
         }
     if (options.contactSheet && sheet.size() > 1)
         writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
@@ -114,14 +127,19 @@ void write(const Pictures& pictures, const RenderOptions& options, OutputFolder&
     out.keep();
 }
 
-// Nothing is deleted from a folder that was used before, so what is not of this run is named.
-void nameOlderPictures(const Pictures& pictures, const RenderOptions& options) {
+// What write() made.
+std::set<std::string> filesOf(const Pictures& pictures, const RenderOptions& options) {
     std::set<std::string> made;
     for (const auto* group : {&pictures.modes, &pictures.lightParts})
         for (const auto& [name, image] : *group)
             made.insert({name + ".exr", name + ".png"});
     if (options.contactSheet && pictures.modes.size() > 1) made.insert("contact_sheet.png");
     if (options.stages) made.insert("stages");
+    return made;
+}
+
+// Nothing is deleted from a folder that was used before, so what is not of this run is named.
+void nameOlderPictures(const std::set<std::string>& made, const RenderOptions& options) {
     std::set<std::string> older;
     for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
         const std::filesystem::path& path = entry.path();
@@ -135,6 +153,24 @@ void nameOlderPictures(const Pictures& pictures, const RenderOptions& options) {
     if (!names.empty()) progress("note: not of this run, but in " + options.out + ": " + names);
 }
 
+// A scene, and a camera and a light as they are at rest, on a renderer.
+struct Placed {
+    const RenderOptions& options;
+    const Settings& settings;
+    const Scene& scene;
+    Camera camera;
+    DirectionalLight light;
+    Renderer& renderer;
+
+    // Moves the renderer's scene and light to a moment; returns the camera there.
+    Camera moveTo(double seconds) const {
+        const Pose pose = poseAt(scene.animation, seconds);
+        renderer.setPose(pose);
+        renderer.setLightDirection(posed(light, pose).towardsLight);
+        return posed(camera, pose);
+    }
+};
+
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
     for (int i = 0; i < warmUpFrames; ++i)
         renderer.frame(mode, camera);
@@ -144,43 +180,14 @@ StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
     return renderer.timer().stopRecording();
 }
 
-void render(const RenderOptions& options) {
-    const std::vector<Mode> modes = modesFromText(options.mode);
-    Settings settings = settingsFrom(options);
-    const Backend backend = backendFromName(options.backend);
-    if (!(options.exposure > 0.0F) || !std::isfinite(options.exposure))
-        throw Error("--exposure must be a number above 0");
-    // Before anything slow: an output that cannot be written should be known at once.
-    OutputFolder out(options.out);
-    if (!options.timings.empty()) requireWritableFile(options.timings);
-
-    Scene scene = loadGltf(options.scene);
-    for (const std::string& warning : scene.warnings)
-        progress("warning: " + warning);
-    shuffleTriangles(scene, options.seedOrder);
-    const Camera camera = cameraFromText(options.camera, scene);
-    const DirectionalLight light = lightFromText(options.light, scene);
-    if (scene.lights.empty() && options.light.find("direction") == std::string::npos)
-        progress(
-            "warning: the scene has no directional light; one from the upper front right is used (--light)");
-    progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
-             std::to_string(scene.instances.size()) + " instances");
-
-    const std::vector<unsigned> features = sceneFeatures(scene);
-    if (settings.specular == Specular::none &&
-        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureGlossy; }))
-        progress(
-            "warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
-            "can reflect (--specular cone)");
-
-    const Context context = openContext(backend, options.device);
-    context.capabilities.requireAll();
-    progress(context.capabilities.renderer + ", " + context.capabilities.version);
-    options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
-    Renderer renderer(scene, light, settings, context.capabilities,
-                      gl::shadersFromFolder(gl::defaultShaderFolder()));
-
-    TimingsReport report;
+// Every mode at one moment, or at rest; returns the files that it made.
+std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mode>& modes,
+                                     const std::vector<double>& moment, OutputFolder& out,
+                                     TimingsReport& report) {
+    const RenderOptions& options = placed.options;
+    const Settings& settings = placed.settings;
+    Renderer& renderer = placed.renderer;
+    const Camera camera = moment.empty() ? placed.camera : placed.moveTo(moment.front());
     Pictures pictures;
     for (Mode mode : modes) {
         progress(std::string("mode ") + modeName(mode) + ", " + std::to_string(settings.size.x) + "x" +
@@ -200,9 +207,94 @@ void render(const RenderOptions& options) {
         progress("stages");
         pictures.stages = renderer.stages(camera);
     }
-
     write(pictures, options, out);
-    nameOlderPictures(pictures, options);
+    return filesOf(pictures, options);
+}
+
+// Every mode at each moment, written frame by frame: a sequence may be longer than the memory. With timings
+// each frame is one sample; reading it back and writing it is not timed.
+std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mode>& modes,
+                                     const std::vector<double>& moments, OutputFolder& out,
+                                     TimingsReport& report) {
+    Renderer& renderer = placed.renderer;
+    const bool timed = !placed.options.timings.empty();
+    std::set<std::string> made;
+    for (Mode mode : modes) {
+        if (timed) {
+            for (int i = 0; i < warmUpFrames; ++i)
+                renderer.frame(mode, placed.moveTo(moments.front()));
+            renderer.timer().startRecording();
+        }
+        for (std::size_t frame = 0; frame < moments.size(); ++frame) {
+            char line[96];
+            std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", modeName(mode), frame + 1,
+                          moments.size(), moments[frame]);
+            progress(line);
+            renderer.frame(mode, placed.moveTo(moments[frame]));
+            report.activeVoxels = renderer.activeVoxels();
+            const std::string name = modeName(mode) + frameSuffix(frame);
+            writePicture(name, renderer.radiance(), placed.options, out);
+            out.keep();
+            made.insert({name + ".exr", name + ".png"});
+        }
+        if (timed) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+    }
+    report.timedFrames = static_cast<int>(moments.size());
+    report.resources = renderer.resources();
+    return made;
+}
+
+void render(const RenderOptions& options) {
+    const std::vector<Mode> modes = modesFromText(options.mode);
+    Settings settings = settingsFrom(options);
+    const Backend backend = backendFromName(options.backend);
+    if (!(options.exposure > 0.0F) || !std::isfinite(options.exposure))
+        throw Error("--exposure must be a number above 0");
+    validate(options.moments);
+    const bool sequence = options.moments.frames.has_value();
+    if (sequence && (options.stages || options.lightParts || options.contactSheet))
+        throw Error(
+            "--stages, --light-parts and --contact-sheet are of one moment; leave out --frames and --fps, "
+            "and choose it by --time");
+    // Before anything slow: an output that cannot be written should be known at once.
+    OutputFolder out(options.out);
+    if (!options.timings.empty()) requireWritableFile(options.timings);
+
+    Scene scene = loadGltf(options.scene, readFileFromDisk, options.animation);
+    for (const std::string& warning : scene.warnings)
+        progress("warning: " + warning);
+    shuffleTriangles(scene, options.seedOrder);
+    const std::vector<double> moments = momentsOf(options.moments, scene);
+    const Camera camera = cameraFromText(options.camera, scene);
+    const DirectionalLight light = lightFromText(options.light, scene);
+    if (scene.lights.empty() && options.light.find("direction") == std::string::npos)
+        progress(
+            "warning: the scene has no directional light; one from the upper front right is used (--light)");
+    progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
+             std::to_string(scene.instances.size()) + " instances");
+    if (!scene.animation.channels.empty() && moments.empty())
+        progress("note: the scene is animated and shown at rest; --time S shows a moment of its " +
+                 secondsText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
+
+    const std::vector<unsigned> features = sceneFeatures(scene);
+    if (settings.specular == Specular::none &&
+        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureGlossy; }))
+        progress(
+            "warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
+            "can reflect (--specular cone)");
+
+    const Context context = openContext(backend, options.device);
+    context.capabilities.requireAll();
+    progress(context.capabilities.renderer + ", " + context.capabilities.version);
+    options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
+    Renderer renderer(scene, light, settings, context.capabilities,
+                      gl::shadersFromFolder(gl::defaultShaderFolder()));
+
+    TimingsReport report;
+    const Placed placed{options, settings, scene, camera, light, renderer};
+    const std::set<std::string> made =
+        (sequence ? renderSequence : renderPictures)(placed, modes, moments, out, report);
+    nameOlderPictures(made, options);
     if (!options.timings.empty()) {
         report.scene = options.scene;
         report.triangles = scene.triangleCount();
@@ -215,11 +307,15 @@ void render(const RenderOptions& options) {
 }
 
 constexpr const char* footer =
-    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode. Other pictures in DIR stay.\n"
+    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode, with --frames "
+    "DIR/<mode>_0000.png "
+    "and so on.\nOther pictures in DIR stay.\n"
     "Examples:\n"
     "  vct render assets/cornell.glb --out out --mode all --stages --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
-    "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5";
+    "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
+    "  vct render assets/moving.glb --out out --mode gi --preset mobile --time 1.5\n"
+    "  vct render assets/moving.glb --out out --mode gi --preset mobile --frames 96 --fps 24";
 
 }  // namespace
 
@@ -236,9 +332,10 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
     options->grid.addTo(*command);
-    command->add_option("--voxelization", options->voxelization,
-                        "What finds the axis along which a triangle is voxelized: geometry-shader, or "
-                        "sorted-axes (once, when the scene is loaded); default: the preset's");
+    command->add_option(
+        "--voxelization", options->voxelization,
+        "What finds the axis along which a triangle is voxelized: geometry-shader, or "
+        "sorted-axes (when the scene is loaded, and again for what moves); default: the preset's");
     command
         ->add_option("--voxel-samples", options->voxelSamples,
                      "Samples of the triangles along each side of a voxel, 1 to 4: more of them miss fewer "
@@ -277,6 +374,14 @@ void addRender(CLI::App& app, int&) {
         "--light", options->light,
         "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
         "each part may be left out");
+    command->add_option("--time", options->moments.timeS,
+                        "The moment of the scene's animation, in seconds; before its first key and after its "
+                        "last it stands still (default: at rest, as the file puts the nodes)");
+    command->add_option("--frames", options->moments.frames,
+                        "A sequence of so many pictures, from --time (default 0) on, --fps of them a second");
+    command->add_option("--fps", options->moments.fps, "Pictures for each second of the animation");
+    command->add_option("--animation", options->animation,
+                        "Which of the scene's animations to play, by name or index (default: its first)");
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
         ->capture_default_str();
     command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")

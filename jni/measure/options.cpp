@@ -91,6 +91,7 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
             const glm::dvec3 direction = three("--light", key, values);
             if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");
             light.towardsLight = -glm::normalize(direction);
+            light.node = -1;  // stays there
         } else if (key == "color") {
             light.color = glm::vec3(three("--light", key, values));
         } else if (key == "intensity") {

@@ -131,7 +131,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     json["settings"] = settingsJson(report);
     json["method"] = {{"clock", "glFinish before and after each step, CPU steady clock, milliseconds"},
                       {"warm_up_frames", warmUpFrames},
-                      {"frames", timedFrames},
+                      {"frames", report.timedFrames},
                       {"revoxelized_every_frame", true}};
     const std::string gpuClock = gpuClockText(report);
     json["method"]["gpu_clock"] = gpuClock;

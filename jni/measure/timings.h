@@ -24,6 +24,7 @@ struct TimingsReport {
     std::string preset;
     Settings settings;
     std::vector<std::pair<Mode, StepTimes>> modes;
+    int timedFrames = vct::timedFrames;  // of each mode
     std::vector<std::uint32_t> activeVoxels;
     std::vector<Renderer::Resource> resources;
 };

@@ -36,13 +36,13 @@ class Glb:
         self.binary += data
         return self._append("bufferViews", view)
 
-    def _floats(self, rows, kind):
+    def _floats(self, rows, kind, target=ARRAY_BUFFER):
         width = len(rows[0])
         data = struct.pack(f"<{len(rows) * width}f", *(tidy(x) for row in rows for x in row))
         stored = struct.unpack(f"<{len(rows) * width}f", data)  # min and max are of the rounded values
         columns = [stored[i::width] for i in range(width)]
         return self._append("accessors", {
-            "bufferView": self._view(data, ARRAY_BUFFER), "componentType": FLOAT, "count": len(rows),
+            "bufferView": self._view(data, target), "componentType": FLOAT, "count": len(rows),
             "type": kind, "min": [min(c) for c in columns], "max": [max(c) for c in columns]})
 
     def _indices(self, indices):
@@ -116,6 +116,17 @@ class Glb:
         lights.append({"name": name, "type": "directional", "color": list(color), "intensity": lux})
         self.node(name, rotation=look_along(travels),
                   extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+
+    def animate(self, animation, node, path, times, values, interpolation="LINEAR"):
+        """Adds a channel to the animation of that name. `values`: one per time, three with CUBICSPLINE."""
+        found = [a for a in self.json.get("animations", []) if a["name"] == animation]
+        target = found[0] if found else {"name": animation, "channels": [], "samplers": []}
+        if not found:
+            self._append("animations", target)
+        target["samplers"].append({"input": self._floats([(t,) for t in times], "SCALAR", None),
+                                   "output": self._floats(values, f"VEC{len(values[0])}", None),
+                                   "interpolation": interpolation})
+        target["channels"].append({"sampler": len(target["samplers"]) - 1, "target": {"node": node, "path": path}})
 
     def triangle_count(self):
         def of_mesh(mesh):
