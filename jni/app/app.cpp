@@ -3,6 +3,7 @@
 #include <android/window.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -50,6 +51,7 @@ App::App(android_app& glue, const std::string& command)
         try {
             const ShowRequest request = showRequestFromText(command);
             choices_ = request.choices;
+            animationS_ = request.timeS;
             if (!request.display) hud_.turnOff();
             if (!request.scene.empty()) scene = request.scene;
         } catch (const Error& error) {
@@ -142,6 +144,7 @@ void App::draw() {
     const auto now = std::chrono::steady_clock::now();
     const double passedS = std::chrono::duration<double>(now - lastFrame_).count();
     lastFrame_ = now;
+    if (choices_.play) animationS_ += passedS;
     frameMs_ = frameMs_ == 0.0 ? 1e3 * passedS : 0.8 * frameMs_ + 0.2 * 1e3 * passedS;
     if (!gl_->missing().empty()) return drawMessage();
 
@@ -184,6 +187,7 @@ void App::drawHud(double passedS) {
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
+    content.animated = scene_ && !scene_->animation.channels.empty();
     content.measuring = request_.has_value();
     if (loader_.busy())
         content.status = "loading " + loading_.name;
@@ -212,6 +216,12 @@ void App::drawScene() {
     const glm::ivec2 window = surface_->size();
     try {
         Renderer& renderer = gl_->rendererFor(scene_, choices_, window);
+        if (const Animation& animation = scene_->animation; !animation.channels.empty()) {
+            const double length = animation.durationS;
+            const Pose pose = poseAt(animation, length > 0.0 ? std::fmod(animationS_, length) : 0.0);
+            renderer.setPose(pose);
+            renderer.setLightDirection(posed(lightFor(choices_, *scene_), pose).towardsLight);
+        }
         const glm::dvec2 size(settingsFor(choices_, window).size);
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(size.x / size.y));

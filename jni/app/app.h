@@ -92,6 +92,7 @@ class App {
     std::optional<OrbitView> view_;
 
     Choices choices_;
+    double animationS_ = 0.0;       // what has been played, of any scene
     std::optional<Wanted> good_;    // of the last frame that could be rendered
     std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
     std::string message_;

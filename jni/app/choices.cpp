@@ -22,8 +22,8 @@ const std::vector<Resolution>& resolutions() {
 
 bool Choices::operator==(const Choices& other) const {
     const auto all = [](const Choices& c) {
-        return std::tie(c.preset, c.mode, c.grid, c.coneAngleDeg, c.resolution, c.lightAnglesDeg,
-                        c.timeSteps);
+        return std::tie(c.preset, c.mode, c.grid, c.coneAngleDeg, c.resolution, c.lightAnglesDeg, c.timeSteps,
+                        c.play);
     };
     return all(*this) == all(other);
 }
@@ -65,11 +65,17 @@ ShowRequest showRequestFromText(const std::string& text) {
             request.display = onOff(key, value);
         } else if (key == "steps") {
             choices.timeSteps = onOff(key, value);
+        } else if (key == "time") {
+            char* end = nullptr;
+            request.timeS = std::strtod(value.c_str(), &end);
+            if (value.empty() || *end != '\0' || !std::isfinite(request.timeS) || request.timeS < 0.0)
+                throw Error("show: time is a number of seconds from 0 on, not '" + value + "'");
+            choices.play = false;
         } else {
             throw Error(
                 "show: unknown '" + word +
-                "'; there are scene, preset, mode, grid, cone-angle, pixels, display and steps, each as "
-                "name=value");
+                "'; there are scene, preset, mode, grid, cone-angle, pixels, display, steps and time, each "
+                "as name=value");
         }
     }
     if (grid) request.choices.grid = *grid;
@@ -97,6 +103,7 @@ DirectionalLight lightFor(const Choices& choices, const Scene& scene) {
     DirectionalLight light = chooseLight(scene);
     if (choices.lightAnglesDeg) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
+        light.node = -1;  // stays there
         light.towardsLight = {std::cos(angles.y) * std::sin(angles.x), std::sin(angles.y),
                               std::cos(angles.y) * std::cos(angles.x)};
     }

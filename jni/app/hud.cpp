@@ -231,6 +231,10 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     buildLight(content);
     ImGui::PopItemWidth();
     ImGui::Checkbox("time each step", &choices.timeSteps);
+    if (content.animated) {
+        ImGui::SameLine();
+        ImGui::Checkbox("play", &choices.play);
+    }
     if (ImGui::Button("Reset view and light")) {
         actions.resetView = true;
         choices.lightAnglesDeg.reset();

@@ -25,8 +25,9 @@ struct HudContent {
     double frameMs = 0.0;                                   // between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // null: not timed
     glm::ivec2 renderSize{0};
-    std::string status;   // what is going on: loading, measuring
-    std::string message;  // what went wrong
+    bool animated = false;  // the scene
+    std::string status;     // what is going on: loading, measuring
+    std::string message;    // what went wrong
     bool measuring = false;
 };
 

@@ -26,5 +26,14 @@ TEST(Choices, AGridInWordsStandsOverThePresets) {
     EXPECT_THROW(showRequestFromText("show grid=100"), Error);
 }
 
+TEST(Choices, ATimeStopsTheAnimationThere) {
+    EXPECT_TRUE(showRequestFromText("show scene=a.glb").choices.play);
+    const ShowRequest request = showRequestFromText("show time=1.5");
+    EXPECT_FALSE(request.choices.play);
+    EXPECT_EQ(request.timeS, 1.5);
+    for (const char* wrong : {"show time=", "show time=-1", "show time=nan", "show time=2s"})
+        EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
+}
+
 }  // namespace
 }  // namespace vct::app

@@ -1,7 +1,9 @@
 // What the app shows is what `vct render` renders.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include "cli/program_run.h"
 #include "image/image.h"
@@ -51,6 +53,43 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
             largest = std::max(largest, difference);
         }
     EXPECT_EQ(different, 0) << "largest difference " << largest;
+}
+
+TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
+    const Image screen = screenOf("scene=moving.glb preset=mobile pixels=1 mode=gi time=1.5", 96, 72);
+    ProgramRun program;
+    ASSERT_EQ(
+        program.run("render " VCT_SOURCE_DIR "/assets/moving.glb --preset mobile --size 96x72 --out out "
+                    "--mode gi --time 1.5"),
+        0)
+        << program.err;
+    const Image picture = readImage(program.folder.file("out/gi.png"));
+    long largest = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(std::lround(srgbEncode(picture.pixels[i][c]) * 255.0F) -
+                                                 std::lround(screen.pixels[i][c] * 255.0F)));
+    EXPECT_LE(largest, 1);
+}
+
+// The one is played in real time, the other stands still.
+TEST(Animated, PlaysUnlessItIsStopped) {
+    const auto changes = [](const std::string& how) {
+        StandIn android;
+        android.intentExtra = "show display=off scene=moving.glb preset=mobile pixels=1 mode=phong " + how;
+        android.startUntilSceneShown(96, 72);
+        android.then([&] { android.capture = true; });
+        android.frames(1);
+        Image first;
+        android.then([&] { first = android.screen; });
+        android.then([] { std::this_thread::sleep_for(std::chrono::milliseconds(300)); });
+        android.frames(1);
+        android.run();
+        EXPECT_EQ(android.errors(), "");
+        return first.pixels != android.screen.pixels;
+    };
+    EXPECT_TRUE(changes(""));
+    EXPECT_FALSE(changes("time=1"));
 }
 
 // Rendered at half the sides and shown as large as the window: the same picture with fewer details.

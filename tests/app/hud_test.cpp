@@ -37,6 +37,7 @@ class Fingers {
             content.scene = &scene;
             content.scenes = &scenes;
             content.message = message;
+            content.animated = animated;
             const app::HudActions actions = hud.build(content, window, {0, 0, window}, 0.02);
             all.resetView |= actions.resetView;
             all.rescan |= actions.rescan;
@@ -51,6 +52,7 @@ class Fingers {
     std::vector<app::SceneFile> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
     int scene = 0;
     std::string message;
+    bool animated = false;
 };
 
 constexpr glm::vec2 corner{25.0F, 20.0F};  // the button that hides and shows
@@ -72,6 +74,7 @@ TEST(Hud, HidesAndShows) {
 TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     Fingers fingers;
     fingers.message = "wrong";
+    fingers.animated = true;
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
@@ -89,6 +92,7 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         note(now.coneAngleDeg != before.coneAngleDeg, "cone");
         note(now.lightAnglesDeg.has_value(), "light");
         note(now.timeSteps != before.timeSteps, "time");
+        note(now.play != before.play, "play");
         note(fingers.scene != 0, "scene");
     };
     for (float y = 45.0F; y < 700.0F; y += 8.0F) {
@@ -103,10 +107,11 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.drag({60.0F, y}, {180.0F, y});
         look();
         actions.measure |= fingers.tap({210.0F, y}).measure;
+        look();
     }
     std::sort(changed.begin(), changed.end());
-    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "light", "mode", "pixels", "preset", "scene",
-                                                 "time"}));
+    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "light", "mode", "pixels", "play", "preset",
+                                                 "scene", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);
