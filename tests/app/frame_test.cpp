@@ -136,7 +136,7 @@ void keep(const Image& screen, const char* name) {
 TEST(Display, IsReadableOnAPhone) {
     StandIn android;
     android.density = 440;
-    android.intentExtra = "show grid=64 mode=gi pixels=4";
+    android.intentExtra = "show grid=64 mode=gi pixels=4 scene=moving.glb";
     android.startUntilSceneShown(1080, 2340);
     android.then([&] { android.capture = true; });
     android.frames(2);

@@ -107,6 +107,7 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.drag({60.0F, y}, {180.0F, y});
         look();
         actions.measure |= fingers.tap({210.0F, y}).measure;
+        fingers.tap({165.0F, y});  // the second in its row
         look();
     }
     std::sort(changed.begin(), changed.end());

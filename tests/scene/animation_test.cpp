@@ -240,10 +240,10 @@ TEST(Animation, BoundsHoldWhatSwingsOutBetweenTheKeys) {
     GltfBuilder builder;
     const int node = builder.triangle();
     builder.node({{"mesh", 0}, {"scale", {4, 4, 4}}, {"translation", {-2, -2, 0}}});
-    // Three quarters round, in two steps of 135 degrees.
-    const auto z = [](float degrees) { return std::sin(glm::radians(degrees / 2)); };
-    const auto w = [](float degrees) { return std::cos(glm::radians(degrees / 2)); };
-    builder.animate(node, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, z(135), w(135), 0, 0, z(270), w(270)});
+    // From 67.5 degrees on one side of +X to as many on the other: the corner (1, 0, 0) is there half way.
+    const float z = std::sin(glm::radians(33.75F)), w = std::cos(glm::radians(33.75F));
+    builder.animate(node, "rotation", {0, 1}, {0, 0, -z, w, 0, 0, z, w});
+    builder.document["nodes"][0]["rotation"] = {0, 0, -z, w};
     builder.document["nodes"][0]["translation"] = {1.5, 0, 0};
     EXPECT_NEAR(load(builder).boundsWorld.max.x, 2.5, 1e-6);
 }
