@@ -56,6 +56,7 @@ void main() {
     vec3 emissive = materialEmissive(fragmentEmissiveUv);
     float facing = dot(normal, frame.towardsLight.xyz);
     addSide(voxel, slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
-    if (draw.surface.y > 0.5)
-        addSide(voxel, slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+#ifdef VCT_DOUBLE_SIDED
+    addSide(voxel, slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+#endif
 }

@@ -35,6 +35,6 @@ void main() {
     emissive = vec4(materialEmissive(fragmentEmissiveUv), 1.0);
 #endif
 #ifdef VCT_GLOSS_TARGET
-    gloss = draw.surface.zw;
+    gloss = draw.surface.yz;
 #endif
 }

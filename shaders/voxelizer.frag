@@ -31,7 +31,11 @@ void main() {
 
     float facing = dot(safeNormalize(fragmentNormal), frame.towardsLight.xyz);
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
-    float cosTheta = draw.surface.y > 0.5 ? abs(facing) : max(facing, 0.0);
+#ifdef VCT_DOUBLE_SIDED
+    float cosTheta = abs(facing);
+#else
+    float cosTheta = max(facing, 0.0);
+#endif
     bool lit = shadowMapLight(fragmentPosition, cosTheta) >= 0.5;
     vec3 radiance = cosTheta * baseColor.rgb * frame.lightColor.rgb;  // thesis eq. 4.4
 #ifdef VCT_EMISSIVE

@@ -1,5 +1,4 @@
 // vct render: a scene in; pictures, stages and step timings out.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -15,10 +14,10 @@
 #include "measure/options.h"
 #include "measure/timings.h"
 #include "platform/context.h"
-#include "render/programs.h"
 #include "render/renderer.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
+#include "scene/needs.h"
 
 namespace vct::cli {
 
@@ -276,9 +275,7 @@ void render(const RenderOptions& options) {
         progress("note: the scene is animated and shown at rest; --time S shows a moment of its " +
                  secondsText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
 
-    const std::vector<unsigned> features = sceneFeatures(scene);
-    if (settings.specular == Specular::none &&
-        std::any_of(features.begin(), features.end(), [](unsigned f) { return f & featureGlossy; }))
+    if (settings.specular == Specular::none && needsOf(scene).glossy)
         progress(
             "warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
             "can reflect (--specular cone)");

@@ -42,7 +42,7 @@ bool same(const gl::ProgramDescription& a, const gl::ProgramDescription& b) {
     return a.name == b.name && a.defines == b.defines;
 }
 
-std::vector<Variant> variants(const Settings& settings, const std::vector<unsigned>& sceneFeatures) {
+std::vector<Variant> variants(const Settings& settings, const SceneNeeds& sceneNeeds) {
     std::vector<Variant> found;
     const auto add = [&](const FrameProgram& use) -> Variant& {
         for (Variant& known : found)
@@ -52,15 +52,16 @@ std::vector<Variant> variants(const Settings& settings, const std::vector<unsign
     // One material that emits, or is glossy, gives every G-buffer a target more: the others are drawn with
     // and without.
     for (Mode mode : allModes()) {
-        for (const unsigned without :
-             {featureEmissive | featureGlossy, featureGlossy + 0U, featureEmissive + 0U, 0U}) {
-            std::vector<unsigned> all = allFeatures();
-            all.erase(std::remove_if(all.begin(), all.end(), [&](unsigned f) { return f & without; }),
-                      all.end());
-            for (const FrameProgram& use : framePrograms(settings, mode, all))
-                add(use);
-        }
-        for (const FrameProgram& use : framePrograms(settings, mode, sceneFeatures))
+        for (const bool emissive : {false, true})
+            for (const bool glossy : {false, true}) {
+                SceneNeeds needs;
+                for (const unsigned features : allFeatures())
+                    if (emissive || !(features & featureEmissive)) needs.materialFeatures.push_back(features);
+                needs.glossy = glossy;
+                for (const FrameProgram& use : framePrograms(settings, mode, needs))
+                    add(use);
+            }
+        for (const FrameProgram& use : framePrograms(settings, mode, sceneNeeds))
             add(use).modes.emplace_back(modeName(mode));
     }
     return found;
@@ -155,7 +156,7 @@ void writeShaders(const ShadersOptions& options) {
         Settings settings = presetSettings(preset);
         settings.size = size;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
-        entry["programs"] = writeSources(variants(settings, sceneFeatures(scene)), settings, preset, out);
+        entry["programs"] = writeSources(variants(settings, needsOf(scene)), settings, preset, out);
         settings.countTrips = true;
         Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
                           gl::shadersFromFolder(gl::defaultShaderFolder()));

@@ -39,7 +39,6 @@ void FaceBounces::reservePatches(const FaceVoxels& voxels) {
 }
 
 void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
-    if (count == 0) return;
     const gl::DebugGroup group("bounces");
     reservePatches(voxels);
     const VoxelPyramid& slots = voxels.slots();

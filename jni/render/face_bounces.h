@@ -14,8 +14,8 @@ class FaceBounces {
     // `grid`: of the voxels. `voxelsChange`: whether others are occupied from frame to frame.
     FaceBounces(const gl::ShaderLibrary& shaders, int grid, bool voxelsChange);
 
-    // Adds `count` bounces to the direct light of the faces, every level of which must be there, and from two
-    // on an estimate of all that would follow.
+    // Adds `count` bounces, one or more, to the direct light of the faces, every level of which must be
+    // there, and from two on an estimate of all that would follow.
     void run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
     // shaders/shared/face_patches.glsl. Empty before the first bounce.

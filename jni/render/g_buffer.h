@@ -5,13 +5,13 @@
 
 #include "gl/objects.h"
 #include "render/gpu_scene.h"
+#include "render/programs.h"
 
 namespace vct {
 
 class GBuffer {
   public:
-    // `gloss`: with a target for it, if anything in the scene is glossy.
-    GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, bool gloss);
+    GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, ExtraTargets targets);
 
     struct Targets {
         const gl::Texture* albedo;    // RGBA8: square root of linear albedo

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 #include "render/axis_sort.h"
@@ -70,8 +69,7 @@ shared::DrawUniforms materialUniforms(const Material& material, float radianceUn
     shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
-    uniforms.surface = glm::vec4(material.alphaCutoff, material.doubleSided ? 1.0F : 0.0F, material.metallic,
-                                 material.roughness);
+    uniforms.surface = glm::vec4(material.alphaCutoff, material.metallic, material.roughness, 0.0F);
     return uniforms;
 }
 
@@ -125,7 +123,7 @@ class Indices {
 
 GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
                    Voxelization voxelization)
-    : voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
+    : needs_(needsOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
     const auto alignment = static_cast<std::size_t>(uniformAlignment);
@@ -276,37 +274,54 @@ void GpuScene::setPose(const Pose& pose) {
 }
 
 void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
-    std::vector<Vertex> vertices;
+    struct Attribute {
+        GLuint location;
+        int components;
+        std::size_t offset;  // in Vertex
+    };
+    std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
+                                      {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};
+    if (needs_.has(featureBaseColorTexture))
+        attributes.push_back({VCT_ATTRIBUTE_UV, 2, offsetof(Vertex, uv)});
+    if (needs_.has(featureEmissiveTexture))
+        attributes.push_back({VCT_ATTRIBUTE_EMISSIVE_UV, 2, offsetof(Vertex, emissiveUv)});
+    std::vector<float> vertices;
     for (const Mesh& mesh : scene.meshes)
-        vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+        for (const Vertex& vertex : mesh.vertices)
+            for (const Attribute& attribute : attributes) {
+                float values[3];
+                std::memcpy(values, reinterpret_cast<const char*>(&vertex) + attribute.offset,
+                            static_cast<std::size_t>(attribute.components) * sizeof(float));
+                vertices.insert(vertices.end(), values, values + attribute.components);
+            }
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
                           indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
                            GL_STATIC_DRAW);
-    const auto attribute = [](GLuint location, int components, std::size_t offset) {
-        gl::EnableVertexAttribArray(location);
-        gl::VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                reinterpret_cast<const void*>(offset));
-    };
-    attribute(VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position));
-    attribute(VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal));
-    attribute(VCT_ATTRIBUTE_UV, 2, offsetof(Vertex, uv));
-    attribute(VCT_ATTRIBUTE_EMISSIVE_UV, 2, offsetof(Vertex, emissiveUv));
+    std::size_t stride = 0, offset = 0;  // bytes
+    for (const Attribute& attribute : attributes)
+        stride += static_cast<std::size_t>(attribute.components) * sizeof(float);
+    for (const Attribute& attribute : attributes) {
+        gl::EnableVertexAttribArray(attribute.location);
+        gl::VertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
+                                static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(attribute.components) * sizeof(float);
+    }
 }
 
 void GpuScene::uploadTextures(const Scene& scene) {
-    for (const Texture& texture : scene.textures)
-        textures_.push_back(uploadTexture(texture));
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        textures_.push_back(needs_.textures[i] ? uploadTexture(scene.textures[i]) : gl::Texture());
 }
 
 void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
                         const MaterialPrograms& programs) const {
-    const gl::Program& program = programs(draw.features);
-    if (&program != current) program.use();
-    current = &program;
-    if (draw.features & featureBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
-    if (draw.features & featureEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
+    const MaterialPrograms::Variant& variant = programs(draw.features);
+    if (&variant.program != current) variant.program.use();
+    current = &variant.program;
+    if (variant.readsBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
+    if (variant.readsEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
     gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
     gl::BindBufferRange(GL_UNIFORM_BUFFER, VCT_UBO_DRAW, uniforms_.name(),
                         static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
@@ -340,23 +355,6 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs) const {
     }
 }
 
-std::vector<unsigned> GpuScene::featuresThatOccur() const {
-    std::set<unsigned> features;
-    for (const Draw& draw : draws_)
-        features.insert(draw.features);
-    return {features.begin(), features.end()};
-}
-
-bool GpuScene::hasEmission() const {
-    return std::any_of(draws_.begin(), draws_.end(),
-                       [](const Draw& draw) { return (draw.features & featureEmissive) != 0; });
-}
-
-bool GpuScene::hasGloss() const {
-    return std::any_of(draws_.begin(), draws_.end(),
-                       [](const Draw& draw) { return (draw.features & featureGlossy) != 0; });
-}
-
 std::vector<const gl::Texture*> GpuScene::textures() const {
     std::vector<const gl::Texture*> result;
     for (const gl::Texture& texture : textures_)
@@ -366,8 +364,21 @@ std::vector<const gl::Texture*> GpuScene::textures() const {
 
 MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                                    const std::function<gl::ProgramDescription(unsigned features)>& describe) {
-    for (unsigned features : scene.featuresThatOccur())
-        programs_.emplace(features, gl::Program(shaders, describe(features)));
+    std::vector<gl::ProgramDescription> known;
+    for (const unsigned features : scene.needs().materialFeatures) {
+        const gl::ProgramDescription wanted = describe(features);
+        const auto found = std::find_if(known.begin(), known.end(), [&](const gl::ProgramDescription& one) {
+            return std::tie(one.shaders, one.defines) == std::tie(wanted.shaders, wanted.defines);
+        });
+        indices_[features] = static_cast<std::size_t>(found - known.begin());
+        if (found != known.end()) continue;
+        const auto reads = [&](const char* texture) {
+            return std::count(wanted.defines.begin(), wanted.defines.end(), texture) > 0;
+        };
+        variants_.push_back(
+            {gl::Program(shaders, wanted), reads("VCT_BASE_COLOR_TEXTURE"), reads("VCT_EMISSIVE_TEXTURE")});
+        known.push_back(wanted);
+    }
 }
 
 }  // namespace vct

@@ -11,7 +11,7 @@
 #include "gl/program.h"
 #include "render/settings.h"
 #include "render/volume.h"
-#include "scene/scene.h"
+#include "scene/needs.h"
 
 namespace vct {
 
@@ -40,10 +40,7 @@ class GpuScene {
     // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
     void drawForVoxels(const MaterialPrograms& programs) const;
 
-    // The material features of each draw, without duplicates.
-    std::vector<unsigned> featuresThatOccur() const;
-    bool hasEmission() const;
-    bool hasGloss() const;
+    const SceneNeeds& needs() const { return needs_; }
     std::vector<const gl::Texture*> textures() const;
     const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
 
@@ -86,6 +83,7 @@ class GpuScene {
     void uploadTextures(const Scene& scene);
     void bindDraw(const Draw& draw, const gl::Program*& current, const MaterialPrograms& programs) const;
 
+    SceneNeeds needs_;
     Voxelization voxelization_;
     glm::dmat4 volumeFromWorld_;
     std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
@@ -98,20 +96,26 @@ class GpuScene {
     std::vector<unsigned char> uniformBytes_;
     std::vector<std::uint32_t> movingIndices_;
     std::size_t firstMovingIndex_ = 0;
-    std::vector<gl::Texture> textures_;
+    std::vector<gl::Texture> textures_;  // as Scene::textures; without storage where nothing reads them
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;
 };
 
-// The programs of one pass, one per material features that occur in the scene.
+// The programs of one pass, one for all material features that occur in the scene and that it does not tell
+// apart.
 class MaterialPrograms {
   public:
     MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                      const std::function<gl::ProgramDescription(unsigned features)>& describe);
-    const gl::Program& operator()(unsigned features) const { return programs_.at(features); }
+    struct Variant {
+        gl::Program program;
+        bool readsBaseColorTexture, readsEmissiveTexture;
+    };
+    const Variant& operator()(unsigned features) const { return variants_[indices_.at(features)]; }
 
   private:
-    std::map<unsigned, gl::Program> programs_;
+    std::vector<Variant> variants_;
+    std::map<unsigned, std::size_t> indices_;  // by features
 };
 
 }  // namespace vct

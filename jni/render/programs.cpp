@@ -17,6 +17,7 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used) {
     if (features & featureAlphaMask) defines.push_back("VCT_ALPHA_MASK");
     if (features & featureEmissive) defines.push_back("VCT_EMISSIVE");
     if (features & featureEmissiveTexture) defines.push_back("VCT_EMISSIVE_TEXTURE");
+    if (features & featureDoubleSided) defines.push_back("VCT_DOUBLE_SIDED");
     return defines;
 }
 
@@ -68,28 +69,6 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
     return {std::move(read), capabilities.language(), std::move(defines)};
 }
 
-unsigned materialFeatures(const Material& material) {
-    unsigned features = 0;
-    if (material.baseColorTexture >= 0) features |= featureBaseColorTexture;
-    if (material.alphaMode == Material::AlphaMode::mask) features |= featureAlphaMask;
-    if (material.emissive != glm::vec3(0.0F)) {
-        features |= featureEmissive;
-        if (material.emissiveTexture >= 0) features |= featureEmissiveTexture;
-    }
-    if (material.roughness < 1.0F) features |= featureGlossy;
-    return features;
-}
-
-std::vector<unsigned> sceneFeatures(const Scene& scene) {
-    std::vector<unsigned> features;
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        const unsigned found = materialFeatures(scene.materials[static_cast<std::size_t>(mesh.material)]);
-        if (std::count(features.begin(), features.end(), found) == 0) features.push_back(found);
-    }
-    return features;
-}
-
 std::vector<unsigned> allFeatures() {
     std::vector<unsigned> all;
     for (unsigned features = 0; features < materialFeatureCombinations; ++features)
@@ -103,6 +82,10 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
     return {"shadow_map",
             {"shadow_map.vert", "shadow_map.frag"},
             featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
+}
+
+ExtraTargets extraTargets(const SceneNeeds& needs, Specular specular) {
+    return {needs.has(featureEmissive), specular == Specular::cone && needs.glossy};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
@@ -284,29 +267,24 @@ std::vector<gl::ProgramDescription> everyProgram() {
     return programs;
 }
 
-std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
-                                        const std::vector<unsigned>& features) {
+std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, const SceneNeeds& needs) {
     std::vector<FrameProgram> programs;
     const auto add = [&](Step step, const gl::ProgramDescription& program) {
         for (const FrameProgram& known : programs)
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
-    const auto occurs = [&](unsigned feature) {
-        return std::any_of(features.begin(), features.end(), [&](unsigned f) { return f & feature; });
-    };
-    const ExtraTargets targets{occurs(featureEmissive),
-                               settings.specular == Specular::cone && occurs(featureGlossy)};
+    const ExtraTargets targets = extraTargets(needs, settings.specular);
     if (mode != Mode::phong)
-        for (unsigned f : features)
+        for (unsigned f : needs.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    for (unsigned f : features)
+    for (unsigned f : needs.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
     if (voxels && settings.voxels == Voxels::faces) {
         add(Step::voxelize, sparseClearProgram());
         add(Step::voxelize, faceClearProgram());
-        for (unsigned f : features) {
+        for (unsigned f : needs.materialFeatures) {
             add(Step::voxelize, faceTouchProgram(f, settings.voxelization));
             add(Step::voxelize, faceVoxelizerProgram(f, settings.voxelization));
         }
@@ -326,7 +304,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
         add(Step::trace, gatherFilterProgram(gather));
     } else if (voxels) {
         add(Step::voxelize, sparseClearProgram());
-        for (unsigned f : features)
+        for (unsigned f : needs.materialFeatures)
             add(Step::voxelize, voxelizerProgram(f, settings.voxelization));
         add(Step::mipmap, mipmapperProgram());
     }

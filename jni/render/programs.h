@@ -6,7 +6,7 @@
 #include "gl/program.h"
 #include "render/settings.h"
 #include "render/step_timer.h"
-#include "scene/scene.h"
+#include "scene/needs.h"
 
 namespace vct {
 
@@ -15,19 +15,7 @@ namespace vct {
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
                                 gl::ReadShader read);
 
-// What occurs in a material; a draw call pays for nothing else. Bits.
-enum MaterialFeature : unsigned {
-    featureBaseColorTexture = 1,
-    featureAlphaMask = 2,
-    featureEmissive = 4,
-    featureEmissiveTexture = 8,
-    featureGlossy = 16,  // roughness below 1
-    materialFeatureCombinations = 32,
-};
-unsigned materialFeatures(const Material& material);
-// Of all the materials that a scene's instances have, without duplicates.
-std::vector<unsigned> sceneFeatures(const Scene& scene);
-// Every combination that a material can have.
+// Every combination of MaterialFeature that a material can have.
 std::vector<unsigned> allFeatures();
 
 gl::ProgramDescription shadowMapProgram(unsigned features);
@@ -36,6 +24,7 @@ struct ExtraTargets {
     bool emissive = false;
     bool gloss = false;
 };
+ExtraTargets extraTargets(const SceneNeeds& needs, Specular specular);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription mipmapperProgram();
@@ -69,12 +58,11 @@ gl::ProgramDescription hudProgram();
 
 std::vector<gl::ProgramDescription> everyProgram();
 
-// What one frame of a mode runs, step by step, in a scene with these material features; each program once.
+// What one frame of a mode runs, step by step, in a scene with these needs; each program once.
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;
 };
-std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode,
-                                        const std::vector<unsigned>& features);
+std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, const SceneNeeds& needs);
 
 }  // namespace vct

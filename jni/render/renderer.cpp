@@ -48,7 +48,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
              settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
-      gBuffer_(shaders_, scene_, settings.size, settings.specular == Specular::cone),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       coneTracer_(shaders_, settings),
       timer_(capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
@@ -90,7 +90,10 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
             facePass->mipmapper.makeLists(voxels);
             facePass->mipmapper.run(voxels);
         });
-        timer_.time(Step::bounces, [&] { facePass->bounces.run(bounces, voxels, facePass->mipmapper); });
+        FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
+        timer_.time(Step::bounces, [&] {
+            if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);
+        });
         light.faces = &voxels.faces();
         light.gather =
             timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
@@ -138,11 +141,17 @@ Renderer::FacePasses& Renderer::facePasses() {
             FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
             FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
             FaceMipmapper(shaders_),
-            FaceBounces(shaders_, settings_.grid, scene_.moves()),
+            {},
             {},
             {}});
     }
     return *facePasses_;
+}
+
+FaceBounces& Renderer::faceBounces() {
+    FacePasses& passes = facePasses();
+    if (!passes.bounces) passes.bounces.emplace(shaders_, settings_.grid, scene_.moves());
+    return *passes.bounces;
 }
 
 Gather& Renderer::gather(int modeOrView) {
@@ -277,7 +286,7 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         addPyramid(facePasses_->voxels.slots());
         add(facePasses_->voxels.faces());
         add(facePasses_->voxels.sums());
-        if (facePasses_->bounces.patches().bytes() > 0) add(facePasses_->bounces.patches());
+        if (facePasses_->bounces) add(facePasses_->bounces->patches());
         for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
             if (*gather)
                 for (const gl::Texture* texture : (*gather)->textures())

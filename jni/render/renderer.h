@@ -85,13 +85,14 @@ class Renderer {
         FaceVoxels voxels;
         FaceVoxelizer voxelizer;
         FaceMipmapper mipmapper;
-        FaceBounces bounces;
+        std::optional<FaceBounces> bounces;
         std::optional<Gather> light, occlusion;
     };
     void draw(Mode mode, const Camera& camera, int bounces);
     ShadowMap& shadowMap();
     WordPasses& wordPasses();
     FacePasses& facePasses();
+    FaceBounces& faceBounces();
     Gather& gather(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);

@@ -163,7 +163,7 @@ struct DrawUniforms {
     mat4 normalFromObject;  // upper 3x3: inverse transpose
     vec4 baseColor;
     vec4 emissive;  // rgb: relative to E/pi
-    vec4 surface;   // x: alpha cutoff, y: 1 if double-sided, z: metallic, w: roughness
+    vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness
 };
 
 // One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,

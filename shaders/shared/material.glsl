@@ -1,5 +1,5 @@
-// The surface under a fragment. VCT_BASE_COLOR_TEXTURE, VCT_ALPHA_MASK, VCT_EMISSIVE and VCT_EMISSIVE_TEXTURE
-// are defined where the material has them: the rest costs nothing.
+// The surface under a fragment. VCT_BASE_COLOR_TEXTURE, VCT_ALPHA_MASK, VCT_EMISSIVE, VCT_EMISSIVE_TEXTURE
+// and VCT_DOUBLE_SIDED are defined where the material has them: the rest costs nothing.
 #include "shared/draw.glsl"
 
 #ifdef VCT_BASE_COLOR_TEXTURE

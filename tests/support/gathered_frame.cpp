@@ -26,7 +26,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
-      gBuffer_(shaders_, scene_, settings.size, settings.specular == Specular::cone),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
       light_(shaders_, settings.gather, GatherOf::light, settings.size),
       occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.size),

@@ -14,7 +14,7 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
-      gBuffer_(shaders_, scene_, settings.size, false),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       pyramid_(shaders_, settings.grid, 0),
       coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);

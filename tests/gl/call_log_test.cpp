@@ -1,0 +1,53 @@
+#include "gl/call_log.h"
+
+#include <gtest/gtest.h>
+
+#include "gl/debug.h"
+#include "gl/objects.h"
+#include "platform/context.h"
+
+namespace vct::test {
+namespace {
+
+TEST(CallLog, HasEveryCallWithItsArgumentsUntilItEnds) {
+    const Context context = openContext(Backend::egl);
+    const auto driversOwn = gl::Enable;
+    std::vector<gl::Call> calls;
+    {
+        gl::CallLog log;
+        gl::Enable(GL_BLEND);
+        EXPECT_EQ(gl::GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        calls = log.calls();
+    }
+    gl::Disable(GL_BLEND);
+    EXPECT_EQ(gl::Enable, driversOwn);
+    ASSERT_EQ(calls.size(), 2U);
+    EXPECT_STREQ(calls[0].name, "Enable");
+    EXPECT_EQ(calls[0].arguments, std::vector<std::int64_t>{GL_BLEND});
+    EXPECT_STREQ(calls[1].name, "GetError");
+}
+
+TEST(CallLog, SummaryCountsByNameAndGroupAndNamesBindings) {
+    const Context context = openContext(Backend::egl);
+    const gl::Texture texture = gl::Texture::make2d("t", GL_RGBA8, 4, 4);
+    const gl::Buffer buffer("b", GL_UNIFORM_BUFFER, 512, nullptr, GL_STATIC_DRAW);
+    gl::CallLog log;
+    {
+        const gl::DebugGroup outer("outer");
+        gl::Enable(GL_BLEND);
+        const gl::DebugGroup inner("inner");
+        gl::Disable(GL_BLEND);
+        texture.bind(5);
+    }
+    gl::BindBufferRange(GL_UNIFORM_BUFFER, 2, buffer.name(), 0, 256);
+    const gl::CallSummary summary = gl::summaryOf(log.calls());
+    EXPECT_EQ(summary.calls, 5);
+    EXPECT_EQ(summary.byGroup,
+              (std::vector<std::pair<std::string, int>>{{"outer", 1}, {"inner", 3}, {"", 1}}));
+    EXPECT_EQ(summary.byName.at("BindTexture"), 1);
+    EXPECT_EQ(summary.bindings, (std::set<std::string>{"texture 5: 2D", "uniform buffer 2: 256 bytes"}));
+    EXPECT_EQ(summary.draws + summary.dispatches, 0);
+}
+
+}  // namespace
+}  // namespace vct::test
