@@ -1,10 +1,16 @@
-// vct info: what the driver is, and whether it has all that the pipeline needs.
+// vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what it needs and
+// what that costs.
 #include <cstdio>
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/grid_option.h"
+#include "core/error.h"
 #include "gl/capabilities.h"
+#include "measure/options.h"
+#include "measure/scene_costs.h"
 #include "platform/context.h"
+#include "scene/gltf.h"
 
 namespace vct::cli {
 namespace {
@@ -13,6 +19,13 @@ struct InfoOptions {
     std::string backend = "egl";
     int device = -1;
     bool listDevices = false;
+    std::string scene;
+    std::string preset = "thesis";
+    std::string mode = "gi-cone-shadow";
+    std::string size = "400x400";
+    std::string camera, light;
+    GridOption grid;
+    int timedFrames = 0;
 };
 
 constexpr const char* footer =
@@ -21,7 +34,9 @@ constexpr const char* footer =
     "Examples:\n"
     "  vct info                     the default driver\n"
     "  vct info --list-devices      the indices that --device takes\n"
-    "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)";
+    "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
+    "  vct info assets/courtyard.glb --preset mobile --grid auto\n"
+    "                               what the scene needs, and what each need adds to a frame";
 
 void printDevices() {
     const std::vector<std::string> devices = eglDevices();
@@ -44,11 +59,41 @@ bool printCapabilities(const InfoOptions& options) {
     return true;
 }
 
+// Renders the scene, and the scene without each of its needs.
+void printScene(const InfoOptions& options) {
+    FrameOptions frame;
+    frame.settings = presetSettings(options.preset);
+    frame.settings.size = sizeFromText(options.size);
+    options.grid.applyNumber(frame.settings);
+    validate(frame.settings);
+    const std::vector<Mode> modes = modesFromText(options.mode);
+    if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
+    frame.mode = modes.front();
+    frame.timedFrames = options.timedFrames;
+    const Backend backend = backendFromName(options.backend);
+
+    const Scene scene = loadGltf(options.scene);
+    frame.camera = cameraFromText(options.camera, scene);
+    frame.light = lightFromText(options.light, scene);
+    const Context context = openContext(backend, options.device);
+    context.capabilities.requireAll();
+    options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
+    const SceneCosts costs =
+        sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
+    const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
+    std::printf(
+        "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"
+        "preset %s, mode %s, %dx%d pixels, %d^3 voxels\n\n%s",
+        options.scene.c_str(), scene.triangleCount(), scene.instances.size(), needsOf(scene).materials,
+        extent.x, extent.y, extent.z, options.preset.c_str(), modeName(frame.mode), frame.settings.size.x,
+        frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
+}
+
 }  // namespace
 
 void addInfo(CLI::App& app, int& exitCode) {
-    CLI::App* command =
-        app.add_subcommand("info", "Show the GL driver and whether it has what the pipeline needs");
+    CLI::App* command = app.add_subcommand(
+        "info", "Show the GL driver and whether it has what the pipeline needs, or what a scene needs");
     const auto options = std::make_shared<InfoOptions>();
     command
         ->add_option(
@@ -59,10 +104,24 @@ void addInfo(CLI::App& app, int& exitCode) {
         ->check(CLI::NonNegativeNumber);
     command->add_flag("--list-devices", options->listDevices,
                       "List the EGL devices with their indices, and stop");
+    command->add_option("scene", options->scene, "Scene, .gltf or .glb; without it, the driver");
+    command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
+        ->capture_default_str();
+    command->add_option("--mode", options->mode, "Of a scene's frame, as for render")->capture_default_str();
+    options->grid.addTo(*command);
+    command->add_option("--size", options->size, "Of a scene's frame, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--camera", options->camera, "As for render");
+    command->add_option("--light", options->light, "As for render");
+    command
+        ->add_option("--times", options->timedFrames,
+                     "Time so many frames with and without each need, in turn; the difference of the medians")
+        ->check(CLI::Range(1, 1000));
     command->footer(footer);
     command->callback([options, &exitCode] {
         if (options->listDevices)
             printDevices();
+        else if (!options->scene.empty())
+            printScene(*options);
         else if (!printCapabilities(*options))
             exitCode = 1;
     });

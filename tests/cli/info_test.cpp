@@ -74,5 +74,38 @@ TEST(Info, PrintsNothingButItsReportOnZink) {
     EXPECT_FALSE(has(outcome, "XDG_RUNTIME_DIR")) << outcome.output;
 }
 
+const std::string courtyard = VCT_SOURCE_DIR "/assets/courtyard.glb";
+
+TEST(Info, SaysWhatASceneNeedsAndWhatThatAdds) {
+    const Outcome outcome = info("", courtyard + " --preset mobile --size 32x32 --grid 64 --times 1");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_TRUE(has(outcome, "85 instances, ")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "mode gi-cone-shadow, 32x32 pixels, 64^3 voxels")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "\n| G-buffer | ")) << outcome.output;
+    // Its target of 8 bytes a pixel, and the coordinates of the panes.
+    EXPECT_TRUE(has(outcome, "\n| emission | +0 | +")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "\n| glossy materials | does not occur | | | | |\n")) << outcome.output;
+}
+
+TEST(Info, CostsOfASceneAreOfTheModeAndGridAskedFor) {
+    const Outcome outcome = info("", courtyard + " --preset mobile --size 32x32 --grid auto --mode phong");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_TRUE(has(outcome, "mode phong, 32x32 pixels, 128^3 voxels")) << outcome.output;
+    EXPECT_FALSE(has(outcome, "| shadow map |")) << outcome.output;
+}
+
+TEST(Info, ABadSceneIsOneError) {
+    const std::string cases[][2] = {{"none.glb", "none.glb"},
+                                    {courtyard + " --preset best", "thesis, mobile, quality"},
+                                    {courtyard + " --mode ao,gi", "name one"},
+                                    {courtyard + " --grid 100", "64, 128, 256, 512"}};
+    for (const auto& [arguments, says] : cases) {
+        const Outcome outcome = info("", arguments);
+        EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
+        EXPECT_EQ(outcome.output.rfind("vct: error: ", 0), 0U) << outcome.output;
+        EXPECT_TRUE(has(outcome, says)) << outcome.output;
+    }
+}
+
 }  // namespace
 }  // namespace vct

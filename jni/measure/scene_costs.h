@@ -1,0 +1,57 @@
+// What a scene needs and what each need costs: the frame of the scene beside that of the same scene without
+// it, both rendered.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/call_log.h"
+#include "render/renderer.h"
+#include "scene/needs.h"
+
+namespace vct {
+
+// Something that a scene may need, and how to do without.
+struct SceneFeature {
+    const char* name;
+    bool (*occurs)(const SceneNeeds& needs);
+    void (*remove)(Scene& scene);
+};
+const std::vector<SceneFeature>& allSceneFeatures();
+
+struct FrameCost {
+    gl::CallSummary calls;  // of one frame, when every pass has been made
+    std::vector<Renderer::Resource> resources;
+
+    int passes() const { return static_cast<int>(calls.byGroup.size()) - 1; }  // less what is in none
+    int programs() const { return static_cast<int>(calls.programs.size()); }
+    std::size_t bytes() const;
+};
+// What a frame is rendered with.
+struct FrameOptions {
+    Settings settings;
+    Mode mode = Mode::giConeShadow;
+    Camera camera;
+    DirectionalLight light;
+    int timedFrames = 0;  // of each of two renderers in turn; 0: no times
+};
+
+struct SceneCosts {
+    struct Row {
+        std::string name;
+        bool occurs = false;
+        FrameCost without;     // where it occurs
+        double addedMs = 0.0;  // likewise, where frames are timed: difference of the medians
+    };
+    FrameCost frame;
+    std::vector<Row> rows;  // of allSceneFeatures(), in that order
+};
+// Where the scene is animated it plays: each frame is of another moment.
+SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl::Capabilities& capabilities,
+                      const gl::ReadShader& readShader);
+
+// Markdown: the frame pass by pass, and what each need adds to it.
+std::string sceneCostsText(const SceneCosts& costs, bool timed);
+
+}  // namespace vct
