@@ -11,6 +11,6 @@ rm -rf out/demo
 mkdir -p out/demo
 echo "rendering assets/cornell.glb in the five modes, 400x400, 256^3 voxels (about half a minute on two cores)"
 build/desktop/vct render assets/cornell.glb --out out/demo --mode all --size 400x400 --grid 256 \
-    --stages --contact-sheet --timings out/demo/timings.json
+    --stages --contact-sheet --revoxelize --timings out/demo/timings.json
 cp docs/demo.md out/demo/README.md
 echo "Look at out/demo/contact_sheet.png first; out/demo/README.md explains every picture."

@@ -44,6 +44,7 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const std:
                                        options.scene,
                                        "--out=" + folder.file("pictures"),
                                        "--timings=" + folder.file("timings.json"),
+                                       "--revoxelize",
                                        "--mode=" + config.modes,
                                        options.grid.argument(config.grid),
                                        "--cone-angle=" + angle.str(),

@@ -64,6 +64,7 @@ void printScene(const InfoOptions& options) {
     FrameOptions frame;
     frame.settings = presetSettings(options.preset);
     frame.settings.size = sizeFromText(options.size);
+    frame.settings.revoxelize = true;  // what every pass costs
     options.grid.applyNumber(frame.settings);
     validate(frame.settings);
     const std::vector<Mode> modes = modesFromText(options.mode);

@@ -45,6 +45,7 @@ struct RenderOptions {
     std::vector<std::string> experiments, gather, occlusion;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
+    bool revoxelize = false;
     bool emulateHalf = false;
     bool stages = false;
     bool lightParts = false;
@@ -71,6 +72,7 @@ Settings settingsFrom(const RenderOptions& options) {
         changeGather(settings.occlusion, change);
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
+    settings.revoxelize = options.revoxelize;
     settings.emulateHalf = options.emulateHalf;
     settings.activeVoxelLimit = options.activeVoxels;
     validate(settings);
@@ -391,6 +393,9 @@ void addRender(CLI::App& app, int&) {
                       "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
                         "Time each step over 5 frames (docs/timings.md) and write FILE.json");
+    command->add_flag("--revoxelize", options->revoxelize,
+                      "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
+                      "changed: to measure what that takes");
     command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
     command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
     std::string experiments = "Change one thing of the algorithm, for measurements (docs/defects.md):";

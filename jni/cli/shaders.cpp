@@ -158,6 +158,7 @@ void writeShaders(const ShadersOptions& options) {
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
         entry["programs"] = writeSources(variants(settings, needsOf(scene)), settings, preset, out);
         settings.countTrips = true;
+        settings.revoxelize = true;
         Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
                           gl::shadersFromFolder(gl::defaultShaderFolder()));
         for (Mode mode : allModes())

@@ -30,6 +30,7 @@ Settings settingsFor(const BenchRequest& request, const BenchConfig& config) {
     settings.size = request.size;
     settings.shadowMapSize = request.shadowMap;
     settings.shadowConeAngleDeg = static_cast<float>(config.coneAngleDeg);
+    settings.revoxelize = true;
     return settings;
 }
 

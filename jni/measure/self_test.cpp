@@ -147,6 +147,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
         Settings settings;
         settings.grid = grid;
         settings.size = glm::ivec2(8);
+        settings.revoxelize = true;
         Renderer renderer(scene, light(), forDriver(settings, capabilities), capabilities, shaders);
         const Camera camera = frameScene(scene);
         // Twice: the second frame begins with the first one's voxels and must empty them.

@@ -132,7 +132,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     json["method"] = {{"clock", "glFinish before and after each step, CPU steady clock, milliseconds"},
                       {"warm_up_frames", warmUpFrames},
                       {"frames", report.timedFrames},
-                      {"revoxelized_every_frame", true}};
+                      {"revoxelized_every_frame", report.settings.revoxelize}};
     const std::string gpuClock = gpuClockText(report);
     json["method"]["gpu_clock"] = gpuClock;
     const bool gpu = gpuClock.rfind("not used", 0) != 0;

@@ -240,7 +240,7 @@ void GpuScene::sortVisibleDraws() {
     });
 }
 
-void GpuScene::setPose(const Pose& pose) {
+bool GpuScene::setPose(const Pose& pose) {
     struct Range {
         std::size_t begin = std::numeric_limits<std::size_t>::max(), end = 0;
         void add(std::size_t first, std::size_t count) {
@@ -259,7 +259,7 @@ void GpuScene::setPose(const Pose& pose) {
         bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
         indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
     }
-    if (bytes.end == 0) return;
+    if (bytes.end == 0) return false;
     sortVisibleDraws();
     const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
         buffer.bind(GL_COPY_WRITE_BUFFER);
@@ -267,10 +267,11 @@ void GpuScene::setPose(const Pose& pose) {
                           data);
     };
     upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
-    if (movingIndices_.empty()) return;
+    if (movingIndices_.empty()) return true;
     constexpr std::size_t size = sizeof movingIndices_[0];
     upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
            &movingIndices_[indices.begin]);
+    return true;
 }
 
 void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {

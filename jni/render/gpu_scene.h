@@ -24,8 +24,9 @@ class GpuScene {
     GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
              Voxelization voxelization);
 
-    // Of draws to come. Uploads what the instances that moved need, and nothing else.
-    void setPose(const Pose& pose);
+    // Of draws to come. Uploads what the instances that moved need, and nothing else; returns whether any
+    // did.
+    bool setPose(const Pose& pose);
     // Whether a pose can change anything.
     bool moves() const { return !moving_.empty(); }
     // Around `boundsWorld` and all that moves, in the present pose.

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/memory.h"
 #include "gl/debug.h"
@@ -63,9 +64,12 @@ void Renderer::frame(Mode mode, const Camera& camera) {
 
 void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     timer_.beginFrame();
+    // Given back at the end: where something throws, nothing counts as made.
+    Made made = std::exchange(made_, {});
     // Sorting triangles by their axis takes the longest of it.
-    if (nextPose_) timer_.time(Step::voxelize, [&] { scene_.setPose(*nextPose_); });
+    const bool moved = nextPose_ && timer_.time(Step::voxelize, [&] { return scene_.setPose(*nextPose_); });
     nextPose_.reset();
+    if (moved || settings_.revoxelize) made = {};
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
     const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
@@ -73,27 +77,36 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     WordPasses* const wordPass = words ? &wordPasses() : nullptr;
     FacePasses* const facePass = faces ? &facePasses() : nullptr;
 
-    const gl::Texture* shadow = nullptr;
-    if (shadowPass) shadow = timer_.time(Step::shadowMap, [&] { return &shadowPass->draw(scene_); });
+    const gl::Texture* const shadow = shadowPass ? &shadowPass->texture() : nullptr;
+    if (shadowPass && !made.shadowMap) {
+        timer_.time(Step::shadowMap, [&] { shadowPass->draw(scene_); });
+        made.shadowMap = true;
+    }
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
     ConeTracer::Light light;
     if (wordPass) {
         VoxelPyramid& pyramid = wordPass->pyramid;
-        timer_.time(Step::voxelize, [&] { wordPass->voxelizer.run(scene_, *shadow, pyramid); });
-        timer_.time(Step::mipmap, [&] { wordPass->mipmapper.run(pyramid); });
+        if (made.voxelBounces != bounces) {
+            timer_.time(Step::voxelize, [&] { wordPass->voxelizer.run(scene_, *shadow, pyramid); });
+            timer_.time(Step::mipmap, [&] { wordPass->mipmapper.run(pyramid); });
+            made.voxelBounces = bounces;
+        }
         light.voxels = &pyramid.texture();
     }
     if (facePass) {
         FaceVoxels& voxels = facePass->voxels;
-        timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
-        timer_.time(Step::mipmap, [&] {
-            facePass->mipmapper.makeLists(voxels);
-            facePass->mipmapper.run(voxels);
-        });
-        FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
-        timer_.time(Step::bounces, [&] {
-            if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);
-        });
+        if (made.voxelBounces != bounces) {
+            timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
+            timer_.time(Step::mipmap, [&] {
+                facePass->mipmapper.makeLists(voxels);
+                facePass->mipmapper.run(voxels);
+            });
+            FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
+            timer_.time(Step::bounces, [&] {
+                if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);
+            });
+            made.voxelBounces = bounces;
+        }
         light.faces = &voxels.faces();
         light.gather =
             timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
@@ -101,6 +114,12 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
     timer_.endFrame();
     gl::checkErrors(std::string("frame, mode ") + modeName(mode));
+    made_ = made;
+}
+
+void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
+    if (towardsLight != light_.towardsLight) made_ = {};
+    light_.towardsLight = towardsLight;
 }
 
 void Renderer::setShadowConeAngle(float degrees) {

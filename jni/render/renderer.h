@@ -31,13 +31,14 @@ class Renderer {
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
              const gl::Capabilities& capabilities, gl::ReadShader readShader);
 
-    // Draws one frame; everything is made anew, the voxels too. Throws vct::Error on any GL error.
+    // Draws one frame. Shadow map and voxels stay as they are while neither light nor pose changes, but for
+    // Settings::revoxelize. Throws vct::Error on any GL error; the next frame then makes everything anew.
     void frame(Mode mode, const Camera& camera);
 
     // Of frames to come: where what moves is. What the pose does to cameras and lights, posed() says.
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Likewise. The light's strength stays as it was, as emission is stored relative to it.
-    void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
+    void setLightDirection(const glm::dvec3& towardsLight);
     // Likewise; full opening angle. Throws vct::Error where it is out of range.
     void setShadowConeAngle(float degrees);
 
@@ -59,7 +60,7 @@ class Renderer {
     // Every intermediate, the light parts among them, drawn anew from `camera`.
     std::vector<Stage> stages(const Camera& camera);
 
-    // Active voxels per level of the last frame that voxelized; empty if none did. Throws vct::Error where
+    // Active voxels per level, empty if no mode needed voxels yet. Throws vct::Error where
     // the list overflowed.
     std::vector<std::uint32_t> activeVoxels() const;
 
@@ -88,6 +89,11 @@ class Renderer {
         std::optional<FaceBounces> bounces;
         std::optional<Gather> light, occlusion;
     };
+    // What there is of the present light and pose.
+    struct Made {
+        bool shadowMap = false;
+        std::optional<int> voxelBounces;  // in the voxels; none: no voxels
+    };
     void draw(Mode mode, const Camera& camera, int bounces);
     ShadowMap& shadowMap();
     WordPasses& wordPasses();
@@ -114,6 +120,7 @@ class Renderer {
     std::optional<ShadowMap> shadowMap_;
     std::optional<WordPasses> wordPasses_;
     std::optional<FacePasses> facePasses_;
+    Made made_;
     StepTimer timer_;
 };
 

@@ -114,6 +114,7 @@ struct Settings {
     float aoDistance = 0.045F;             // of the volume's side
     glm::vec3 skyRadiance{0.0F};           // seen by cones and pixels that leave the volume
     std::vector<std::string> experiments;  // names out of allExperiments()
+    bool revoxelize = false;               // make shadow map and voxels anew in every frame, to measure that
     bool countTrips = false;               // count what runs (shaders/shared/trips.glsl); slow
     bool emulateHalf = false;              // round the shaders' mediump values to 16 bits, as Mali does
     std::uint32_t activeVoxelLimit = 0;    // capacity of the active-voxel list's base level; 0: by the grid

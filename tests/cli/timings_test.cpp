@@ -16,7 +16,7 @@ constexpr std::size_t frames = 5;
 
 std::string renderSmall(const std::string& options) {
     return std::string("render ") + ProgramRun::cornell +
-           " --grid 64 --size 64x64 --out out --timings t.json " + options;
+           " --grid 64 --size 64x64 --out out --timings t.json --revoxelize " + options;
 }
 
 void expectSpread(const json& step) {
@@ -95,6 +95,21 @@ TEST(Timings, OneModeHasItsStepsAtTheTop) {
     for (std::size_t level = 1; level < active.size(); ++level)
         EXPECT_LT(active[level], active[level - 1]);
     EXPECT_EQ(active.back(), 1);
+}
+
+TEST(Timings, WhatAFrameNeedNotMakeAgainTakesNoTime) {
+    ProgramRun program;
+    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell +
+                          " --preset mobile --size 64x64 --out out --timings t.json"),
+              0)
+        << program.err;
+    const json timings = program.json("t.json");
+    EXPECT_EQ(timings.at("method").at("revoxelized_every_frame"), false);
+    expectSteps(timings.at("steps"));
+    for (const std::string step : steps) {
+        const bool everyFrame = step == "render_data" || step == "trace";
+        EXPECT_EQ(timings.at("steps").at(step).at("max").get<double>() > 0.0, everyFrame) << step;
+    }
 }
 
 TEST(Timings, SeveralModesHaveOneObjectEach) {

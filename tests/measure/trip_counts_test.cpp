@@ -40,6 +40,7 @@ Counted counted(Settings settings) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     settings.countTrips = true;
+    settings.revoxelize = true;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     return {countTrips(renderer, Mode::giConeShadow, chooseCamera(scene, "")), renderer.activeVoxels()};
 }

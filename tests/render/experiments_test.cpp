@@ -23,6 +23,7 @@ Frames runWith(std::vector<std::string> experiments) {
     const Scene scene = loadGltf(asset("cornell.glb"));
     Settings settings = smallSettings();
     settings.experiments = std::move(experiments);
+    settings.revoxelize = true;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     // Twice: an experiment must not leave anything behind for the next frame.
     renderer.frame(Mode::giConeShadow, chooseCamera(scene, ""));

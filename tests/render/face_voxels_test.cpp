@@ -31,6 +31,7 @@ Settings mobile() {
     settings.size = glm::ivec2(16);
     settings.shadowMapSize = 256;
     settings.bounces = 1;  // each does the same
+    settings.revoxelize = true;
     return settings;
 }
 

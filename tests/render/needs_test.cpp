@@ -83,6 +83,7 @@ Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::g
     settings.grid = 64;
     settings.size = glm::ivec2(32);
     settings.shadowMapSize = 64;
+    settings.revoxelize = true;
     const Context context = openContext(Backend::egl);
     gl::CallLog log;
     Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), settings);

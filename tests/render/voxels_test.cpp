@@ -133,7 +133,9 @@ TEST_P(Voxels, OccupancyIsIdenticalOnZink) {
 TEST(VoxelsOverTime, FrameHundredEqualsFrameOne) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("courtyard.glb"));
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), smallSettings());
+    Settings settings = smallSettings();
+    settings.revoxelize = true;
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = chooseCamera(scene, "");
     renderer.frame(Mode::gi, camera);
     const std::vector<Words> first = readPyramid(renderer);
@@ -151,6 +153,7 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
     const Scene scene = loadGltf(asset("cornell.glb"));
     Settings settings = smallSettings();
     settings.activeVoxelLimit = 1000;
+    settings.revoxelize = true;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     renderer.frame(Mode::gi, chooseCamera(scene, ""));
     const auto expectReport = [&] {

@@ -67,8 +67,8 @@ def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str
     folder.mkdir(parents=True, exist_ok=True)
     larger = point.settings["error_scale"] > 1
     start = time.monotonic()
-    said = render(program, [*common, "--timings", str(folder / "timings.json"), *([] if larger else ["--light-parts"])],
-                  timeout_s)
+    timed = ["--revoxelize", "--timings", str(folder / "timings.json")]
+    said = render(program, [*common, *timed, *([] if larger else ["--light-parts"])], timeout_s)
     try:
         timings = json.loads((folder / "timings.json").read_text())
     except (OSError, ValueError) as error:
