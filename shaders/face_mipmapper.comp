@@ -1,13 +1,17 @@
 // One mip level of the faces from the one below, over that level's faces that are not empty: of each of the four pairs
 // of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
-// voxel stays opaque at every level, and is seen from one side only.
+// voxel stays opaque at every level, and is seen from one side only. VCT_LIST_PARENTS: makes the next level's lists too;
+// they last until the scene is voxelized again.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
+#ifdef VCT_LIST_PARENTS
+#include "shared/face_parents.glsl"
+#endif
 #include "shared/face_voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
-layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D parents;
+layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D means;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
 
 void main() {
@@ -31,6 +35,9 @@ void main() {
             sum += front + (1.0 - front.a) * back;
         }
         ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
-        imageStore(parents, texel, storedFace(sum * 0.25, texel));
+        imageStore(means, texel, storedFace(sum * 0.25, texel));
+#ifdef VCT_LIST_PARENTS
+        if (int(level) < frame.grid.y) listParents(level, listed.voxel, 1u << uint(listed.face));
+#endif
     }
 }

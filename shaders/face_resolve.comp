@@ -1,22 +1,30 @@
-// The sums of every face of the base level into its texel.
+// The base level: the sums of each occupied voxel into the texels of its faces, and the lists of the faces and of their
+// parents.
 #include "shared/trips.glsl"
-#include "shared/face_list.glsl"
+#include "shared/face_parents.glsl"
 #include "shared/face_voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
     TRIP(VCT_TRIPS_FACE_RESOLVE);
-    uint count = faceCount(level);
+    uint count = min(activeVoxelCount(level), faceSlots());
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_TRIPS_FACE_RESOLVE_FACE);
-        ListedFace listed = listedFace(level, i);
-        FaceSum sum = faceSum(texelFetch(slots, listed.voxel, 0).r - 1u, listed.face);
-        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.grid.x);
-        imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel));
+    for (uint slot = gl_GlobalInvocationID.x; slot < count; slot += stride) {
+        TRIP(VCT_TRIPS_FACE_RESOLVE_VOXEL);
+        ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
+        uint marked = markedFaces(slot);
+        if (marked == 0u) continue;
+        listFaces(level, voxel, marked, VCT_TRIPS_FACE_RESOLVE_LISTED);
+        listParents(level, voxel, marked);
+        for (uint left = marked; left != 0u; left &= left - 1u) {
+            TRIP(VCT_TRIPS_FACE_RESOLVE_FACE);
+            int face = findLSB(left);
+            FaceSum sum = faceSum(slot, face);
+            ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);
+            imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel));
+        }
     }
 }

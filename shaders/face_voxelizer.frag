@@ -29,12 +29,16 @@ vec3 directRadiance(vec3 albedo, float facing) {
 }
 
 // One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
-void addSide(ivec3 voxel, uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
-    for (int axis = 0; axis < 3; ++axis) {
+void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
+    uint marked = 0u;
+    for (int axis = 0; axis < 3; ++axis)
+        if (fixedCoverage(abs(weights[axis])) > 0u) marked |= 1u << uint(2 * axis + (weights[axis] > 0.0 ? 0 : 1));
+    if (marked != 0u) markFaces(slot, marked);
+    // Most surfaces face along one axis.
+    for (uint left = marked; left != 0u; left &= left - 1u) {
         TRIP(VCT_TRIPS_FACE_VOXELIZER_AXIS);
-        int face = 2 * axis + (weights[axis] > 0.0 ? 0 : 1);
-        if (weights[axis] != 0.0 && addToFace(slot, face, abs(weights[axis]), albedo, radiance))
-            appendFace(0u, uvec3(voxel), uint(face));
+        int face = findLSB(left);
+        addToFace(slot, face, abs(weights[face >> 1]), albedo, radiance);
     }
 }
 
@@ -55,8 +59,8 @@ void main() {
     vec3 normal = safeNormalize(fragmentNormal);
     vec3 emissive = materialEmissive(fragmentEmissiveUv);
     float facing = dot(normal, frame.towardsLight.xyz);
-    addSide(voxel, slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
+    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
 #ifdef VCT_DOUBLE_SIDED
-    addSide(voxel, slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+    addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
 #endif
 }

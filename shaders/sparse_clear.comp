@@ -1,6 +1,5 @@
 // Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing. It is done where the list overflowed: what
-// found no room in it is not empty either.
+// writing every voxel of the volume would cost more than voxelizing.
 #include "shared/commands.glsl"
 #include "shared/trips.glsl"
 
@@ -10,14 +9,11 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
     TRIP(VCT_TRIPS_SPARSE_CLEAR);
-    bool overflowed = commands[level].instanceCount > commands[level].capacity;
     uint side = uint(imageSize(voxels).x);
-    uint count = overflowed ? side * side * side : activeVoxelCount(level);
+    uint count = voxelsToEmpty(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         TRIP(VCT_TRIPS_SPARSE_CLEAR_VOXEL);
-        uvec3 voxel = overflowed ? uvec3(i % side, i / side % side, i / (side * side))
-                                 : unpackEntry(activeVoxels[commands[level].firstEntry + i]);
-        imageStore(voxels, ivec3(voxel), uvec4(0u));
+        imageStore(voxels, ivec3(voxelToEmpty(level, side, i)), uvec4(0u));
     }
 }

@@ -65,7 +65,7 @@ void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
         voxels.bindLevel(VCT_IMAGE_FACES, written);
         slots.dispatchOverFaces(written);
         gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        mipmapper.run(voxels, written + 1);
+        mipmapper.update(voxels, written + 1);
     }
 }
 

@@ -9,14 +9,14 @@ class FaceMipmapper {
   public:
     explicit FaceMipmapper(const gl::ShaderLibrary& shaders);
 
-    // The lists of every level from the base level's.
-    void makeLists(const FaceVoxels& voxels);
-    // The faces of every level from `first` on from the level below. Afterwards they are ready to be fetched
-    // as a texture.
-    void run(const FaceVoxels& voxels, int first = 1);
+    // The faces of every level above the base level, and their lists. Afterwards the faces are ready to be
+    // fetched as a texture.
+    void makeLevels(const FaceVoxels& voxels);
+    // Likewise where the lists are there: the faces of every level from `first` on.
+    void update(const FaceVoxels& voxels, int first);
 
   private:
-    gl::Program parents_, mipmap_;
+    gl::Program levels_, mipmap_;
 };
 
 }  // namespace vct

@@ -5,18 +5,31 @@
 
 namespace vct {
 
+namespace {
+
+// `side`: pixels of the projected volume. Software rasterizers work on tiles of 64 x 64 pixels side by side;
+// a projection of 64 x 64 would be one tile, for one core, if it did not lie on the corner of four.
+glm::ivec4 viewportFor(int side) {
+    const int offset = side <= 64 ? 32 : 0;
+    return {offset, offset, side, side};
+}
+
+}  // namespace
+
 FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                              Voxelization voxelization, int samples)
     : touch_(shaders, scene, [=](unsigned features) { return faceTouchProgram(features, voxelization); }),
       accumulate_(shaders, scene,
                   [=](unsigned features) { return faceVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, faceResolveProgram()),
-      framebuffer_("face voxelizer", grid * samples, grid * samples) {}
+      viewport_(viewportFor(grid * samples)),
+      framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
 
 void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
     framebuffer_.bind();
+    gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
     gl::Disable(GL_DEPTH_TEST);
     gl::DepthMask(GL_FALSE);
     const VoxelPyramid& slots = voxels.slots();
@@ -31,12 +44,12 @@ void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, Fac
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     slots.texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(accumulate_);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
     resolve_.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    slots.dispatchOverFaces(0);
+    slots.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);
+    slots.dispatchOverLevel(0);
     // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

@@ -19,6 +19,7 @@ class FaceVoxelizer {
   private:
     MaterialPrograms touch_, accumulate_;
     gl::Program resolve_;
+    glm::ivec4 viewport_;          // x, y, width, height
     gl::Framebuffer framebuffer_;  // no attachments: the rasterizer only makes fragments
 };
 

@@ -39,6 +39,7 @@ FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t
     : slots_(shaders, grid, listCapacity),
       faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
                                  slots_.levels())),
+      clearBase_(shaders, faceClearBaseProgram()),
       clear_(shaders, faceClearProgram()) {
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     gl::zeroTexture3d(faces_, grid);
@@ -58,16 +59,23 @@ void FaceVoxels::clear() {
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     // Until there is room for the sums, no face is written.
-    if (sums_.bytes() > 0) {
-        clear_.use();
-        bindLists();
-        slots_.texture().bind(VCT_TEX_VOXELS);
-        for (int level = 0; level < levels(); ++level) {
-            bindLevel(VCT_IMAGE_FACES, level);
-            slots_.dispatchOverFaces(level);
-        }
+    if (sums_.bytes() == 0) {
+        slots_.clear();
+        return;
     }
-    slots_.clear();
+    bindLists();
+    slots_.texture().bind(VCT_TEX_VOXELS);
+    clearBase_.use();
+    bindLevel(VCT_IMAGE_FACES, 0);
+    slots_.bindLevel(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    slots_.dispatchOverLevel(0);
+    clear_.use();
+    for (int level = 1; level < levels(); ++level) {
+        bindLevel(VCT_IMAGE_FACES, level);
+        slots_.bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
+        slots_.dispatchOverFaces(level);
+    }
+    slots_.emptyLists();
 }
 
 void FaceVoxels::reserveSums(bool changes) {
@@ -75,7 +83,7 @@ void FaceVoxels::reserveSums(bool changes) {
     const std::uint32_t voxels = std::max(slots_.readActiveCounts()[0], 1U);
     if (voxels <= places_) return;
     places_ = changes ? withHeadRoom(voxels) : voxels;
-    const std::size_t words = slots_.placeFaceLists(std::size_t{places_} * 6 * VCT_FACE_SUM_WORDS, places_);
+    const std::size_t words = slots_.placeFaceLists(std::size_t{places_} * VCT_SLOT_WORDS, places_);
     const std::vector<std::uint32_t> zeros(words);
     sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
                        GL_DYNAMIC_COPY);

@@ -54,7 +54,7 @@ class FaceVoxels {
     gl::Texture faces_;
     gl::Buffer sums_;
     std::uint32_t places_ = 0;  // of voxels in it
-    gl::Program clear_;
+    gl::Program clearBase_, clear_;
 };
 
 }  // namespace vct

@@ -20,7 +20,9 @@ class Gather {
     };
     Targets draw(const GBuffer::Targets& surface, const FaceVoxels& voxels);
 
-    std::vector<const gl::Texture*> textures() const { return {&raw_, &surface_, &filtered_, &filteredSurface_}; }
+    std::vector<const gl::Texture*> textures() const {
+        return {&raw_, &surface_, &filtered_, &filteredSurface_};
+    }
 
   private:
     gl::Program trace_, filter_;

@@ -123,8 +123,8 @@ gl::ProgramDescription faceResolveProgram() {
     return {"face_resolve", {"face_resolve.comp"}, {}};
 }
 
-gl::ProgramDescription faceParentsProgram() {
-    return {"face_parents", {"face_parents.comp"}, {}};
+gl::ProgramDescription faceLevelsProgram() {
+    return {"face_levels", {"face_mipmapper.comp"}, {"VCT_LIST_PARENTS"}};
 }
 
 gl::ProgramDescription faceMipmapperProgram() {
@@ -133,6 +133,10 @@ gl::ProgramDescription faceMipmapperProgram() {
 
 gl::ProgramDescription faceClearProgram() {
     return {"face_clear", {"face_clear.comp"}, {}};
+}
+
+gl::ProgramDescription faceClearBaseProgram() {
+    return {"face_clear_base", {"face_clear_base.comp"}, {}};
 }
 
 int patchLevel(int grid) {
@@ -220,9 +224,9 @@ gl::ProgramDescription hudProgram() {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        mipmapperProgram(), sparseClearProgram(), voxelViewProgram(),        presentProgram(),
-        hudProgram(),       faceResolveProgram(), faceParentsProgram(),      faceMipmapperProgram(),
-        faceClearProgram(), facePatchesProgram(), faceBouncePatchesProgram()};
+        mipmapperProgram(),     sparseClearProgram(), voxelViewProgram(),   presentProgram(),
+        hudProgram(),           faceResolveProgram(), faceLevelsProgram(),  faceClearBaseProgram(),
+        faceMipmapperProgram(), faceClearProgram(),   facePatchesProgram(), faceBouncePatchesProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
@@ -282,15 +286,14 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
     if (voxels && settings.voxels == Voxels::faces) {
-        add(Step::voxelize, sparseClearProgram());
+        add(Step::voxelize, faceClearBaseProgram());
         add(Step::voxelize, faceClearProgram());
         for (unsigned f : needs.materialFeatures) {
             add(Step::voxelize, faceTouchProgram(f, settings.voxelization));
             add(Step::voxelize, faceVoxelizerProgram(f, settings.voxelization));
         }
         add(Step::voxelize, faceResolveProgram());
-        add(Step::mipmap, faceParentsProgram());
-        add(Step::mipmap, faceMipmapperProgram());
+        add(Step::mipmap, faceLevelsProgram());
         const bool occlusion = mode == Mode::ao;
         if (settings.bounces > 0 && !occlusion) {
             add(Step::bounces, facePatchesProgram());
@@ -298,6 +301,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
             add(Step::bounces, faceBounceGatherProgram(settings.grid));
             add(Step::bounces, faceBouncePatchesProgram());
             add(Step::bounces, faceBounceProgram(settings.grid));
+            add(Step::bounces, faceMipmapperProgram());
         }
         const GatherSettings& gather = occlusion ? settings.occlusion : settings.gather;
         add(Step::trace, gatherProgram(gather, occlusion ? GatherOf::occlusion : GatherOf::light));

@@ -32,9 +32,10 @@ gl::ProgramDescription sparseClearProgram();
 gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceResolveProgram();
-gl::ProgramDescription faceParentsProgram();
+gl::ProgramDescription faceLevelsProgram();  // and the next level's lists
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();
+gl::ProgramDescription faceClearBaseProgram();
 // `pixels`: the gather's settings, from which those of the bounces follow.
 gl::ProgramDescription facePatchesProgram();
 gl::ProgramDescription faceAlbedosProgram(int grid);

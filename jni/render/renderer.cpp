@@ -97,10 +97,7 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
         FaceVoxels& voxels = facePass->voxels;
         if (made.voxelBounces != bounces) {
             timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
-            timer_.time(Step::mipmap, [&] {
-                facePass->mipmapper.makeLists(voxels);
-                facePass->mipmapper.run(voxels);
-            });
+            timer_.time(Step::mipmap, [&] { facePass->mipmapper.makeLevels(voxels); });
             FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
             timer_.time(Step::bounces, [&] {
                 if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);

@@ -77,6 +77,10 @@ void VoxelPyramid::clear() {
         bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
         dispatchOverLevel(level);
     }
+    emptyLists();
+}
+
+void VoxelPyramid::emptyLists() {
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     resetCommands_.bind(GL_COPY_READ_BUFFER);
     commands_.bind(GL_COPY_WRITE_BUFFER);

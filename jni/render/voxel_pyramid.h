@@ -28,6 +28,8 @@ class VoxelPyramid {
     // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;
     // afterwards the image and the buffers are ready for shaders.
     void clear();
+    // The second half of that, where somebody else has emptied the texture.
+    void emptyLists();
 
     // Binds one level for image access, and the list and its commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;

@@ -20,6 +20,20 @@ uint appendVoxel(uint level, uvec3 voxel) {
     return index;
 }
 
+bool overflowed(uint level) {
+    return commands[level].instanceCount > commands[level].capacity;
+}
+
+// What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
+// found no room in it is not empty either.
+uint voxelsToEmpty(uint level, uint side) {
+    return overflowed(level) ? side * side * side : commands[level].instanceCount;
+}
+uvec3 voxelToEmpty(uint level, uint side, uint i) {
+    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
+                             : unpackEntry(activeVoxels[commands[level].firstEntry + i]);
+}
+
 // Entries of a level that can be visited.
 uint activeVoxelCount(uint level) {
     return min(commands[level].instanceCount, commands[level].capacity);

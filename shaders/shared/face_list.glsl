@@ -3,14 +3,23 @@
 // voxels does not. It lies in the buffer of the sums, as stages may have no more than four storage buffers.
 #include "shared/commands.glsl"
 #include "shared/face_sums.glsl"
+#include "shared/trips.glsl"
 
-// To be called once per face that is not empty.
-void appendFace(uint level, uvec3 voxel, uint face) {
-    uint index = atomicAdd(commands[level].faceCount, 1u);
-    if (index >= commands[level].faceCapacity) return;
-    faceSums[commands[level].firstFace + index] = packFace(voxel, face);
-    if (index % uint(VCT_LIST_GROUP) == 0u && index / uint(VCT_LIST_GROUP) < VCT_MAX_GROUPS)
-        atomicAdd(commands[level].faceGroupsX, 1u);
+// Makes room for `count` faces of a level that are not empty, at most VCT_LIST_GROUP, and returns the first one's place.
+uint reserveFaces(uint level, uint count) {
+    uint first = atomicAdd(commands[level].faceCount, count);
+    uint group = (first + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP);  // the next to begin
+    if (group * uint(VCT_LIST_GROUP) < first + count && group < VCT_MAX_GROUPS) atomicAdd(commands[level].faceGroupsX, 1u);
+    return first;
+}
+
+// Lists the faces of a voxel that are not empty (bits). `trips`: the counter of its loop.
+void listFaces(uint level, ivec3 voxel, uint faces, int trips) {
+    uint index = commands[level].firstFace + reserveFaces(level, uint(bitCount(faces)));
+    for (uint left = faces; left != 0u; left &= left - 1u) {
+        TRIP(trips);
+        faceSums[index++] = packFace(uvec3(voxel), uint(findLSB(left)));
+    }
 }
 
 uint faceCount(uint level) {

@@ -4,34 +4,57 @@
 #include "shared/blocks.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
-    uint faceSums[];  // per slot, per face: VCT_FACE_SUM_*
+    uint faceSums[];  // per slot: a bit for each face that is not empty, then per face VCT_FACE_SUM_*
 };
 
 #define VCT_FACE_SUM_COVERAGE 0u
 #define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over frame.faces.y
-#define VCT_FACE_SUM_ALBEDO 4u    // three
+#define VCT_FACE_SUM_ALBEDO 4u    // no sum: that of the fragment that covers most, packAlbedo()
+
+uint slotIndex(uint slot) {
+    return slot * VCT_SLOT_WORDS;
+}
 
 uint faceSumIndex(uint slot, int face) {
-    return (slot * 6u + uint(face)) * VCT_FACE_SUM_WORDS;
+    return slotIndex(slot) + 1u + uint(face) * VCT_FACE_SUM_WORDS;
 }
 
-void addFixed(uint index, vec3 value) {
-    uvec3 fixedPoint = uvec3(clamp(value, 0.0, 1.0) * frame.faces.x + 0.5);
-    if (fixedPoint.x != 0u) atomicAdd(faceSums[index], fixedPoint.x);
-    if (fixedPoint.y != 0u) atomicAdd(faceSums[index + 1u], fixedPoint.y);
-    if (fixedPoint.z != 0u) atomicAdd(faceSums[index + 2u], fixedPoint.z);
+// Coverage above, so that the maximum is of what covers most; roots, as in the G-buffer.
+uint packAlbedo(float coverage, vec3 albedo) {
+    uvec4 steps = uvec4(vec4(coverage, sqrt(albedo)) * 255.0 + 0.5);
+    return (steps.x << 24) | (steps.y << 16) | (steps.z << 8) | steps.w;
 }
 
-// `weight` in 0..1, `radiance` relative to E/pi. Returns whether the face was empty until now.
-bool addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
+vec3 unpackAlbedo(uint word) {
+    vec3 root = vec3((uvec3(word) >> uvec3(16, 8, 0)) & 255u) / 255.0;
+    return root * root;
+}
+
+// A face's share of its voxel's cross-section, in 0..1, in fixed point. Where it is 0 nothing may be added.
+uint fixedCoverage(float weight) {
+    return uint(weight * frame.faces.x + 0.5);
+}
+
+// `weight` in 0..1, `radiance` relative to E/pi.
+void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
     uint index = faceSumIndex(slot, face);
-    // Where nothing is covered nothing may be added: by its coverage it is known whether a face is empty.
-    uint coverage = uint(weight * frame.faces.x + 0.5);
-    if (coverage == 0u) return false;
-    bool first = atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], coverage) == 0u;
-    addFixed(index + VCT_FACE_SUM_RADIANCE, weight / frame.faces.y * radiance);
-    addFixed(index + VCT_FACE_SUM_ALBEDO, weight * albedo);
-    return first;
+    atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], fixedCoverage(weight));
+    atomicMax(faceSums[index + VCT_FACE_SUM_ALBEDO], packAlbedo(weight, clamp(albedo, 0.0, 1.0)));
+    uvec3 units = uvec3(clamp(weight / frame.faces.y * radiance, 0.0, 1.0) * frame.faces.x + 0.5);
+    if (units == uvec3(0u)) return;
+    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE], units.x);
+    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 1u], units.y);
+    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 2u], units.z);
+}
+
+// `faces`: bits. To be called for those that something was added to.
+void markFaces(uint slot, uint faces) {
+    atomicOr(faceSums[slotIndex(slot)], faces);
+}
+
+// A bit for each face that is not empty.
+uint markedFaces(uint slot) {
+    return faceSums[slotIndex(slot)];
 }
 
 // A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of
@@ -42,15 +65,12 @@ struct FaceSum {
     vec3 albedo;
 };
 
-vec3 threeSums(uint index) {
-    return vec3(uvec3(faceSums[index], faceSums[index + 1u], faceSums[index + 2u]));
-}
-
 // Of a face that is not empty.
 FaceSum faceSum(uint slot, int face) {
     uint index = faceSumIndex(slot, face);
-    float sum = float(faceSums[index]);
+    float sum = float(faceSums[index + VCT_FACE_SUM_COVERAGE]);
     float scale = 1.0 / max(sum, frame.faces.x);
-    return FaceSum(sum * scale, threeSums(index + VCT_FACE_SUM_RADIANCE) * scale,
-                   threeSums(index + VCT_FACE_SUM_ALBEDO) * scale);
+    uint at = index + VCT_FACE_SUM_RADIANCE;
+    vec3 radiance = vec3(uvec3(faceSums[at], faceSums[at + 1u], faceSums[at + 2u])) * scale;
+    return FaceSum(sum * scale, radiance, unpackAlbedo(faceSums[index + VCT_FACE_SUM_ALBEDO]) * (sum * scale));
 }

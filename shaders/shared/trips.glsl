@@ -4,9 +4,9 @@
 
 #ifdef VCT_COUNT_TRIPS
 layout(std430, binding = VCT_SSBO_TRIPS) buffer TripBlock {
-    uint trips[VCT_TRIPS_COUNT];
+    uint tripCounts[VCT_TRIPS_COUNT];
 };
-#define TRIP(what) atomicAdd(trips[what], 1u)
+#define TRIP(what) atomicAdd(tripCounts[what], 1u)
 #else
 #define TRIP(what)
 #endif

@@ -60,8 +60,7 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     FaceVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes, 1)
         .run(gpuScene, shadowMap.draw(gpuScene), into);
     FaceMipmapper mipmapper(shaders);
-    mipmapper.makeLists(into);
-    mipmapper.run(into);
+    mipmapper.makeLevels(into);
 }
 
 FaceVoxels emptyVoxels(const Context& context) {

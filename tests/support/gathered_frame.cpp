@@ -37,8 +37,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
     FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, voxels_);
     FaceMipmapper mipmapper(shaders_);
-    mipmapper.makeLists(voxels_);
-    mipmapper.run(voxels_);
+    mipmapper.makeLevels(voxels_);
 }
 
 std::vector<SurfacePixel> GatheredFrame::pixels() const {

@@ -1,0 +1,33 @@
+// Empties what the last frame listed, of the base level: voxels, their faces and the faces' sums.
+#include "shared/trips.glsl"
+#include "shared/face_list.glsl"
+#include "shared/face_voxels.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
+layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
+layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;     // the same
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
+
+void main() {
+    TRIP(VCT_TRIPS_FACE_CLEAR_BASE);
+    uint side = uint(frame.grid.x);
+    uint count = voxelsToEmpty(level, side);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        TRIP(VCT_TRIPS_FACE_CLEAR_BASE_VOXEL);
+        ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
+        uint slot = overflowed(level) ? texelFetch(slots, voxel, 0).r - 1u : i;
+        imageStore(voxels, voxel, uvec4(0u));
+        if (slot >= faceSlots()) continue;
+        for (uint left = markedFaces(slot); left != 0u; left &= left - 1u) {
+            TRIP(VCT_TRIPS_FACE_CLEAR_BASE_FACE);
+            int face = findLSB(left);
+            imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(0.0));
+            uint index = faceSumIndex(slot, face);
+            for (uint word = 0u; word < VCT_FACE_SUM_WORDS; ++word)
+                faceSums[index + word] = 0u;
+        }
+        faceSums[slotIndex(slot)] = 0u;
+    }
+}
