@@ -23,7 +23,7 @@ void main() {
     int tileOfPixel = stored.x / tile.x;
     ivec2 inPattern = ivec2(tileOfPixel & 3, tileOfPixel >> 2);
     ivec2 inTile = ivec2(stored.x - tileOfPixel * tile.x, stored.y);
-    ivec2 pixel = gatheredPixel(inTile * 4 + inPattern, size);
+    ivec2 pixel = gatheredPixel(inTile * 4 + inPattern, size, VCT_TRIPS_GATHER_SEARCH);
     float depth = surfaceDepth(pixel);
     outGather = vec4(0.0);
     outSurface = vec4(0.0);

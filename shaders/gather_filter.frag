@@ -18,7 +18,7 @@ void main() {
     ivec2 last = (size - 1) / VCT_GATHER_SCALE;
     outGather = vec4(0.0);
     outSurface = vec4(0.0);
-    ivec2 fullPixel = gatheredPixel(pixel, size);
+    ivec2 fullPixel = gatheredPixel(pixel, size, VCT_TRIPS_GATHER_FILTER_SEARCH);
     float depth = surfaceDepth(fullPixel);
     if (depth == 1.0) return;
     vec3 position = surfacePosition(fullPixel, depth);

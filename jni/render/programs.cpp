@@ -159,7 +159,6 @@ gl::ProgramDescription faceBounceGatherProgram(int grid) {
     const auto scale = static_cast<float>(grid) / 64.0F;
     bounces.startOffset *= scale;
     bounces.firstSample *= scale;
-    bounces.ownSurface *= scale;
     return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces, patchLevel(grid))};
 }
 

@@ -134,7 +134,6 @@ Settings presetSettings(const std::string& name) {
         settings.gridRange = {128, 256};
         settings.gather.cones = 16;
         settings.gather.startOffset = 0.5F;
-        settings.gather.ownSurface = 4.0F;
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
         settings.gather.height = 0.3F;
@@ -169,7 +168,8 @@ const std::vector<GatherPart>& allGatherParts() {
         {"cones", "cones over the hemisphere", nullptr, &G::cones, 2, 64},
         {"start", "offset along the normal, voxels", &G::startOffset, nullptr, 0, 16},
         {"first", "first sample along the cone, voxels", &G::firstSample, nullptr, 0.25F, 16},
-        {"own", "added to that per unit of the surface's own faces", &G::ownSurface, nullptr, 0, 16},
+        {"own", "height in footprints up to which a slanted surface's own faces are not met", &G::ownSurface,
+         nullptr, 0, 16},
         {"step", "between samples, in footprints", &G::step, nullptr, 0.1F, 4},
         {"height", "largest footprint, of the height above the plane", &G::height, nullptr, 0.05F, 100},
         {"extinction", "scales a sample's opacity", &G::extinction, nullptr, 0.1F, 4},

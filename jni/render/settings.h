@@ -79,12 +79,14 @@ struct GatherSettings {
     int cones = 3;              // over the hemisphere; 16 such sets together are a Hammersley set
     float startOffset = 0.75F;  // along the normal
     float firstSample = 0.5F;   // along the cone
-    float ownSurface = 3.0F;    // added to that per unit of the surface's own faces that the cone meets
-    float step = 1.25F;         // between samples, in footprints
-    float height = 0.5F;        // largest footprint, of the sample's height above the surface's plane
-    float extinction = 1.05F;   // scales the opacity of a sample
-    float threshold = 0.15F;    // a cone with less transmittance left is done
-    int scale = 2;              // every how many pixels, in x and y, light is gathered
+    // Height above the surface's plane, in footprints, up to which its own faces, which look against the cone
+    // where the surface is slanted, are not met. They are within half a texel of it, filtered by one more.
+    float ownSurface = 1.5F;
+    float step = 1.25F;        // between samples, in footprints
+    float height = 0.5F;       // largest footprint, of the sample's height above the surface's plane
+    float extinction = 1.05F;  // scales the opacity of a sample
+    float threshold = 0.15F;   // a cone with less transmittance left is done
+    int scale = 2;             // every how many pixels, in x and y, light is gathered
 };
 
 // The grids among which one is chosen by the scene (grid_choice.h), both included.

@@ -59,10 +59,11 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
     float grid = float(frame.grid.x);
     Ray ray = rayAlong(direction);
     ConeResult result = ConeResult(vec3(0.0), 1.0);
-    // Faces are one-sided along the axes only: the ray also meets those of its own surface that look against it, the
-    // more the further the surface is from an axis. It starts behind them.
-    vec3 own = max(-direction * normal, 0.0);
-    float distance = VCT_GATHER_FIRST_SAMPLE + VCT_GATHER_OWN_SURFACE * (own.x + own.y + own.z);
+    // Faces are one-sided along the axes only. Those of the ray's own surface look to its normal's side of each axis;
+    // where the ray goes against that, near the surface, it would meet them.
+    Ray nearRay = ray;
+    nearRay.share *= step(0.0, direction * normal);
+    float distance = VCT_GATHER_FIRST_SAMPLE;
     float rise = dot(direction, normal);
     // Where it leaves the volume (in the far corner's or the near one's planes).
     vec3 away = (step(0.0, direction) * grid - start) / direction;
@@ -74,7 +75,8 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
         // footprint.
         float height = VCT_GATHER_START + distance * rise;
         float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), float(VCT_GATHER_FINEST_LEVEL));
-        mediump vec4 met = sampleFaces((start + direction * distance) / grid, ray, level);
+        bool near = height < VCT_GATHER_OWN_SURFACE * exp2(level);
+        mediump vec4 met = sampleFaces((start + direction * distance) / grid, near ? nearRay : ray, level);
         // Added, and cut off at what is left: multiplied transmittances let too much through.
         mediump float taken = HALF(min(sampleOpacity * min(met.a, 1.0), result.transmittance));
         result.radiance = HALF(result.radiance + met.rgb * (taken / max(met.a, 1e-4)));

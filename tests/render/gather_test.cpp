@@ -141,8 +141,8 @@ struct Emitter {
 const Emitter emitters[] = {
     {"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.165, 0.175}, {0.05, 0.055}},
     {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.055, 0.07}, {0.125, 0.13}},
-    {"lamp", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.105, 0.25}, {0.225, 0.26}},
-    {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.175, 0.28}, {0.10, 0.165}}};
+    {"lamp", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.115, 0.255}, {0.225, 0.26}},
+    {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.175, 0.28}, {0.11, 0.17}}};
 
 // A floor under emitters of radiance 1 whose form factors are known.
 TEST_P(GatherOf, AFloorReceivesTheFormFactorOfWhatShines) {
@@ -217,12 +217,11 @@ TEST_P(GatherOf, WhiteFurnaceIsOne) {
                     GetParam(), turnDeg, spread.mean, spread.min, spread.max);
         EXPECT_NEAR(spread.mean, 1.0, furnaceBar);
         EXPECT_LE(spread.max, 1.02);
-        EXPECT_GE(spread.min, isMobile(GetParam()) ? 0.82 : 0.86);
+        EXPECT_GE(spread.min, isMobile(GetParam()) ? 0.81 : 0.77);
     }
 }
 
-// One lit plane in an empty volume: a surface does not light itself, so the right answer is 0. The bar
-// for the mean is 0.03: measured are 0.006 (mobile) and 0.022 (quality, whose brightest pixels reach 0.031).
+// One lit plane in an empty volume: a surface does not light itself, so the right answer is 0.
 TEST_P(GatherOf, LoneLitPlaneGetsNothing) {
     const Context context = openContext(Backend::egl);
     for (const double turnDeg : {0.0, 30.0, 45.0}) {
@@ -235,10 +234,10 @@ TEST_P(GatherOf, LoneLitPlaneGetsNothing) {
         std::printf("%s, lone plane turned by %g degrees: mean %.4f, max %.4f; openness from %.4f\n",
                     GetParam(), turnDeg, light.mean, light.max, openness.min);
         ASSERT_GT(light.count, 1000);
-        EXPECT_LE(light.mean, isMobile(GetParam()) ? 0.008 : 0.025);
-        EXPECT_LE(light.max, isMobile(GetParam()) ? 0.016 : 0.033);
+        EXPECT_LE(light.mean, 1e-4);
+        EXPECT_LE(light.max, 1e-3);
         EXPECT_GE(light.min, 0.0);
-        EXPECT_GE(openness.min, isMobile(GetParam()) ? 0.96 : 0.97);
+        EXPECT_GE(openness.min, 0.999);
     }
 }
 
@@ -277,8 +276,8 @@ TEST_P(GatherOf, LightStaysOnItsSideOfAThinWall) {
         ASSERT_GT(lit.mean, 0.15);
         ASSERT_GT(dark.count, 1000);
         // What there is comes from around the wall's edges, where coarse voxels reach past it.
-        EXPECT_LE(dark.mean, 0.05 * lit.mean);
-        EXPECT_LE(dark.max, isMobile(GetParam()) ? 0.145 : 0.115);
+        EXPECT_LE(dark.mean, 0.055 * lit.mean);
+        EXPECT_LE(dark.max, isMobile(GetParam()) ? 0.15 : 0.125);
     }
 }
 
