@@ -2,6 +2,9 @@
 // writing every voxel of the volume would cost more than voxelizing.
 #include "shared/commands.glsl"
 #include "shared/trips.glsl"
+#ifdef VCT_PART
+#include "shared/changed_blocks.glsl"
+#endif
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
@@ -14,6 +17,10 @@ void main() {
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         TRIP(VCT_TRIPS_SPARSE_CLEAR_VOXEL);
-        imageStore(voxels, ivec3(voxelToEmpty(level, side, i)), uvec4(0u));
+        ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
+#ifdef VCT_PART  // what is larger than a block is always made anew
+        if (overflowed(level) && side >= uint(VCT_BLOCKS) && !isChanged(voxel << level)) continue;
+#endif
+        imageStore(voxels, voxel, uvec4(0u));
     }
 }

@@ -5,6 +5,9 @@
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
 #include "shared/trips.glsl"
+#ifdef VCT_STILL  // of a scene where something else moves: in the blocks that this frame makes anew
+#include "shared/changed_blocks.glsl"
+#endif
 
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
@@ -28,6 +31,10 @@ void main() {
     TRIP(VCT_TRIPS_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     if (materialIsHole(baseColor.a)) discard;
+    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
+#ifdef VCT_STILL
+    if (!isChanged(voxel)) discard;
+#endif
 
     float facing = dot(safeNormalize(fragmentNormal), frame.towardsLight.xyz);
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
@@ -48,10 +55,13 @@ void main() {
 
     uvec3 color = uvec3(clamp(radiance, 0.0, 1.0) * float(VCT_BASE_COUNT * VCT_COLOR_STEPS) + 0.5);
     uint word = packVoxel(lit ? VCT_BASE_COUNT : 0u, VCT_BASE_COUNT, color);
-    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
 #ifdef VCT_SECOND_ATOMIC
     // Into the level above, which the mipmapper adds to: the time counts here, the picture does not.
     imageAtomicMax(debugView, voxel >> 1, 0u);
 #endif
+#ifdef VCT_STILL  // it is listed
+    imageAtomicMax(voxels, voxel, word);
+#else
     if (imageAtomicMax(voxels, voxel, word) == 0u) appendVoxel(0u, uvec3(voxel));
+#endif
 }

@@ -61,6 +61,13 @@ void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, co
     uniforms.normalFromObject = glm::mat4(glm::dmat4(cofactors));
 }
 
+std::vector<glm::dvec3> positionsOf(const Mesh& mesh) {
+    std::vector<glm::dvec3> positions;
+    for (const Vertex& vertex : mesh.vertices)
+        positions.push_back(mesh.centre + glm::dvec3(vertex.position));
+    return positions;
+}
+
 bool isMirrored(const glm::dmat4& worldFromObject) {
     return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
 }
@@ -135,6 +142,7 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
                                                [](const Instance& instance) { return !instance.moves(); }));
     std::map<int, std::size_t> movingMeshes;
+    stillBox_ = boundsOf({}, volumeFromWorld_);
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
@@ -158,6 +166,10 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
                 draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
                 first += static_cast<std::size_t>(sorted.indexCounts[axis]);
             }
+        }
+        if (needs_.movingObjects && !instance.moves()) {
+            draw.box = boundsOf(positionsOf(mesh), volumeFromWorld_ * instance.worldFromObject);
+            stillBox_ = united(stillBox_, draw.box);
         }
         draws_.push_back(draw);
     }
@@ -185,10 +197,7 @@ void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32
                          std::map<int, std::size_t>& meshes) {
     const auto [found, added] = meshes.try_emplace(instance.mesh, movingMeshes_.size());
     if (added) {
-        std::vector<glm::dvec3> positions;
-        for (const Vertex& vertex : mesh.vertices)
-            positions.push_back(mesh.centre + glm::dvec3(vertex.position));
-        movingMeshes_.push_back({mesh, cornersOf(boundsOf(positions, glm::dmat4(1.0)))});
+        movingMeshes_.push_back({mesh, cornersOf(boundsOf(positionsOf(mesh), glm::dmat4(1.0)))});
     }
     draw.moving = static_cast<int>(moving_.size());
     moving_.push_back(
@@ -220,6 +229,14 @@ void GpuScene::place(Draw& draw) {
     }
 }
 
+std::vector<Placement> GpuScene::placements() const {
+    std::vector<Placement> placements;
+    for (const Moving& moving : moving_)
+        placements.push_back({moving.worldFromObject, boundsOf(movingMeshes_[moving.mesh].corners,
+                                                               volumeFromWorld_ * moving.worldFromObject)});
+    return placements;
+}
+
 Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
     Bounds bounds = boundsWorld;
     for (const Moving& moving : moving_)
@@ -240,7 +257,7 @@ void GpuScene::sortVisibleDraws() {
     });
 }
 
-bool GpuScene::setPose(const Pose& pose) {
+void GpuScene::setPose(const Pose& pose) {
     struct Range {
         std::size_t begin = std::numeric_limits<std::size_t>::max(), end = 0;
         void add(std::size_t first, std::size_t count) {
@@ -259,7 +276,7 @@ bool GpuScene::setPose(const Pose& pose) {
         bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
         indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
     }
-    if (bytes.end == 0) return false;
+    if (bytes.end == 0) return;
     sortVisibleDraws();
     const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
         buffer.bind(GL_COPY_WRITE_BUFFER);
@@ -267,11 +284,10 @@ bool GpuScene::setPose(const Pose& pose) {
                           data);
     };
     upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
-    if (movingIndices_.empty()) return true;
+    if (movingIndices_.empty()) return;
     constexpr std::size_t size = sizeof movingIndices_[0];
     upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
            &movingIndices_[indices.begin]);
-    return true;
 }
 
 void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
@@ -340,13 +356,23 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     }
 }
 
-void GpuScene::drawForVoxels(const MaterialPrograms& programs) const {
-    if (voxelization_ == Voxelization::geometryShader) return draw(Culling::none, programs);
+bool GpuScene::isIn(const Draw& draw, const ScenePart& part) const {
+    if (part.of == ScenePart::Of::all) return true;
+    if ((draw.moving >= 0) != (part.of == ScenePart::Of::moving)) return false;
+    return part.touched == nullptr || part.touched->touches(draw.box);
+}
+
+void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part) const {
     vertexArray_.bind();
     gl::Disable(GL_CULL_FACE);
     const gl::Program* current = nullptr;
     for (const Draw& draw : draws_) {
+        if (!isIn(draw, part)) continue;
         bindDraw(draw, current, programs);
+        if (voxelization_ == Voxelization::geometryShader) {
+            drawTriangles(draw.triangles.first, draw.triangles.count);
+            continue;
+        }
         for (GLuint axis = 0; axis < 3; ++axis) {
             const IndexRange& range = draw.trianglesAlong[axis];
             if (range.count == 0) continue;

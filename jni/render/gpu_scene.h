@@ -9,6 +9,7 @@
 
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "render/changed_blocks.h"
 #include "render/settings.h"
 #include "render/volume.h"
 #include "scene/needs.h"
@@ -17,6 +18,12 @@ namespace vct {
 
 class MaterialPrograms;
 
+// Which instances: all, those that can move, or those that cannot and touch some blocks.
+struct ScenePart {
+    enum class Of { all, moving, still } of = Of::all;
+    const BlockMask* touched = nullptr;  // null: wherever they are
+};
+
 class GpuScene {
   public:
     // At rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
@@ -24,11 +31,14 @@ class GpuScene {
     GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
              Voxelization voxelization);
 
-    // Of draws to come. Uploads what the instances that moved need, and nothing else; returns whether any
-    // did.
-    bool setPose(const Pose& pose);
+    // Of draws to come. Uploads what the instances that moved need, and nothing else.
+    void setPose(const Pose& pose);
     // Whether a pose can change anything.
     bool moves() const { return !moving_.empty(); }
+    // Where all that can move is.
+    std::vector<Placement> placements() const;
+    // Around all that cannot, in volume space; inverted where there is nothing.
+    const Bounds& stillBox() const { return stillBox_; }
     // Around `boundsWorld` and all that moves, in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
 
@@ -39,7 +49,7 @@ class GpuScene {
     // drawn first: with Culling::backFaces that does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
     // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
-    void drawForVoxels(const MaterialPrograms& programs) const;
+    void drawForVoxels(const MaterialPrograms& programs, const ScenePart& part = {}) const;
 
     const SceneNeeds& needs() const { return needs_; }
     std::vector<const gl::Texture*> textures() const;
@@ -60,6 +70,7 @@ class GpuScene {
         std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
+        Bounds box;       // in volume space, of static ones where something moves
     };
     // What the draw of an instance that moves is made of anew in each pose.
     struct Moving {
@@ -79,6 +90,7 @@ class GpuScene {
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
+    bool isIn(const Draw& draw, const ScenePart& part) const;
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
@@ -87,6 +99,7 @@ class GpuScene {
     SceneNeeds needs_;
     Voxelization voxelization_;
     glm::dmat4 volumeFromWorld_;
+    Bounds stillBox_;
     std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
     // Indices into draws_, in an order that does not depend on that of the instances.
     std::vector<std::size_t> visibleDraws_;

@@ -101,6 +101,20 @@ gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxeliza
     return voxelizing("voxelizer", featureDefines(features, ~0U), voxelization);
 }
 
+gl::ProgramDescription stillVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    std::vector<std::string> defines = featureDefines(features, ~0U);
+    defines.emplace_back("VCT_STILL");
+    return voxelizing("voxelizer", std::move(defines), voxelization);
+}
+
+gl::ProgramDescription partialClearProgram() {
+    return {"sparse_clear of a part", {"sparse_clear.comp"}, {"VCT_PART"}};
+}
+
+gl::ProgramDescription partialMipmapperProgram() {
+    return {"mipmapper of a part", {"mipmapper.comp"}, {"VCT_PART"}};
+}
+
 gl::ProgramDescription mipmapperProgram() {
     return {"mipmapper", {"mipmapper.comp"}, {}};
 }
@@ -223,13 +237,15 @@ gl::ProgramDescription hudProgram() {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        mipmapperProgram(),     sparseClearProgram(), voxelViewProgram(),   presentProgram(),
-        hudProgram(),           faceResolveProgram(), faceLevelsProgram(),  faceClearBaseProgram(),
-        faceMipmapperProgram(), faceClearProgram(),   facePatchesProgram(), faceBouncePatchesProgram()};
+        mipmapperProgram(),     sparseClearProgram(),     voxelViewProgram(),   presentProgram(),
+        hudProgram(),           faceResolveProgram(),     faceLevelsProgram(),  faceClearBaseProgram(),
+        faceMipmapperProgram(), faceClearProgram(),       facePatchesProgram(), faceBouncePatchesProgram(),
+        partialClearProgram(),  partialMipmapperProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
             programs.push_back(voxelizerProgram(features, voxelization));
+            programs.push_back(stillVoxelizerProgram(features, voxelization));
             programs.push_back(faceTouchProgram(features, voxelization));
             programs.push_back(faceVoxelizerProgram(features, voxelization));
         }

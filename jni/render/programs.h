@@ -27,6 +27,10 @@ struct ExtraTargets {
 ExtraTargets extraTargets(const SceneNeeds& needs, Specular specular);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxelization);
+// Of the static geometry of a scene where something moves: render/partial_voxels.h, as the two below.
+gl::ProgramDescription stillVoxelizerProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription partialClearProgram();
+gl::ProgramDescription partialMipmapperProgram();
 gl::ProgramDescription mipmapperProgram();
 gl::ProgramDescription sparseClearProgram();
 gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);

@@ -67,9 +67,10 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     // Given back at the end: where something throws, nothing counts as made.
     Made made = std::exchange(made_, {});
     // Sorting triangles by their axis takes the longest of it.
-    const bool moved = nextPose_ && timer_.time(Step::voxelize, [&] { return scene_.setPose(*nextPose_); });
+    if (nextPose_) timer_.time(Step::voxelize, [&] { scene_.setPose(*nextPose_); });
     nextPose_.reset();
-    if (moved || settings_.revoxelize) made = {};
+    if (settings_.revoxelize) made = {};
+    const std::vector<Placement> placements = scene_.placements();
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
     const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
@@ -78,40 +79,64 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     FacePasses* const facePass = faces ? &facePasses() : nullptr;
 
     const gl::Texture* const shadow = shadowPass ? &shadowPass->texture() : nullptr;
-    if (shadowPass && !made.shadowMap) {
+    if (shadowPass && made.shadowMap != placements) {
         timer_.time(Step::shadowMap, [&] { shadowPass->draw(scene_); });
-        made.shadowMap = true;
+        made.shadowMap = placements;
     }
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
+    const bool makeVoxels = made.voxels != placements || made.bounces != bounces;
     ConeTracer::Light light;
     if (wordPass) {
-        VoxelPyramid& pyramid = wordPass->pyramid;
-        if (made.voxelBounces != bounces) {
-            timer_.time(Step::voxelize, [&] { wordPass->voxelizer.run(scene_, *shadow, pyramid); });
-            timer_.time(Step::mipmap, [&] { wordPass->mipmapper.run(pyramid); });
-            made.voxelBounces = bounces;
-        }
-        light.voxels = &pyramid.texture();
+        if (makeVoxels) makeWords(made.voxels);
+        light.voxels = &wordPass->pyramid.texture();
     }
     if (facePass) {
         FaceVoxels& voxels = facePass->voxels;
-        if (made.voxelBounces != bounces) {
+        if (makeVoxels) {
             timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
             timer_.time(Step::mipmap, [&] { facePass->mipmapper.makeLevels(voxels); });
             FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
             timer_.time(Step::bounces, [&] {
                 if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);
             });
-            made.voxelBounces = bounces;
         }
         light.faces = &voxels.faces();
         light.gather =
             timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
     }
+    if (words || faces) {
+        made.voxels = placements;
+        made.bounces = bounces;
+    }
     timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
     timer_.endFrame();
     gl::checkErrors(std::string("frame, mode ") + modeName(mode));
     made_ = made;
+}
+
+// Of the present pose; `before`: where what moves was in the voxels that there are, if they are of this
+// light.
+void Renderer::makeWords(const std::optional<std::vector<Placement>>& before) {
+    WordPasses& passes = wordPasses();
+    const gl::Texture& shadow = shadowMap().texture();
+    if (!passes.partial) {
+        timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, passes.pyramid); });
+        timer_.time(Step::mipmap, [&] { passes.mipmapper.run(passes.pyramid); });
+        return;
+    }
+    timer_.time(Step::voxelize, [&] {
+        std::optional<BlockMask> changed;
+        if (before) {
+            const double diagonal = glm::length(boundsWorld_.max - boundsWorld_.min);
+            // The filter reads the texels around a point: two would do.
+            const double margin = 4.0 * diagonal / settings_.shadowMapSize / volume_.side;
+            changed = changedBlocks(*before, scene_.placements(),
+                                    {light_.towardsLight, margin, scene_.stillBox()}, 1.0 / settings_.grid);
+        }
+        passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
+                                 passes.mipmapper, passes.pyramid);
+    });
+    timer_.time(Step::mipmap, [&] { passes.partial->mipmap(passes.pyramid); });
 }
 
 void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
@@ -143,7 +168,9 @@ Renderer::WordPasses& Renderer::wordPasses() {
         wordPasses_.emplace(WordPasses{
             VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
             Voxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
-            Mipmapper(shaders_)});
+            Mipmapper(shaders_),
+            {}});
+        if (scene_.moves()) wordPasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
     }
     return *wordPasses_;
 }
@@ -297,7 +324,12 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         add(pyramid.activeVoxels());
         add(pyramid.commands());
     };
-    if (wordPasses_) addPyramid(wordPasses_->pyramid);
+    if (wordPasses_) {
+        addPyramid(wordPasses_->pyramid);
+        if (wordPasses_->partial)
+            for (const gl::Buffer* buffer : wordPasses_->partial->buffers())
+                add(*buffer);
+    }
     if (facePasses_) {
         addPyramid(facePasses_->voxels.slots());
         add(facePasses_->voxels.faces());

@@ -14,6 +14,7 @@
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
 #include "render/mipmapper.h"
+#include "render/partial_voxels.h"
 #include "render/settings.h"
 #include "render/shadow_map.h"
 #include "render/step_timer.h"
@@ -81,6 +82,7 @@ class Renderer {
         VoxelPyramid pyramid;
         Voxelizer voxelizer;
         Mipmapper mipmapper;
+        std::optional<PartialVoxels> partial;  // where something moves
     };
     struct FacePasses {
         FaceVoxels voxels;
@@ -89,10 +91,11 @@ class Renderer {
         std::optional<FaceBounces> bounces;
         std::optional<Gather> light, occlusion;
     };
-    // What there is of the present light and pose.
+    // Where what moves was when shadow map and voxels were made, of the present light; nothing: they were
+    // not.
     struct Made {
-        bool shadowMap = false;
-        std::optional<int> voxelBounces;  // in the voxels; none: no voxels
+        std::optional<std::vector<Placement>> shadowMap, voxels;
+        int bounces = 0;  // in the voxels
     };
     void draw(Mode mode, const Camera& camera, int bounces);
     ShadowMap& shadowMap();
@@ -102,6 +105,7 @@ class Renderer {
     Gather& gather(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
+    void makeWords(const std::optional<std::vector<Placement>>& before);
     Image tracedView(int view);
 
     Settings settings_;

@@ -43,6 +43,13 @@ std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
     return entries * sizeof(std::uint32_t);
 }
 
+void copyBuffer(const gl::Buffer& from, const gl::Buffer& to) {
+    from.bind(GL_COPY_READ_BUFFER);
+    to.bind(GL_COPY_WRITE_BUFFER);
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                          static_cast<GLsizeiptr>(to.bytes()));
+}
+
 }  // namespace
 
 VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
@@ -82,10 +89,18 @@ void VoxelPyramid::clear() {
 
 void VoxelPyramid::emptyLists() {
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    resetCommands_.bind(GL_COPY_READ_BUFFER);
-    commands_.bind(GL_COPY_WRITE_BUFFER);
-    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                          static_cast<GLsizeiptr>(commands_.bytes()));
+    setCommands(resetCommands_);
+}
+
+gl::Buffer VoxelPyramid::copyCommands(const std::string& label) const {
+    gl::Buffer copy(label, GL_COPY_WRITE_BUFFER, commands_.bytes(), nullptr, GL_STATIC_COPY);
+    gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    copyBuffer(commands_, copy);
+    return copy;
+}
+
+void VoxelPyramid::setCommands(const gl::Buffer& commands) {
+    copyBuffer(commands, commands_);
 }
 
 void VoxelPyramid::bindLevel(int unit, int level, GLenum access) const {

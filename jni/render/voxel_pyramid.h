@@ -31,6 +31,10 @@ class VoxelPyramid {
     // The second half of that, where somebody else has emptied the texture.
     void emptyLists();
 
+    // What the commands say now, and saying it again: which entries of the lists are active.
+    gl::Buffer copyCommands(const std::string& label) const;
+    void setCommands(const gl::Buffer& commands);
+
     // Binds one level for image access, and the list and its commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;
     void bindLists() const;

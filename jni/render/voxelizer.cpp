@@ -1,5 +1,7 @@
 #include "render/voxelizer.h"
 
+#include <algorithm>
+
 #include "gl/debug.h"
 #include "render/programs.h"
 
@@ -8,11 +10,28 @@ namespace vct {
 Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                      Voxelization voxelization, int samples)
     : programs_(shaders, scene, [=](unsigned features) { return voxelizerProgram(features, voxelization); }),
-      framebuffer_("voxelizer", grid * samples, grid * samples) {}
+      pixels_(grid * samples),
+      framebuffer_("voxelizer", pixels_, pixels_) {}
+
+// To the pixels of the blocks, whichever axis they are projected along: a square, as each axis comes to lie
+// along both sides of the picture.
+void Voxelizer::scissor(const BlockMask& blocks) const {
+    const Bounds box = blocks.box();
+    const double first = std::clamp(std::min({box.min.x, box.min.y, box.min.z}), 0.0, 1.0) * pixels_;
+    const double end = std::clamp(std::max({box.max.x, box.max.y, box.max.z}), 0.0, 1.0) * pixels_;
+    const auto side = static_cast<GLsizei>(std::max(end - first, 0.0));
+    gl::Enable(GL_SCISSOR_TEST);
+    gl::Scissor(static_cast<GLint>(first), static_cast<GLint>(first), side, side);
+}
 
 void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
+    draw(scene, {}, programs_, shadowMap, voxels);
+}
+
+void Voxelizer::draw(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
+                     const gl::Texture& shadowMap, VoxelPyramid& voxels) {
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::DepthMask(GL_FALSE);
@@ -20,7 +39,9 @@ void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPy
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);  // read by the experiment second-atomic only
     voxels.bindLists();
-    scene.drawForVoxels(programs_);
+    if (part.touched != nullptr) scissor(*part.touched);
+    scene.drawForVoxels(programs, part);
+    gl::Disable(GL_SCISSOR_TEST);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);

@@ -24,17 +24,39 @@ bool overflowed(uint level) {
     return commands[level].instanceCount > commands[level].capacity;
 }
 
-// What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
-// found no room in it is not empty either.
-uint voxelsToEmpty(uint level, uint side) {
-    return overflowed(level) ? side * side * side : commands[level].instanceCount;
-}
-uvec3 voxelToEmpty(uint level, uint side, uint i) {
-    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
-                             : unpackEntry(activeVoxels[commands[level].firstEntry + i]);
-}
-
 // Entries of a level that can be visited.
 uint activeVoxelCount(uint level) {
     return min(commands[level].instanceCount, commands[level].capacity);
+}
+
+// Where they are in the list that is bound: the first, and behind the last.
+#ifdef VCT_PART
+layout(location = VCT_UNIFORM_FIRST) uniform uint partFirst;
+layout(location = VCT_UNIFORM_END) uniform uint partEnd;  // 0: to the end of what is active
+bool partIsMoving() {
+    return partEnd == 0u;
+}
+uint firstVisited(uint level) {
+    return partFirst;
+}
+uint endVisited(uint level) {
+    return partIsMoving() ? commands[level].firstEntry + activeVoxelCount(level) : partEnd;
+}
+#else
+uint firstVisited(uint level) {
+    return commands[level].firstEntry;
+}
+uint endVisited(uint level) {
+    return commands[level].firstEntry + activeVoxelCount(level);
+}
+#endif
+
+// What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
+// found no room in it is not empty either.
+uint voxelsToEmpty(uint level, uint side) {
+    return overflowed(level) ? side * side * side : endVisited(level) - firstVisited(level);
+}
+uvec3 voxelToEmpty(uint level, uint side, uint i) {
+    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
+                             : unpackEntry(activeVoxels[firstVisited(level) + i]);
 }

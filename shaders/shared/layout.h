@@ -38,6 +38,7 @@ using glm::vec4;
 // Uniform blocks.
 #define VCT_UBO_FRAME 0
 #define VCT_UBO_DRAW 1
+#define VCT_UBO_CHANGED_BLOCKS 2
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
@@ -127,13 +128,16 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which bounce it is, counted from 1.
+// the triangles of a draw call are voxelized; which bounce it is, counted from 1; a part of the list of active voxels.
 #define VCT_UNIFORM_LEVEL 0
 #define VCT_UNIFORM_BOUNCE 1
+#define VCT_UNIFORM_FIRST 1
+#define VCT_UNIFORM_END 2
 #define VCT_UNIFORM_AXIS 0
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
+#define VCT_BLOCKS 32      // along each side of the volume: what a frame may make anew alone
 // Directional coverage voxels while voxelizing: per face coverage, radiance, albedo; per voxel which faces, and the six.
 #define VCT_FACE_SUM_WORDS 5u
 #define VCT_SLOT_WORDS 31u

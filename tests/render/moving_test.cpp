@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "measure/cpu_mips.h"
 #include "render/read_back.h"
 #include "scene/camera.h"
@@ -243,10 +244,10 @@ TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
     }
 }
 
-TEST(MovingInstances, For300FramesLeaveNothingBehindAndTakeNoMoreMemory) {
+TEST_P(Moving, For300FramesLeavesNothingBehindAndTakesNoMoreMemory) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(everything());
-    Settings settings = settingsOf("mobile", Voxelization::sortedAxes);
+    Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
     settings.size = glm::ivec2(24);
     Stage stage(context, scene, settings);
     stage.frameAt(0.0);
@@ -258,6 +259,163 @@ TEST(MovingInstances, For300FramesLeaveNothingBehindAndTakeNoMoreMemory) {
         else
             stage.frameAt(seconds);
         ASSERT_EQ(stage.bytes(), bytes) << "frame " << frame;
+    }
+}
+
+// In voxels that the wall occupies, too; the wall is in its shadow before and after.
+TEST_P(Moving, WhatPassesThroughAWall) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0, 0.8, 0}}, {"scale", {0.1, 1.6, 3}}});
+    const int box =
+        addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {-1, 0.7, 0}}, {"scale", {0.4, 0.4, 0.4}}});
+    builder.animate(box, "translation", {0, 2}, {-1, 0.7F, -0.3F, 1, 0.9F, 0.3F});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    for (double seconds = 0.0; seconds <= 2.0; seconds += 0.2)
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+// Along an axis of the voxels: its sides are projected along the way it goes.
+TEST_P(Moving, WhatLeavesTheVolumeAlongAnAxis) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 2}, {0, 1, 0, 30, 1, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 1.0, 2.0})
+        expectFresh(stage, context, scene, settings, seconds);
+    Scene without = scene;
+    without.instances.erase(std::remove_if(without.instances.begin(), without.instances.end(),
+                                           [](const Instance& instance) { return instance.moves(); }),
+                            without.instances.end());
+    Stage floor(context, without, settings);
+    floor.frame();
+    EXPECT_TRUE(gridOf(stage.renderer()).lists == gridOf(floor.renderer()).lists);
+}
+
+// Steps of any size, heights and lights, so that shadows fall on what is near and far.
+TEST_P(Moving, ShadowsThatComeAndGo) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    for (int i = 0; i < 8; ++i)
+        addCube(builder, {0.6F, 0.6F, 0.6F},
+                {{"translation", {-1.5 + 0.45 * i, 0.2 + 0.1 * (i % 3), 1.2 - 0.4 * (i % 5)}},
+                 {"scale", {0.2, 0.3, 0.2}}});
+    const int box =
+        addCube(builder, {0.9F, 0.2F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0.3, 0.2, 0.3}}});
+    std::vector<float> times, places, turns;
+    for (int i = 0; i < 9; ++i) {
+        times.push_back(static_cast<float>(i));
+        places.insert(places.end(), {1.6F * std::sin(2.0F * i), 0.2F + 0.21F * i, 1.6F * std::cos(3.0F * i)});
+        turns.insert(turns.end(), {std::sin(0.4F * i), 0, 0, std::cos(0.4F * i)});
+    }
+    builder.animate(box, "translation", times, places);
+    builder.animate(box, "rotation", times, turns);
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    const auto lit = [&](Renderer& renderer, const Scene& of, double seconds, const glm::dvec3& light) {
+        renderer.setPose(poseAt(of.animation, seconds));
+        renderer.setLightDirection(light);
+        renderer.frame(Mode::gi, chooseCamera(of, ""));
+    };
+    Stage stage(context, scene, settings);
+    for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})
+        for (const double seconds : {0.0, 0.1, 3.3, 3.4, 7.9, 1.0}) {
+            lit(stage.renderer(), scene, seconds, glm::normalize(light));
+            const Scene frozen = frozenAt(scene, seconds);
+            Stage fresh(context, frozen, settings);
+            lit(fresh.renderer(), frozen, 0.0, glm::normalize(light));
+            expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
+        }
+}
+
+TEST_P(Moving, AThousandAtOnce) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int first = addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {0, 0.5, 0}}});
+    const int mesh = builder.document["nodes"][static_cast<std::size_t>(first)]["mesh"];
+    for (int i = 0; i < 1000; ++i) {
+        const float x = -1.8F + 0.36F * static_cast<float>(i % 10),
+                    y = 0.1F + 0.2F * static_cast<float>(i / 100),
+                    z = -1.8F + 0.36F * static_cast<float>(i / 10 % 10);
+        const int node = builder.node({{"mesh", mesh}, {"scale", {0.1, 0.1, 0.1}}});
+        builder.animate(node, "translation", {0, 1}, {x, y, z, x + 0.2F, y + 0.1F, z - 0.1F});
+    }
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    for (const double seconds : {0.2, 1.0})
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+// A room with a hundred cubes in it, the first of which moves.
+Scene room() {
+    GltfBuilder builder = openFloor();
+    const std::vector<float> grey{0.7F, 0.7F, 0.7F};
+    addCube(builder, grey, {{"translation", {0, 1.5, -2}}, {"scale", {4, 3, 0.05}}});
+    addCube(builder, grey, {{"translation", {-2, 1.5, 0}}, {"scale", {0.05, 3, 4}}});
+    addCube(builder, grey, {{"translation", {2, 1.5, 0}}, {"scale", {0.05, 3, 4}}});
+    for (int i = 0; i < 100; ++i) {
+        const float x = -1.6F + 0.36F * static_cast<float>(i % 10),
+                    z = -1.6F + 0.36F * static_cast<float>(i / 10);
+        const int cube =
+            addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {x, 0.06, z}}, {"scale", {0.1, 0.1, 0.1}}});
+        if (i == 0) builder.animate(cube, "translation", {0, 1}, {x, 0.06F, z, x + 0.2F, 0.16F, z + 0.1F});
+    }
+    return load(builder);
+}
+
+// By what the shaders count: visits of voxels, and fragments.
+TEST(MovingInstances, OneOfAHundredVisitsATenthOfTheVoxels) {
+    const Context context = openContext(Backend::egl);
+    const auto countsOf = [&](bool revoxelize) {
+        Settings settings = settingsOf("thesis", Voxelization::geometryShader);
+        settings.grid = 128;
+        settings.shadowMapSize = 512;
+        settings.countTrips = true;
+        settings.revoxelize = revoxelize;
+        const Scene scene = room();
+        Stage stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.1, 0.2})
+            stage.frameAt(seconds);
+        std::vector<std::uint32_t> counts(VCT_TRIPS_COUNT);
+        const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
+                                  counts.data(), GL_DYNAMIC_COPY);
+        counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_TRIPS);
+        stage.frameAt(0.3);
+        counters.read(counts.data(), counters.bytes());
+        return counts;
+    };
+    const std::vector<std::uint32_t> part = countsOf(false), all = countsOf(true);
+    for (const int voxels : {VCT_TRIPS_SPARSE_CLEAR_VOXEL, VCT_TRIPS_MIPMAPPER_VOXEL}) {
+        EXPECT_GT(part[voxels], 100U);
+        EXPECT_LT(10 * part[voxels], all[voxels]) << voxels;
+    }
+    EXPECT_LT(2 * part[VCT_TRIPS_VOXELIZER], all[VCT_TRIPS_VOXELIZER]);
+}
+
+// What finds no room in the list is taken out too, once it has moved on.
+TEST(MovingInstances, AnOverflowIsReportedAndLeavesNothingBehind) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(box, "scale", {0, 1}, {0.1F, 0.1F, 0.1F, 1.5F, 1.5F, 1.5F});
+    const Scene scene = load(builder);
+    Settings settings = settingsOf("thesis", Voxelization::geometryShader);
+    Stage roomy(context, scene, settings);
+    roomy.frameAt(0.2);
+    settings.activeVoxelLimit = roomy.renderer().activeVoxels()[0];
+    Stage stage(context, scene, settings);
+    for (int round = 0; round < 2; ++round) {
+        stage.frameAt(0.0);
+        stage.frameAt(1.0);
+        EXPECT_THROW(stage.renderer().activeVoxels(), Error);
+        expectFresh(stage, context, scene, settings, 0.1);
     }
 }
 
