@@ -72,7 +72,11 @@ void main() {
     light = cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
 #endif
 #elif VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
+#ifdef VCT_GATHERED
+    light = HALF(shadowMapLightOn(position, normal));
+#else
     light = HALF(shadowMapLight(position, cosTheta));
+#endif
 #endif
 
     mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);

@@ -21,10 +21,10 @@ const vec2 fragmentEmissiveUv = vec2(0.0);
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;
 
-// `facing`: n.l on this side of the surface.
-vec3 directRadiance(vec3 albedo, float facing) {
-    float cosTheta = max(facing, 0.0);
-    float light = cosTheta > 0.0 ? shadowMapLight(fragmentPosition, cosTheta) : 0.0;
+// `normal`: of this side of the surface.
+vec3 directRadiance(vec3 albedo, vec3 normal) {
+    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
+    float light = cosTheta > 0.0 ? shadowMapLightOn(fragmentPosition, normal) : 0.0;
     return albedo * cosTheta * light * frame.lightColor.rgb;
 }
 
@@ -58,9 +58,8 @@ void main() {
 
     vec3 normal = safeNormalize(fragmentNormal);
     vec3 emissive = materialEmissive(fragmentEmissiveUv);
-    float facing = dot(normal, frame.towardsLight.xyz);
-    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, facing) + emissive);
+    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, normal) + emissive);
 #ifdef VCT_DOUBLE_SIDED
-    addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -facing) + emissive);
+    addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -normal) + emissive);
 #endif
 }

@@ -16,3 +16,19 @@ float shadowMapLight(vec3 positionVolume, float cosTheta) {
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
 }
+
+// The same where the receiver's plane is known: the bias is what the plane rises over the texels that the filter reads,
+// and no more. Along the creases of a room the bias above lets the sun in, as wide as itself.
+float shadowMapLightOn(vec3 positionVolume, vec3 normal) {
+    const float steepest = 64.0;      // depth per length across the map
+    const float roundingBias = 1e-4;  // as above
+    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    // Rows of the matrix are the map's axes, each over its length: normals go by the inverse transpose.
+    mat3 axes = transpose(mat3(frame.shadowFromVolume));
+    vec3 plane = vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
+                      dot(axes[2], normal) / dot(axes[2], axes[2]));
+    vec2 slope = min(abs(plane.xy / plane.z), steepest);
+    float bias = dot(slope, 1.0 / vec2(textureSize(shadowMap, 0))) + roundingBias;
+    vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
+    return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
+}
