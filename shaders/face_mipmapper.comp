@@ -37,7 +37,9 @@ void main() {
         ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
         imageStore(means, texel, storedFace(sum * 0.25, texel));
 #ifdef VCT_LIST_PARENTS
-        if (int(level) < frame.grid.y) listParents(level, listed.voxel, 1u << uint(listed.face));
+        ivec3 parent = listed.voxel >> 1;
+        if (int(level) < frame.grid.y && listParent(level + 1u, parent, 1u << uint(listed.face)) != 0u)
+            listFace(level + 1u, parent, listed.face);
 #endif
     }
 }

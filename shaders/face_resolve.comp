@@ -18,7 +18,8 @@ void main() {
         uint marked = markedFaces(slot);
         if (marked == 0u) continue;
         listFaces(level, voxel, marked, VCT_TRIPS_FACE_RESOLVE_LISTED);
-        listParents(level, voxel, marked);
+        uint ofParent = listParent(level + 1u, voxel >> 1, marked);
+        if (ofParent != 0u) listFaces(level + 1u, voxel >> 1, ofParent, VCT_TRIPS_FACE_RESOLVE_PARENT);
         for (uint left = marked; left != 0u; left &= left - 1u) {
             TRIP(VCT_TRIPS_FACE_RESOLVE_FACE);
             int face = findLSB(left);

@@ -13,6 +13,10 @@ uint reserveFaces(uint level, uint count) {
     return first;
 }
 
+void listFace(uint level, ivec3 voxel, int face) {
+    faceSums[commands[level].firstFace + reserveFaces(level, 1u)] = packFace(uvec3(voxel), uint(face));
+}
+
 // Lists the faces of a voxel that are not empty (bits). `trips`: the counter of its loop.
 void listFaces(uint level, ivec3 voxel, uint faces, int trips) {
     uint index = commands[level].firstFace + reserveFaces(level, uint(bitCount(faces)));

@@ -3,12 +3,10 @@
 
 layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) coherent uniform uimage3D parents;
 
-// `level`: of the child, not the last one. `faces` (bits): those that are not empty.
-void listParents(uint level, ivec3 voxel, uint faces) {
-    ivec3 parent = voxel >> 1;
+// `level`: of the parent. `faces` (bits): those of a child that are not empty. Lists the parent, and returns the faces
+// that are the caller's to list.
+uint listParent(uint level, ivec3 parent, uint faces) {
     uint before = imageAtomicOr(parents, parent, faces);
-    uint added = faces & ~before;
-    if (added == 0u) return;
-    listFaces(level + 1u, parent, added, level == 0u ? VCT_TRIPS_FACE_RESOLVE_PARENT : VCT_TRIPS_FACE_MIPMAPPER_PARENT);
-    if (before == 0u) imageAtomicOr(parents, parent, appendVoxel(level + 1u, uvec3(parent)) << VCT_FACE_MASK_BITS);
+    if (before == 0u) imageAtomicOr(parents, parent, appendVoxel(level, uvec3(parent)) << VCT_FACE_MASK_BITS);
+    return faces & ~before;
 }

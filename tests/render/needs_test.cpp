@@ -50,7 +50,7 @@ const std::vector<Feature>& allFeaturesOfAllPresets() {
                 feature.preset = preset;
                 // Light on both sides: of one colour per voxel, or of each face.
                 if (std::string(feature.name) == "DoubleSided")
-                    feature.code = std::string(preset) == "thesis" ? "abs(facing)" : "baseColor.rgb,-facing)";
+                    feature.code = std::string(preset) == "thesis" ? "abs(facing)" : "baseColor.rgb,-normal)";
                 all.push_back(feature);
             }
     return all;
