@@ -24,9 +24,8 @@ GridChoice gridForVoxelSize(const Bounds& boundsWorld, double metres);
 //
 // Two voxels across, so that in one of them at least a part has its voxel to itself. Across which side
 // follows from the kind of voxels (scene/parts.h measures the sides):
-// - Voxels::faces keep apart what looks in opposite directions, so a wall may be thinner than a voxel; what
-// is
-//   narrow in two directions, a slat or a column, is not: the second side counts.
+// - Voxels::faces keep apart what looks in opposite directions, so a wall may be thinner than a voxel.
+//   What is narrow in two directions, a slat or a column, may not: the second side counts.
 // - Voxels::words hold one colour, opaque once touched, so both sides of a wall shine into both rooms: the
 //   shortest side counts, but for sheets, which have none.
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t bytes);
