@@ -1,4 +1,5 @@
-// Before the bounces: where the surface of each patch is, and where it looks.
+// Before the bounces: where the surface of each patch is, and where it looks. VCT_RELIGHT: that is there, and the sums
+// of its coverage and albedo too; only its light is new.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #include "shared/face_patches.glsl"
@@ -26,6 +27,7 @@ void main() {
         uint patchAt = patchIndex(occupied, listed.face);
         int axis = listed.face >> 1, side = listed.face & 1;
         vec4 face = faceAt(listed.voxel, axis, side, int(level));
+#ifndef VCT_RELIGHT
         // The mean normal of what looks this way: from the other axes, what one side covers more than the other.
         vec3 normal;
         for (int other = 0; other < 3; ++other)
@@ -39,8 +41,11 @@ void main() {
         }
         facePatches[patchAt + VCT_PATCH_MIDDLE] = packSteps(middle.xyz / middle.w);
         facePatches[patchAt + VCT_PATCH_NORMAL] = packSteps(normalize(normal) * 0.5 + 0.5);
+        for (uint word = VCT_PATCH_COVERAGE; word < VCT_PATCH_LIGHT; ++word)
+            facePatches[patchAt + word] = 0u;
+#endif
         facePatches[patchAt + VCT_PATCH_DIRECT] = packUnorm4x8(face);
-        for (uint word = VCT_PATCH_COVERAGE; word < VCT_PATCH_WORDS; ++word)
+        for (uint word = VCT_PATCH_LIGHT; word < VCT_PATCH_WORDS; ++word)
             facePatches[patchAt + word] = 0u;
     }
 }

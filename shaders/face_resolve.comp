@@ -1,7 +1,10 @@
 // The base level: the sums of each occupied voxel into the texels of its faces, and the lists of the faces and of their
-// parents.
+// parents. VCT_RELIGHT: the lists are there.
 #include "shared/trips.glsl"
+#include "shared/face_list.glsl"
+#ifndef VCT_RELIGHT
 #include "shared/face_parents.glsl"
+#endif
 #include "shared/face_voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -17,9 +20,11 @@ void main() {
         ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
         uint marked = markedFaces(slot);
         if (marked == 0u) continue;
+#ifndef VCT_RELIGHT
         listFaces(level, voxel, marked, VCT_TRIPS_FACE_RESOLVE_LISTED);
         uint ofParent = listParent(level + 1u, voxel >> 1, marked);
         if (ofParent != 0u) listFaces(level + 1u, voxel >> 1, ofParent, VCT_TRIPS_FACE_RESOLVE_PARENT);
+#endif
         for (uint left = marked; left != 0u; left &= left - 1u) {
             TRIP(VCT_TRIPS_FACE_RESOLVE_FACE);
             int face = findLSB(left);

@@ -1,5 +1,6 @@
 // Second of two passes over the triangles: each fragment adds its coverage, albedo and radiance to the faces of its
-// voxel that it looks towards. Sums of integers: the order of the fragments changes nothing.
+// voxel that it looks towards. Sums of integers: the order of the fragments changes nothing. VCT_RELIGHT: the radiance
+// alone, the rest is there.
 #include "shared/trips.glsl"
 #include "shared/material.glsl"
 #include "shared/face_list.glsl"
@@ -30,15 +31,24 @@ vec3 directRadiance(vec3 albedo, vec3 normal) {
 
 // One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
 void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
+#ifdef VCT_RELIGHT
+    if (radiance == vec3(0.0)) return;
+#endif
     uint marked = 0u;
     for (int axis = 0; axis < 3; ++axis)
         if (fixedCoverage(abs(weights[axis])) > 0u) marked |= 1u << uint(2 * axis + (weights[axis] > 0.0 ? 0 : 1));
+#ifndef VCT_RELIGHT
     if (marked != 0u) markFaces(slot, marked);
+#endif
     // Most surfaces face along one axis.
     for (uint left = marked; left != 0u; left &= left - 1u) {
         TRIP(VCT_TRIPS_FACE_VOXELIZER_AXIS);
         int face = findLSB(left);
-        addToFace(slot, face, abs(weights[face >> 1]), albedo, radiance);
+        float weight = abs(weights[face >> 1]);
+#ifndef VCT_RELIGHT
+        addSurface(slot, face, weight, albedo);
+#endif
+        addRadiance(slot, face, weight, radiance);
     }
 }
 

@@ -41,16 +41,34 @@ void FaceBounces::reservePatches(const FaceVoxels& voxels) {
 void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
     const gl::DebugGroup group("bounces");
     reservePatches(voxels);
-    const VoxelPyramid& slots = voxels.slots();
+    bind(voxels);
+    place_.use();
+    voxels.slots().dispatchOverFaces(level_);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    albedos_.use();
+    voxels.slots().dispatchOverFaces(0);
+    bounce(count, voxels, mipmapper);
+}
+
+void FaceBounces::runAgain(const gl::ShaderLibrary& shaders, int count, FaceVoxels& voxels,
+                           FaceMipmapper& mipmapper) {
+    const gl::DebugGroup group("bounces");
+    if (!relight_) relight_.emplace(shaders, faceRelightPatchesProgram());
+    bind(voxels);
+    relight_->use();
+    voxels.slots().dispatchOverFaces(level_);
+    bounce(count, voxels, mipmapper);
+}
+
+void FaceBounces::bind(const FaceVoxels& voxels) const {
     voxels.bindLists();
     patches_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_PATCHES);
     voxels.faces().bind(VCT_TEX_FACES);
-    slots.texture().bind(VCT_TEX_VOXELS);
-    place_.use();
-    slots.dispatchOverFaces(level_);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    albedos_.use();
-    slots.dispatchOverFaces(0);
+    voxels.slots().texture().bind(VCT_TEX_VOXELS);
+}
+
+void FaceBounces::bounce(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
+    const VoxelPyramid& slots = voxels.slots();
     for (int bounce = 1; bounce <= count; ++bounce) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         gather_.use();

@@ -1,6 +1,8 @@
 // Further bounces of light: patches of the voxels' surfaces gather, and shine with what they got.
 #pragma once
 
+#include <optional>
+
 #include "render/face_mipmapper.h"
 
 namespace vct {
@@ -17,17 +19,23 @@ class FaceBounces {
     // Adds `count` bounces, one or more, to the direct light of the faces, every level of which must be
     // there, and from two on an estimate of all that would follow.
     void run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
+    // Likewise where only the direct light is another one than in the last run: the patches stay where they
+    // are.
+    void runAgain(const gl::ShaderLibrary& shaders, int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
     // shaders/shared/face_patches.glsl. Empty before the first bounce.
     const gl::Buffer& patches() const { return patches_; }
 
   private:
     void reservePatches(const FaceVoxels& voxels);
+    void bind(const FaceVoxels& voxels) const;
+    void bounce(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
     int level_;  // of the patches
     bool voxelsChange_;
     std::uint32_t places_ = 0;  // of blocks in patches_
     gl::Program place_, albedos_, gather_, applyToPatches_, apply_;
+    std::optional<gl::Program> relight_;  // where place_ and albedos_ have run
     gl::Buffer patches_;
 };
 

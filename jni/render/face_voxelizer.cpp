@@ -16,22 +16,29 @@ glm::ivec4 viewportFor(int side) {
 
 }  // namespace
 
+FaceProjection::FaceProjection(int grid, int samples)
+    : viewport_(viewportFor(grid * samples)),
+      framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
+
+void FaceProjection::use() const {
+    framebuffer_.bind();
+    gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
+    gl::Disable(GL_DEPTH_TEST);
+    gl::DepthMask(GL_FALSE);
+}
+
 FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                              Voxelization voxelization, int samples)
     : touch_(shaders, scene, [=](unsigned features) { return faceTouchProgram(features, voxelization); }),
       accumulate_(shaders, scene,
                   [=](unsigned features) { return faceVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, faceResolveProgram()),
-      viewport_(viewportFor(grid * samples)),
-      framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
+      projection_(grid, samples) {}
 
 void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
-    framebuffer_.bind();
-    gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
-    gl::Disable(GL_DEPTH_TEST);
-    gl::DepthMask(GL_FALSE);
+    projection_.use();
     const VoxelPyramid& slots = voxels.slots();
     slots.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     slots.bindLists();

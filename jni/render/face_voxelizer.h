@@ -7,9 +7,24 @@
 
 namespace vct {
 
-class FaceVoxelizer {
+// The square that the volume is projected to, along each of its axes. It has no targets: the rasterizer only
+// makes fragments.
+class FaceProjection {
   public:
     // `samples`: Settings::voxelSamples.
+    FaceProjection(int grid, int samples);
+
+    // Of draws to come.
+    void use() const;
+
+  private:
+    glm::ivec4 viewport_;  // x, y, width, height
+    gl::Framebuffer framebuffer_;
+};
+
+class FaceVoxelizer {
+  public:
+    // `samples`: as above.
     FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                   Voxelization voxelization, int samples);
 
@@ -19,8 +34,7 @@ class FaceVoxelizer {
   private:
     MaterialPrograms touch_, accumulate_;
     gl::Program resolve_;
-    glm::ivec4 viewport_;          // x, y, width, height
-    gl::Framebuffer framebuffer_;  // no attachments: the rasterizer only makes fragments
+    FaceProjection projection_;
 };
 
 }  // namespace vct

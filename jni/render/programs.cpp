@@ -137,6 +137,24 @@ gl::ProgramDescription faceResolveProgram() {
     return {"face_resolve", {"face_resolve.comp"}, {}};
 }
 
+gl::ProgramDescription faceDarkenProgram() {
+    return {"face_darken", {"face_darken.comp"}, {}};
+}
+
+gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization) {
+    std::vector<std::string> defines = featureDefines(features, ~0U);
+    defines.emplace_back("VCT_RELIGHT");
+    return voxelizing("face_voxelizer", std::move(defines), voxelization);
+}
+
+gl::ProgramDescription faceRelightResolveProgram() {
+    return {"face_resolve of a light", {"face_resolve.comp"}, {"VCT_RELIGHT"}};
+}
+
+gl::ProgramDescription faceRelightPatchesProgram() {
+    return {"face_patches of a light", {"face_patches.comp"}, {"VCT_RELIGHT"}};
+}
+
 gl::ProgramDescription faceLevelsProgram() {
     return {"face_levels", {"face_mipmapper.comp"}, {"VCT_LIST_PARENTS"}};
 }
@@ -236,11 +254,23 @@ gl::ProgramDescription hudProgram() {
 }
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{
-        mipmapperProgram(),     sparseClearProgram(),     voxelViewProgram(),   presentProgram(),
-        hudProgram(),           faceResolveProgram(),     faceLevelsProgram(),  faceClearBaseProgram(),
-        faceMipmapperProgram(), faceClearProgram(),       facePatchesProgram(), faceBouncePatchesProgram(),
-        partialClearProgram(),  partialMipmapperProgram()};
+    std::vector<gl::ProgramDescription> programs{mipmapperProgram(),
+                                                 sparseClearProgram(),
+                                                 voxelViewProgram(),
+                                                 presentProgram(),
+                                                 hudProgram(),
+                                                 faceResolveProgram(),
+                                                 faceLevelsProgram(),
+                                                 faceClearBaseProgram(),
+                                                 faceMipmapperProgram(),
+                                                 faceClearProgram(),
+                                                 facePatchesProgram(),
+                                                 faceBouncePatchesProgram(),
+                                                 partialClearProgram(),
+                                                 partialMipmapperProgram(),
+                                                 faceDarkenProgram(),
+                                                 faceRelightResolveProgram(),
+                                                 faceRelightPatchesProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
@@ -248,6 +278,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
             programs.push_back(stillVoxelizerProgram(features, voxelization));
             programs.push_back(faceTouchProgram(features, voxelization));
             programs.push_back(faceVoxelizerProgram(features, voxelization));
+            programs.push_back(faceRelightProgram(features, voxelization));
         }
         for (bool emissive : {false, true})
             for (bool gloss : {false, true})

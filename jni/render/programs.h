@@ -36,6 +36,11 @@ gl::ProgramDescription sparseClearProgram();
 gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceResolveProgram();
+// Where only the light changed: render/face_relighter.h, and the bounces.
+gl::ProgramDescription faceDarkenProgram();
+gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription faceRelightResolveProgram();
+gl::ProgramDescription faceRelightPatchesProgram();
 gl::ProgramDescription faceLevelsProgram();  // and the next level's lists
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();

@@ -70,7 +70,7 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     if (nextPose_) timer_.time(Step::voxelize, [&] { scene_.setPose(*nextPose_); });
     nextPose_.reset();
     if (settings_.revoxelize) made = {};
-    const std::vector<Placement> placements = scene_.placements();
+    const Lit lit{scene_.placements(), light_.towardsLight};
     uploadFrameUniforms(camera);
     ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
     const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
@@ -79,12 +79,12 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     FacePasses* const facePass = faces ? &facePasses() : nullptr;
 
     const gl::Texture* const shadow = shadowPass ? &shadowPass->texture() : nullptr;
-    if (shadowPass && made.shadowMap != placements) {
+    if (shadowPass && made.shadowMap != lit) {
         timer_.time(Step::shadowMap, [&] { shadowPass->draw(scene_); });
-        made.shadowMap = placements;
+        made.shadowMap = lit;
     }
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
-    const bool makeVoxels = made.voxels != placements || made.bounces != bounces;
+    const bool makeVoxels = made.voxels != lit || made.bounces != bounces;
     ConeTracer::Light light;
     if (wordPass) {
         if (makeVoxels) makeWords(made.voxels);
@@ -92,20 +92,13 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     }
     if (facePass) {
         FaceVoxels& voxels = facePass->voxels;
-        if (makeVoxels) {
-            timer_.time(Step::voxelize, [&] { facePass->voxelizer.run(scene_, *shadow, voxels); });
-            timer_.time(Step::mipmap, [&] { facePass->mipmapper.makeLevels(voxels); });
-            FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
-            timer_.time(Step::bounces, [&] {
-                if (bouncePass) bouncePass->run(bounces, voxels, facePass->mipmapper);
-            });
-        }
+        if (makeVoxels) makeFaces(made, bounces);
         light.faces = &voxels.faces();
         light.gather =
             timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
     }
     if (words || faces) {
-        made.voxels = placements;
+        made.voxels = lit;
         made.bounces = bounces;
     }
     timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
@@ -114,9 +107,8 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
     made_ = made;
 }
 
-// Of the present pose; `before`: where what moves was in the voxels that there are, if they are of this
-// light.
-void Renderer::makeWords(const std::optional<std::vector<Placement>>& before) {
+// Of the present pose and light; `before`: those of the voxels that there are.
+void Renderer::makeWords(const std::optional<Lit>& before) {
     WordPasses& passes = wordPasses();
     const gl::Texture& shadow = shadowMap().texture();
     if (!passes.partial) {
@@ -126,11 +118,11 @@ void Renderer::makeWords(const std::optional<std::vector<Placement>>& before) {
     }
     timer_.time(Step::voxelize, [&] {
         std::optional<BlockMask> changed;
-        if (before) {
+        if (before && before->towardsLight == light_.towardsLight) {
             const double diagonal = glm::length(boundsWorld_.max - boundsWorld_.min);
             // The filter reads the texels around a point: two would do.
             const double margin = 4.0 * diagonal / settings_.shadowMapSize / volume_.side;
-            changed = changedBlocks(*before, scene_.placements(),
+            changed = changedBlocks(before->placements, scene_.placements(),
                                     {light_.towardsLight, margin, scene_.stillBox()}, 1.0 / settings_.grid);
         }
         passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
@@ -139,8 +131,38 @@ void Renderer::makeWords(const std::optional<std::vector<Placement>>& before) {
     timer_.time(Step::mipmap, [&] { passes.partial->mipmap(passes.pyramid); });
 }
 
+// Likewise, with `bounces`.
+void Renderer::makeFaces(const Made& before, int bounces) {
+    FacePasses& passes = facePasses();
+    FaceVoxels& voxels = passes.voxels;
+    const gl::Texture& shadow = shadowMap().texture();
+    const bool sameSurfaces = before.voxels && before.voxels->placements == scene_.placements();
+    if (sameSurfaces && !passes.relighter)
+        passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
+                                 settings_.voxelSamples);
+    timer_.time(Step::voxelize, [&] {
+        if (sameSurfaces)
+            passes.relighter->run(scene_, shadow, voxels);
+        else
+            passes.voxelizer.run(scene_, shadow, voxels);
+    });
+    timer_.time(Step::mipmap, [&] {
+        if (sameSurfaces)
+            passes.mipmapper.update(voxels, 1);
+        else
+            passes.mipmapper.makeLevels(voxels);
+    });
+    FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
+    timer_.time(Step::bounces, [&] {
+        if (!bouncePass) return;
+        if (sameSurfaces && before.bounces > 0)
+            bouncePass->runAgain(shaders_, bounces, voxels, passes.mipmapper);
+        else
+            bouncePass->run(bounces, voxels, passes.mipmapper);
+    });
+}
+
 void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
-    if (towardsLight != light_.towardsLight) made_ = {};
     light_.towardsLight = towardsLight;
 }
 
@@ -184,6 +206,7 @@ Renderer::FacePasses& Renderer::facePasses() {
             FaceVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
             FaceVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
             FaceMipmapper(shaders_),
+            {},
             {},
             {},
             {}});

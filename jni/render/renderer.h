@@ -10,6 +10,7 @@
 #include "image/image.h"
 #include "render/cone_tracer.h"
 #include "render/face_bounces.h"
+#include "render/face_relighter.h"
 #include "render/face_voxelizer.h"
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
@@ -32,8 +33,9 @@ class Renderer {
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
              const gl::Capabilities& capabilities, gl::ReadShader readShader);
 
-    // Draws one frame. Shadow map and voxels stay as they are while neither light nor pose changes, but for
-    // Settings::revoxelize. Throws vct::Error on any GL error; the next frame then makes everything anew.
+    // Draws one frame. While neither light nor pose changes shadow map and voxels stay as they are; where only
+    // the light does, faces of voxels are lit anew. With Settings::revoxelize everything is made. Throws
+    // vct::Error on any GL error; the next frame then makes everything anew.
     void frame(Mode mode, const Camera& camera);
 
     // Of frames to come: where what moves is. What the pose does to cameras and lights, posed() says.
@@ -88,13 +90,23 @@ class Renderer {
         FaceVoxels voxels;
         FaceVoxelizer voxelizer;
         FaceMipmapper mipmapper;
+        std::optional<FaceRelighter> relighter;
         std::optional<FaceBounces> bounces;
         std::optional<Gather> light, occlusion;
     };
-    // Where what moves was when shadow map and voxels were made, of the present light; nothing: they were
-    // not.
+    // What shadow map and voxels follow from: where what moves is, and the light.
+    struct Lit {
+        std::vector<Placement> placements;
+        glm::dvec3 towardsLight;
+
+        bool operator==(const Lit& other) const {
+            return placements == other.placements && towardsLight == other.towardsLight;
+        }
+        bool operator!=(const Lit& other) const { return !(*this == other); }
+    };
+    // Of what the last ones were made; nothing: they were not.
     struct Made {
-        std::optional<std::vector<Placement>> shadowMap, voxels;
+        std::optional<Lit> shadowMap, voxels;
         int bounces = 0;  // in the voxels
     };
     void draw(Mode mode, const Camera& camera, int bounces);
@@ -105,7 +117,8 @@ class Renderer {
     Gather& gather(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
-    void makeWords(const std::optional<std::vector<Placement>>& before);
+    void makeWords(const std::optional<Lit>& before);
+    void makeFaces(const Made& before, int bounces);
     Image tracedView(int view);
 
     Settings settings_;

@@ -35,13 +35,18 @@ uint fixedCoverage(float weight) {
     return uint(weight * frame.faces.x + 0.5);
 }
 
-// `weight` in 0..1, `radiance` relative to E/pi.
-void addToFace(uint slot, int face, float weight, vec3 albedo, vec3 radiance) {
+// `weight` in 0..1.
+void addSurface(uint slot, int face, float weight, vec3 albedo) {
     uint index = faceSumIndex(slot, face);
     atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], fixedCoverage(weight));
     atomicMax(faceSums[index + VCT_FACE_SUM_ALBEDO], packAlbedo(weight, clamp(albedo, 0.0, 1.0)));
+}
+
+// Likewise; `radiance` relative to E/pi.
+void addRadiance(uint slot, int face, float weight, vec3 radiance) {
     uvec3 units = uvec3(clamp(weight / frame.faces.y * radiance, 0.0, 1.0) * frame.faces.x + 0.5);
     if (units == uvec3(0u)) return;
+    uint index = faceSumIndex(slot, face);
     atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE], units.x);
     atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 1u], units.y);
     atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 2u], units.z);

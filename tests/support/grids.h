@@ -1,0 +1,26 @@
+// All that voxelization leaves behind, and whether two renderers left the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "support/faces.h"
+
+namespace vct::test {
+
+// Slots are in whatever order the GPU took them, so not compared.
+struct Grid {
+    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;  // of each level; of the one kind of voxels
+    std::vector<FaceLevel> faces;                   // or of the other
+};
+Grid gridOf(Renderer& renderer);
+
+// Bit for bit; not EXPECT_EQ, which would print millions of words.
+void expectSameGrid(const Grid& a, const Grid& b, const std::string& what);
+
+// The grid is equal to the last bit, and each pixel's light is added up in the same order.
+void expectSamePicture(const Image& a, const Image& b, const std::string& what);
+
+}  // namespace vct::test
