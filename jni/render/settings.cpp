@@ -11,7 +11,18 @@ namespace vct {
 
 namespace {
 constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5, or all)";
+
+// That of two whose name is `text`. `option`: of the command line.
+template <class Value>
+Value valueNamed(const std::string& text, const char* option, Value first, Value second,
+                 const char* (*nameOf)(Value)) {
+    for (Value value : {first, second})
+        if (text == nameOf(value)) return value;
+    throw Error(std::string(option) + " '" + text + "' does not exist; use " + nameOf(first) + " or " +
+                nameOf(second));
 }
+
+}  // namespace
 
 const std::vector<Mode>& allModes() {
     static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi,
@@ -57,9 +68,7 @@ const char* shadowName(Shadow shadow) {
 }
 
 Shadow shadowFromText(const std::string& text) {
-    for (Shadow shadow : {Shadow::cone, Shadow::softMap})
-        if (text == shadowName(shadow)) return shadow;
-    throw Error("--shadow '" + text + "' does not exist; use cone or soft-map");
+    return valueNamed(text, "--shadow", Shadow::cone, Shadow::softMap, shadowName);
 }
 
 const char* specularName(Specular specular) {
@@ -67,9 +76,7 @@ const char* specularName(Specular specular) {
 }
 
 Specular specularFromText(const std::string& text) {
-    for (Specular specular : {Specular::none, Specular::cone})
-        if (text == specularName(specular)) return specular;
-    throw Error("--specular '" + text + "' does not exist; use none or cone");
+    return valueNamed(text, "--specular", Specular::none, Specular::cone, specularName);
 }
 
 const char* voxelizationName(Voxelization voxelization) {
@@ -77,9 +84,8 @@ const char* voxelizationName(Voxelization voxelization) {
 }
 
 Voxelization voxelizationFromText(const std::string& text) {
-    for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes})
-        if (text == voxelizationName(voxelization)) return voxelization;
-    throw Error("--voxelization '" + text + "' does not exist; use geometry-shader or sorted-axes");
+    return valueNamed(text, "--voxelization", Voxelization::geometryShader, Voxelization::sortedAxes,
+                      voxelizationName);
 }
 
 const std::vector<Experiment>& allExperiments() {
