@@ -221,6 +221,7 @@ void App::drawScene() {
             const Pose pose = poseAt(animation, length > 0.0 ? std::fmod(animationS_, length) : 0.0);
             renderer.setPose(pose);
             renderer.setLightDirection(posed(lightFor(choices_, *scene_), pose).towardsLight);
+            if (!scene_->cameras.empty()) view_->follow(posed(scene_->cameras.front(), pose));
         }
         const glm::dvec2 size(settingsFor(choices_, window).size);
         if (choices_.timeSteps) renderer.timer().startRecording();

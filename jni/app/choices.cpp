@@ -23,7 +23,7 @@ const std::vector<Resolution>& resolutions() {
 bool Choices::operator==(const Choices& other) const {
     const auto all = [](const Choices& c) {
         return std::tie(c.preset, c.mode, c.grid, c.coneAngleDeg, c.resolution, c.lightAnglesDeg, c.timeSteps,
-                        c.play);
+                        c.play, c.revoxelize);
     };
     return all(*this) == all(other);
 }
@@ -65,6 +65,8 @@ ShowRequest showRequestFromText(const std::string& text) {
             request.display = onOff(key, value);
         } else if (key == "steps") {
             choices.timeSteps = onOff(key, value);
+        } else if (key == "revoxelize") {
+            choices.revoxelize = onOff(key, value);
         } else if (key == "time") {
             char* end = nullptr;
             request.timeS = std::strtod(value.c_str(), &end);
@@ -74,8 +76,8 @@ ShowRequest showRequestFromText(const std::string& text) {
         } else {
             throw Error(
                 "show: unknown '" + word +
-                "'; there are scene, preset, mode, grid, cone-angle, pixels, display, steps and time, each "
-                "as name=value");
+                "'; there are scene, preset, mode, grid, cone-angle, pixels, display, steps, revoxelize and "
+                "time, each as name=value");
         }
     }
     if (grid) request.choices.grid = *grid;
@@ -93,6 +95,7 @@ Settings settingsFor(const Choices& choices, glm::ivec2 window) {
     settings.mode = choices.mode;
     settings.grid = choices.grid;
     settings.shadowConeAngleDeg = choices.coneAngleDeg;
+    settings.revoxelize = choices.revoxelize;
     const Resolution& resolution = resolutions().at(static_cast<std::size_t>(choices.resolution));
     settings.size =
         resolution.divisor > 0 ? glm::max(window / resolution.divisor, glm::ivec2(1)) : resolution.fixed;

@@ -29,14 +29,15 @@ struct Choices {
     std::optional<glm::vec2> lightAnglesDeg;
     bool timeSteps = true;
     bool play = true;  // the scene's animation; else it stands still
+    bool revoxelize = false;
 
     bool operator==(const Choices& other) const;
     bool operator!=(const Choices& other) const { return !(*this == other); }
 };
 
 // What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off
-// steps=off time=1.5", each but the first word may be left out; pixels: 1 to 4, the divisor of the window's
-// sides, or thesis; time: where the animation stands still, in seconds.
+// steps=off time=1.5 revoxelize=on", each but the first word may be left out; pixels: 1 to 4, the divisor of
+// the window's sides, or thesis; time: where the animation stands still, in seconds.
 struct ShowRequest {
     std::string scene;
     Choices choices;

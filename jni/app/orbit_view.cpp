@@ -16,22 +16,36 @@ constexpr double highestRad = 0.49 * pi;  // short of straight up or down, where
 }  // namespace
 
 OrbitView::OrbitView(const Scene& scene)
-    : start_(scene.cameras.empty() ? frameScene(scene) : scene.cameras.front()), now_(start_) {
-    const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
-    const glm::dvec3 eye(start_.worldFromCamera[3]);
-    const glm::dvec3 forward(-start_.worldFromCamera[2]);
-    size_ = std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9);
+    : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)),
+      size_(std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9)) {
+    start(scene.cameras.empty() ? frameScene(scene) : scene.cameras.front());
+    reset();
+}
+
+void OrbitView::follow(const Camera& camera) {
+    start(camera);
+    if (!moved_) reset();
+}
+
+void OrbitView::start(const Camera& camera) {
+    start_ = camera;
+    const glm::dvec3 eye(camera.worldFromCamera[3]);
+    const glm::dvec3 forward(-camera.worldFromCamera[2]);
     // The point of the view axis nearest to the scene's centre; a camera that looks away turns around a point
     // close before it.
-    startDistance_ = distance_ = std::max(glm::dot(centre - eye, forward), 0.1 * size_);
+    startDistance_ = std::max(glm::dot(centre_ - eye, forward), 0.1 * size_);
+}
+
+void OrbitView::reset() {
+    now_ = start_;
+    distance_ = startDistance_;
+    moved_ = false;
 }
 
 void OrbitView::apply(const Gesture& gesture, glm::ivec2 viewport) {
-    if (gesture.doubleTap) {
-        now_ = start_;
-        distance_ = startDistance_;
-        return;
-    }
+    if (gesture.doubleTap) return reset();
+    if (gesture.orbit == glm::vec2(0.0F) && gesture.pan == glm::vec2(0.0F) && gesture.zoom == 1.0F) return;
+    moved_ = true;
     const double height = std::max(viewport.y, 1);
     // The height of the window turns by half a turn, as if the scene lay in a ball of that size.
     orbit(-gesture.orbit.x * pi / height, -gesture.orbit.y * pi / height);

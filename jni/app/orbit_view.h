@@ -11,6 +11,10 @@ class OrbitView {
     // The scene's first camera, or one that sees all of it.
     explicit OrbitView(const Scene& scene);
 
+    // The scene's camera, where an animation has moved it: the view goes with it until fingers move the view,
+    // and again after a double tap.
+    void follow(const Camera& camera);
+
     // `viewport`: pixels in which the gesture was made.
     void apply(const Gesture& gesture, glm::ivec2 viewport);
 
@@ -21,9 +25,14 @@ class OrbitView {
   private:
     void orbit(double yawRad, double pitchRad);
 
+    void start(const Camera& camera);
+    void reset();
+
+    glm::dvec3 centre_;  // the scene's
+    double size_;        // its diagonal, metres
     Camera start_, now_;
     double startDistance_, distance_;  // metres from the eye to the point that is orbited
-    double size_;                      // the scene's diagonal, metres
+    bool moved_ = false;               // by fingers
 };
 
 }  // namespace vct::app

@@ -35,5 +35,13 @@ TEST(Choices, ATimeStopsTheAnimationThere) {
         EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
 }
 
+TEST(Choices, RevoxelizeIsOfTheSettings) {
+    EXPECT_FALSE(settingsFor(showRequestFromText("show").choices, glm::ivec2(8)).revoxelize);
+    const Choices choices = showRequestFromText("show revoxelize=on").choices;
+    EXPECT_TRUE(settingsFor(choices, glm::ivec2(8)).revoxelize);
+    EXPECT_NE(choices, showRequestFromText("show").choices);
+    EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
+}
+
 }  // namespace
 }  // namespace vct::app

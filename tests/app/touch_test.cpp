@@ -133,6 +133,31 @@ TEST(OrbitView, StartsAsTheScenesCameraAndADoubleTapReturnsThere) {
     EXPECT_EQ(view.camera(1.5).worldFromCamera, scene.cameras[0].worldFromCamera);
 }
 
+TEST(OrbitView, FollowsTheScenesCameraUntilAFingerMovesItAndAfterADoubleTap) {
+    const Scene scene = boxScene();
+    OrbitView view(scene);
+    Camera camera = scene.cameras[0];
+    const auto followed = [&](double z) {
+        camera.worldFromCamera[3].z = z;
+        view.follow(camera);
+        return view.camera(1.0).worldFromCamera == camera.worldFromCamera;
+    };
+    EXPECT_TRUE(followed(3.0));
+    view.apply({}, viewport);  // of a frame without a finger
+    EXPECT_TRUE(followed(5.0));
+    Gesture zoom;
+    zoom.zoom = 2.0F;
+    view.apply(zoom, viewport);
+    EXPECT_NEAR(eyeOf(view).z, 2.5, 1e-9) << "it turns around a point as far away as it is now";
+    EXPECT_FALSE(followed(6.0));
+    EXPECT_NEAR(eyeOf(view).z, 2.5, 1e-9);
+    Gesture reset;
+    reset.doubleTap = true;
+    view.apply(reset, viewport);
+    EXPECT_EQ(eyeOf(view).z, 6.0);
+    EXPECT_TRUE(followed(7.0));
+}
+
 TEST(OrbitView, TheSceneFollowsTheFinger) {
     OrbitView view(boxScene());
     Gesture gesture;
