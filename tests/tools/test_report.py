@@ -68,8 +68,11 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "hard.json").write_text(json.dumps(HARD_CASES))
     (folder / "bench.json").write_text(json.dumps(BENCH))
     (folder / "presets.json").write_text(json.dumps(PRESETS))
+    made = python("sequence.py", "--program", PROGRAM, "--out", folder / "sequence", "--frames", "3")
+    assert made.returncode == 0, made.stderr
     done = python("report.py", "--sweep", folder / "sweep/sweep.json", "--presets", folder / "presets.json", "--hard-cases", folder / "hard.json", "--bench",
-                  folder / "bench.json", "--experiments", folder / "experiments/sweep.json", "--out", folder / "index.html")
+                  folder / "bench.json", "--experiments", folder / "experiments/sweep.json", "--sequence",
+                  folder / "sequence/sequence.json", "--out", folder / "index.html")
     assert done.returncode == 0, done.stderr
     return folder / "index.html"
 
@@ -195,6 +198,15 @@ def test_the_summary_has_a_row_for_each_preset(opened: Browser):
 def test_experiments_show_error_and_time_without_and_with(opened: Browser):
     cells = opened.run("return [...document.querySelectorAll('#experiments-body tbody tr > *')].map(c => c.textContent)")
     assert cells[0] == "near-start" and sum("→" in cell for cell in cells) == 2
+
+
+def test_an_animation_has_its_moments_and_their_light(opened: Browser):
+    captions = opened.run("return [...document.querySelectorAll('#animation-body figcaption')].map(c => c.textContent)")
+    assert captions == ["0.00 s", "1.33 s", "2.67 s"]
+    assert "the same to the last bit" in opened.run("return document.getElementById('animation-body').textContent")
+    opened.run("for (const i of document.querySelectorAll('#animation-body img')) i.loading = 'eager'")
+    pictures = opened.run("return [...document.querySelectorAll('#animation-body img')].map(i => [i.src, i.naturalWidth])")
+    assert len({source for source, _ in pictures}) == 6 and {width for _, width in pictures} == {400}
 
 
 def test_hard_cases_can_be_filtered_and_cannot_inject(opened: Browser):

@@ -117,6 +117,18 @@ def hard_cases(path: Path | None, album: Album) -> list[dict[str, Any]] | None:
     return rows
 
 
+def sequence(path: Path | None, album: Album) -> dict[str, Any] | None:
+    """The moments of tools/sequence.py; each names its two pictures in the album."""
+    if path is None:
+        return None
+    data = bench_file(path, "frames")
+    for frame in data["frames"]:
+        for kind in ("picture", "indirect_light"):
+            name, picture = f"sequence {frame[kind]}", path.parent / frame[kind]
+            frame[kind] = name if album.add(name, lambda: small_png(picture, 400)) else None
+    return data
+
+
 def bench_file(path: Path, needs: str) -> dict[str, Any]:
     """`needs`: what the file must hold beside its version."""
     data = json.loads(path.read_text())
@@ -145,11 +157,13 @@ def bench(path: Path | None) -> dict[str, Any] | None:
 
 
 def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_folder: Path, references: Path,
-              hard: Path | None, tables: Path | None, beside: Path | None, album: Album) -> dict[str, Any]:
+              hard: Path | None, tables: Path | None, beside: Path | None, moments: Path | None,
+              album: Album) -> dict[str, Any]:
     """All of it; the pictures go into the album, whose part they name."""
     entries = sweep["points"]
     usual = usual_settings(entries)
     hard_rows = hard_cases(hard, album)
+    animation = sequence(moments, album)
     pictures = add_pictures(entries, usual, sweep_folder, references, album)
     colours = error_palette()
     asked = {mode for entry in entries for mode in entry["modes"]}
@@ -160,6 +174,7 @@ def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_fo
         "measures": [{"name": m.name, "what": m.what, "mode": m.mode} for m in MEASURES],
         "points": [point(entry) for entry in entries], "pictures": pictures,
         "experiments": [point(entry) for entry in experiments], "hard": hard_rows,
+        "sequence": animation,
         "bench": bench(tables), "presets": presets(beside), "album": album.pictures,
         "error_colours": [f"rgb({r},{g},{b})" for r, g, b in zip(colours[::3], colours[1::3], colours[2::3])],
     }

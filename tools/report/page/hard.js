@@ -46,6 +46,7 @@ function start() {
   drawFacts();
   drawSummary();
   drawMethod();
+  drawSequence();
   drawHard();
   startViewer();
   startPlots();
