@@ -1,5 +1,6 @@
 // One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
-// itself to its parent by one atomic; the first child to arrive appends the parent to the next list.
+// itself to its parent by one atomic; the first child to arrive appends the parent to the next list. VCT_RELIGHT: the
+// lists are there.
 #include "shared/commands.glsl"
 #include "shared/trips.glsl"
 
@@ -21,6 +22,8 @@ void main() {
 #ifdef VCT_PART  // the parents of what does not move are listed
         isNew = isNew && partIsMoving();
 #endif
+#ifndef VCT_RELIGHT
         if (isNew) appendVoxel(level + 1u, parent);
+#endif
     }
 }

@@ -59,7 +59,7 @@ void main() {
     // Into the level above, which the mipmapper adds to: the time counts here, the picture does not.
     imageAtomicMax(debugView, voxel >> 1, 0u);
 #endif
-#ifdef VCT_STILL  // it is listed
+#if defined(VCT_STILL) || defined(VCT_RELIGHT)  // it is listed
     imageAtomicMax(voxels, voxel, word);
 #else
     if (imageAtomicMax(voxels, voxel, word) == 0u) appendVoxel(0u, uvec3(voxel));

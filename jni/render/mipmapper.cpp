@@ -1,11 +1,11 @@
 #include "render/mipmapper.h"
 
 #include "gl/debug.h"
-#include "render/programs.h"
 
 namespace vct {
 
-Mipmapper::Mipmapper(const gl::ShaderLibrary& shaders) : program_(shaders, mipmapperProgram()) {}
+Mipmapper::Mipmapper(const gl::ShaderLibrary& shaders, const gl::ProgramDescription& program)
+    : program_(shaders, program) {}
 
 void Mipmapper::run(VoxelPyramid& voxels) {
     const gl::DebugGroup group("mipmap");

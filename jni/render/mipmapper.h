@@ -7,7 +7,8 @@ namespace vct {
 
 class Mipmapper {
   public:
-    explicit Mipmapper(const gl::ShaderLibrary& shaders);
+    // `program`: mipmapperProgram(), or its variant where the lists are there.
+    Mipmapper(const gl::ShaderLibrary& shaders, const gl::ProgramDescription& program);
 
     // Afterwards the pyramid is ready to be fetched as a texture, and the lists to be drawn.
     void run(VoxelPyramid& voxels);

@@ -137,6 +137,16 @@ gl::ProgramDescription faceResolveProgram() {
     return {"face_resolve", {"face_resolve.comp"}, {}};
 }
 
+gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
+    std::vector<std::string> defines = featureDefines(features, ~0U);
+    defines.emplace_back("VCT_RELIGHT");
+    return voxelizing("voxelizer", std::move(defines), voxelization);
+}
+
+gl::ProgramDescription relightMipmapperProgram() {
+    return {"mipmapper of a light", {"mipmapper.comp"}, {"VCT_RELIGHT"}};
+}
+
 gl::ProgramDescription faceDarkenProgram() {
     return {"face_darken", {"face_darken.comp"}, {}};
 }
@@ -269,6 +279,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  partialClearProgram(),
                                                  partialMipmapperProgram(),
                                                  faceDarkenProgram(),
+                                                 relightMipmapperProgram(),
                                                  faceRelightResolveProgram(),
                                                  faceRelightPatchesProgram()};
     for (unsigned features : allFeatures()) {
@@ -276,6 +287,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
             programs.push_back(voxelizerProgram(features, voxelization));
             programs.push_back(stillVoxelizerProgram(features, voxelization));
+            programs.push_back(relightProgram(features, voxelization));
             programs.push_back(faceTouchProgram(features, voxelization));
             programs.push_back(faceVoxelizerProgram(features, voxelization));
             programs.push_back(faceRelightProgram(features, voxelization));

@@ -36,7 +36,9 @@ gl::ProgramDescription sparseClearProgram();
 gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceResolveProgram();
-// Where only the light changed: render/face_relighter.h, and the bounces.
+// Where only the light changed: render/word_relighter.h, face_relighter.h, and the bounces.
+gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription relightMipmapperProgram();
 gl::ProgramDescription faceDarkenProgram();
 gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceRelightResolveProgram();

@@ -111,6 +111,13 @@ void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
 void Renderer::makeWords(const std::optional<Lit>& before) {
     WordPasses& passes = wordPasses();
     const gl::Texture& shadow = shadowMap().texture();
+    if (before && before->placements == scene_.placements()) {
+        if (!passes.relighter) passes.relighter.emplace(shaders_, scene_, settings_.voxelization);
+        timer_.time(Step::voxelize,
+                    [&] { passes.relighter->run(scene_, shadow, passes.voxelizer, passes.pyramid); });
+        timer_.time(Step::mipmap, [&] { passes.relighter->mipmap(passes.pyramid); });
+        return;
+    }
     if (!passes.partial) {
         timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, passes.pyramid); });
         timer_.time(Step::mipmap, [&] { passes.mipmapper.run(passes.pyramid); });
@@ -190,7 +197,8 @@ Renderer::WordPasses& Renderer::wordPasses() {
         wordPasses_.emplace(WordPasses{
             VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
             Voxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
-            Mipmapper(shaders_),
+            Mipmapper(shaders_, mipmapperProgram()),
+            {},
             {}});
         if (scene_.moves()) wordPasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
     }

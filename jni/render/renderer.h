@@ -20,6 +20,7 @@
 #include "render/shadow_map.h"
 #include "render/step_timer.h"
 #include "render/voxelizer.h"
+#include "render/word_relighter.h"
 
 namespace vct {
 
@@ -33,8 +34,8 @@ class Renderer {
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
              const gl::Capabilities& capabilities, gl::ReadShader readShader);
 
-    // Draws one frame. While neither light nor pose changes shadow map and voxels stay as they are; where only
-    // the light does, faces of voxels are lit anew. With Settings::revoxelize everything is made. Throws
+    // Draws one frame. While neither light nor pose changes, shadow map and voxels stay as they are; where
+    // only the light does, voxels are lit anew. With Settings::revoxelize everything is made. Throws
     // vct::Error on any GL error; the next frame then makes everything anew.
     void frame(Mode mode, const Camera& camera);
 
@@ -85,6 +86,7 @@ class Renderer {
         Voxelizer voxelizer;
         Mipmapper mipmapper;
         std::optional<PartialVoxels> partial;  // where something moves
+        std::optional<WordRelighter> relighter;
     };
     struct FacePasses {
         FaceVoxels voxels;

@@ -74,6 +74,11 @@ std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
 }
 
 void VoxelPyramid::clear() {
+    zero();
+    emptyLists();
+}
+
+void VoxelPyramid::zero() {
     const gl::DebugGroup group("sparse clear");
     // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
@@ -84,7 +89,6 @@ void VoxelPyramid::clear() {
         bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
         dispatchOverLevel(level);
     }
-    emptyLists();
 }
 
 void VoxelPyramid::emptyLists() {

@@ -28,7 +28,9 @@ class VoxelPyramid {
     // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;
     // afterwards the image and the buffers are ready for shaders.
     void clear();
-    // The second half of that, where somebody else has emptied the texture.
+    // The halves of that: empties the texture, without a barrier behind it.
+    void zero();
+    // And the lists, where the texture is being emptied.
     void emptyLists();
 
     // What the commands say now, and saying it again: which entries of the lists are active.

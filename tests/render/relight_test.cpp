@@ -1,4 +1,4 @@
-// Voxels of faces that are lit anew where only the light moved, against those of a renderer that never saw
+// Voxels that are lit anew where only the light moved, against those of a renderer that never saw
 // another light.
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ const glm::dvec3 sun(0.4, 1.0, 0.3);
 const std::vector<glm::dvec3> lights{{-0.7, 0.4, 0.2}, {1, 0, 0.1}, {0.2, -1, 0.1},
                                      {0, 1, 0},        {0, -1, 0},  sun};
 
-Settings settingsOf(Voxelization voxelization) {
-    Settings settings = presetSettings("mobile");
+Settings settingsOf(const std::string& preset, Voxelization voxelization) {
+    Settings settings = presetSettings(preset);
     settings.grid = 64;
     settings.size = glm::ivec2(48);
     settings.shadowMapSize = 128;
@@ -36,9 +36,15 @@ double brightness(const Renderer& renderer) {
     return sum;
 }
 
-class Relight : public testing::TestWithParam<Voxelization> {
+struct Kind {
+    const char* preset;
+    Voxelization voxelization;
+};
+class Relight : public testing::TestWithParam<Kind> {
   protected:
-    Relight() : context_(openContext(Backend::egl)), settings_(settingsOf(GetParam())) {}
+    Relight()
+        : context_(openContext(Backend::egl)),
+          settings_(settingsOf(GetParam().preset, GetParam().voxelization)) {}
 
     DirectionalLight lightAlong(const glm::dvec3& towardsLight) const {
         DirectionalLight light = lightFrom({0, 1, 0});
@@ -56,18 +62,22 @@ class Relight : public testing::TestWithParam<Voxelization> {
         Renderer fresh = rendererOf(scene, towardsLight);
         fresh.frame(mode, camera);
         // The shadow map's mode has none.
-        if (fresh.faceVoxels() != nullptr) expectSameGrid(gridOf(renderer), gridOf(fresh), what);
+        if (fresh.faceVoxels() != nullptr || fresh.voxels() != nullptr)
+            expectSameGrid(gridOf(renderer), gridOf(fresh), what);
         EXPECT_TRUE(renderer.radiance().pixels == fresh.radiance().pixels) << what << ": other pixels";
     }
 
     Context context_;
     Settings settings_;
 };
-INSTANTIATE_TEST_SUITE_P(Voxelizations, Relight,
-                         testing::Values(Voxelization::geometryShader, Voxelization::sortedAxes),
-                         [](const auto& test) {
-                             return test.param == Voxelization::sortedAxes ? "SortedAxes" : "GeometryShader";
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Voxels, Relight,
+    testing::Values(Kind{"thesis", Voxelization::geometryShader}, Kind{"thesis", Voxelization::sortedAxes},
+                    Kind{"mobile", Voxelization::geometryShader}, Kind{"mobile", Voxelization::sortedAxes}),
+    [](const auto& test) {
+        return std::string(test.param.preset) +
+               (test.param.voxelization == Voxelization::sortedAxes ? "SortedAxes" : "GeometryShader");
+    });
 
 // Textures, holes, emission, both sides: the courtyard has all of them.
 TEST_P(Relight, EveryLightLeavesTheVoxelsAndThePictureOfAFreshRenderer) {
@@ -87,7 +97,8 @@ TEST_P(Relight, EveryLightLeavesTheVoxelsAndThePictureOfAFreshRenderer) {
     EXPECT_EQ(bytes(), bytesBefore);
     renderer.setLightDirection(lights[0]);
     renderer.frame(Mode::gi, chooseCamera(scene, ""));
-    EXPECT_FALSE(gridOf(renderer).faces == before.faces) << "the light changes nothing";
+    const Grid other = gridOf(renderer);
+    EXPECT_FALSE(other.faces == before.faces && other.words == before.words) << "the light changes nothing";
 }
 
 TEST_P(Relight, FromUnderTheHorizonNothingIsLitAndTheNextDayIsLikeTheFirst) {
@@ -134,8 +145,9 @@ TEST_P(Relight, ItsProgramsAreMadeWhenTheLightMoves) {
     Renderer renderer = rendererOf(scene, sun);
     const auto made = [&] {
         const std::vector<gl::Call>& calls = log.calls();
-        return std::count_if(calls.begin(), calls.end(), [](const gl::Call& call) {
-            return std::string(call.name) == "ObjectLabel" && call.text == "face_darken";
+        const std::string program = renderer.voxels() != nullptr ? "mipmapper of a light" : "face_darken";
+        return std::count_if(calls.begin(), calls.end(), [&](const gl::Call& call) {
+            return std::string(call.name) == "ObjectLabel" && call.text == program;
         });
     };
     renderer.frame(Mode::gi, camera);

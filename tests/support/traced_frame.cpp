@@ -22,7 +22,7 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
     gBuffer_.draw(scene_);
     Voxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, pyramid_);
-    Mipmapper(shaders_).run(pyramid_);
+    Mipmapper(shaders_, mipmapperProgram()).run(pyramid_);
 }
 
 Words TracedFrame::level(int level) const {
