@@ -104,5 +104,32 @@ TEST(Sequence, TheLightAndTheCameraMoveUnlessTheCommandLineGivesThem) {
     EXPECT_FALSE(changes("camera.glb", "--camera eye=0,2,5,target=0,0,0,fov=50"));
 }
 
+// One key is a constant, also where the sequence is longer than it; keys in no order are an error.
+TEST(Sequence, OfOneKeyAndOfUnsortedKeys) {
+    GltfBuilder one = openFloor();
+    const int box = addCube(one, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    GltfBuilder unsorted = one;
+    one.animate(box, "translation", {1}, {1, 0.5F, 0});
+    unsorted.animate(box, "translation", {0, 2, 1}, {0, 0.5F, 0, 1, 0.5F, 0, 0, 0.5F, 0});
+    ProgramRun program;
+    const auto write = [&](const std::string& name, const GltfBuilder& scene) {
+        const Bytes file = scene.glb();
+        writeBytes(program.folder.file(name), std::string(file.begin(), file.end()));
+    };
+    write("one.glb", one);
+    write("unsorted.glb", unsorted);
+    const auto picture = [&](const char* name) { return readBytes(program.folder.file(name)); };
+    ASSERT_EQ(program.run(renderOf("one.glb", "--frames 3 --fps 1")), 0) << program.err;
+    EXPECT_EQ(picture("out/gi_0000.png"), picture("out/gi_0001.png"));
+    EXPECT_EQ(picture("out/gi_0000.png"), picture("out/gi_0002.png"));
+    ASSERT_EQ(program.run(renderOf("one.glb", "")), 0) << program.err;
+    EXPECT_NE(picture("out/gi_0000.png"), picture("out/gi.png")) << "at rest it is elsewhere";
+
+    EXPECT_EQ(program.run("render unsorted.glb --out none --time 1"), 1);
+    EXPECT_NE(program.err.find("unsorted.glb"), std::string::npos) << program.err;
+    EXPECT_NE(program.err.find("has unsorted keys"), std::string::npos) << program.err;
+    EXPECT_FALSE(std::filesystem::exists(program.folder.file("none")));
+}
+
 }  // namespace
 }  // namespace vct::test

@@ -49,5 +49,26 @@ TEST(CallLog, SummaryCountsByNameAndGroupAndNamesBindings) {
     EXPECT_EQ(summary.draws + summary.dispatches, 0);
 }
 
+TEST(CallLog, SummaryKnowsWhatIsDrawnWithAndEveryKindOfBinding) {
+    const gl::CallSummary summary = gl::summaryOf({{"UseProgram", {7}, ""},
+                                                   {"DrawElementsBaseVertex", {4}, ""},
+                                                   {"DrawArrays", {4}, ""},
+                                                   {"UseProgram", {8}, ""},
+                                                   {"UseProgram", {9}, ""},
+                                                   {"DispatchComputeIndirect", {0}, ""},
+                                                   {"ActiveTexture", {GL_TEXTURE3}, ""},
+                                                   {"BindTexture", {GL_TEXTURE_3D, 1}, ""},
+                                                   {"BindSampler", {6, 1}, ""},
+                                                   {"BindImageTexture", {2, 1, 4}, ""},
+                                                   {"BindBufferBase", {GL_SHADER_STORAGE_BUFFER, 5, 1}, ""},
+                                                   {"Uniform1ui", {1, 0}, ""}});
+    EXPECT_EQ(summary.calls, 12);
+    EXPECT_EQ(summary.draws, 2);
+    EXPECT_EQ(summary.dispatches, 1);
+    EXPECT_EQ(summary.programs, (std::set<std::int64_t>{7, 9})) << "8 drew nothing";
+    EXPECT_EQ(summary.bindings, (std::set<std::string>{"texture 3: 3D", "sampler 6", "image 2, level 4",
+                                                       "storage buffer 5", "uniform 1"}));
+}
+
 }  // namespace
 }  // namespace vct::test
