@@ -15,6 +15,28 @@ int rotationOf(ivec2 p) {
     return 8 * even + 4 * (p.y & 1) + 2 * odd + (p.y >> 1);
 }
 
+// Along the screen, from or to the next pixel's surface: whichever side's lies nearer to the plane of the normal, as the
+// other may be behind a crease or a silhouette.
+vec3 tangent(ivec2 pixel, ivec2 onePixel, ivec2 last, vec3 position, vec3 normal) {
+    ivec2 before = max(pixel - onePixel, ivec2(0)), after = min(pixel + onePixel, last);
+    vec3 back = position - surfacePosition(before, surfaceDepth(before));
+    vec3 on = surfacePosition(after, surfaceDepth(after)) - position;
+    if (before == pixel) return on;
+    return after == pixel || abs(dot(back, normal)) < abs(dot(on, normal)) ? back : on;
+}
+
+// Of the triangle, which the interpolated normal may lean away from: along that, where something round stands on a floor,
+// cones would start below the floor. The interpolated one at what is thinner than pixels are.
+vec3 facetNormal(ivec2 pixel, ivec2 size, vec3 position, vec3 normal) {
+    vec3 right = tangent(pixel, ivec2(1, 0), size - 1, position, normal);
+    vec3 up = tangent(pixel, ivec2(0, 1), size - 1, position, normal);
+    vec3 across = cross(right, up);
+    float agreement = dot(across, normal);
+    float reach = 2.0 / float(frame.grid.x);  // farther than that, it is another surface
+    bool known = max(dot(right, right), dot(up, up)) < reach * reach && abs(agreement) > 0.3 * length(across);
+    return known ? normalize(across) * sign(agreement) : normal;
+}
+
 void main() {
     TRIP(VCT_TRIPS_GATHER);
     ivec2 size = textureSize(depthTarget, 0);
@@ -32,7 +54,8 @@ void main() {
     vec3 position = surfacePosition(pixel, depth);
     vec3 normal = surfaceNormal(pixel);
     outSurface = vec4(normal, dot(normal, position));
-    vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
+    vec3 facet = facetNormal(pixel, size, position, normal);
+    vec3 start = position * float(frame.grid.x) + facet * VCT_GATHER_START;
     mat3 volumeFromCone = frameAround(normal);
     int rotation = rotationOf(inPattern);
 #ifdef VCT_GATHER_OCCLUSION
@@ -43,6 +66,7 @@ void main() {
     for (int i = 0; i < VCT_GATHER_CONES; ++i) {
         TRIP(VCT_TRIPS_GATHER_CONE);
         vec3 cone = gatherCone(i, rotation);
+        if (dot(volumeFromCone * cone, facet) < -0.15) continue;  // into the solid: dark
         ConeResult result = traceCone(start, normal, volumeFromCone * cone, reach);
         outGather.rgb += result.radiance + result.transmittance * frame.skyRadiance.rgb;
         outGather.a += result.transmittance;

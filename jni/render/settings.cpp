@@ -143,6 +143,7 @@ Settings presetSettings(const std::string& name) {
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
         settings.gather.height = 0.3F;
+        settings.gather.threshold = 0.12F;
         settings.occlusion.cones = 16;
         settings.occlusion.step = 1.0F;
         settings.occlusion.height = 0.4F;

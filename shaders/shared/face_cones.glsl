@@ -23,15 +23,20 @@ Ray rayAlong(vec3 direction) {
 const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
 // Radiance (premultiplied) and coverage that the ray meets around a position (volume space) at a whole mip level;
-// coverage up to 1.73, where it meets three faces of a corner.
+// coverage up to 1.73, where it meets three faces of a corner. Each face covers its projection, the ray's share of its
+// axis; but shines by the square of that, as an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what
+// a ray meets at a slant may be the far side of something round, lit where the ray cannot see.
 mediump vec4 sampleFaces(vec3 position, Ray ray, float level) {
     // No texel of the next block may leak in.
     float margin = 0.5 * exp2(level) / float(frame.grid.x);
     vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
-    mediump vec4 sum = ray.share.x * textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
-    sum += ray.share.y * textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
-    sum += ray.share.z * textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
-    return HALF(sum);
+    mediump vec4 x = textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
+    mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
+    mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
+    mediump vec3 square = HALF(ray.share * ray.share);
+    mediump vec4 shining = HALF(square.x * x + square.y * y + square.z * z);
+    mediump float coverage = HALF(dot(ray.share, vec3(x.a, y.a, z.a)));
+    return HALF(vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage));
 }
 
 // Cone i of the set around a normal along +y, with its cosine in y. `rotation`, 0 to 15, is one of 16 sets that

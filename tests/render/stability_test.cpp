@@ -121,8 +121,8 @@ struct GatherBound {
 };
 class GatherStability : public testing::TestWithParam<GatherBound> {};
 INSTANTIATE_TEST_SUITE_P(Presets, GatherStability,
-                         testing::Values(GatherBound{"mobile", "cornell", 0.045, 0.16, 0.15, 0.19, 0.23},
-                                         GatherBound{"mobile", "courtyard", 0.13, 0.48, 0.77, 0.62, 0.76},
+                         testing::Values(GatherBound{"mobile", "cornell", 0.05, 0.16, 0.15, 0.19, 0.23},
+                                         GatherBound{"mobile", "courtyard", 0.14, 0.48, 0.77, 0.62, 0.82},
                                          GatherBound{"quality", "cornell", 0.025, 0.06, 0.055, 0.09, 0.13},
                                          GatherBound{"quality", "courtyard", 0.07, 0.27, 0.41, 0.26, 0.32}),
                          [](const auto& test) {
