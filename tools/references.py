@@ -45,8 +45,8 @@ from truth.exr import PictureError, read_exr, write_exr
 from truth.gltf_file import GltfError
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.005 and more).
-SAMPLES = {"coverage": 256, "direct": 256, "indirect": 512, "full": 1024, "glossy": 1024, "ao": 512,
+# Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.0005 and more).
+SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glossy": 1024, "ao": 512,
            "sun": 256, "shadow": 512}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # of scenes with glossy materials
