@@ -204,6 +204,34 @@ TEST_P(GatherOf, AFloorBesideABlackHalfSpaceSeesTheRestOfTheSky) {
 // 0.07 (mobile, turned).
 constexpr double furnaceBar = 0.08;
 
+// As where a lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would
+// start below the floor, in the dark.
+TEST_P(GatherOf, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, addEmitter(scene));
+    addQuad(scene, {-1, 0, 0}, {2, 0, 0}, {0, 0.5, 0});
+    for (const std::size_t bottom : {0U, 1U})
+        scene.meshes.back().vertices[bottom].normal = glm::normalize(glm::vec3(0, -1, 1));
+    scene = finished(std::move(scene));
+    const Settings settings = presetAt(GetParam(), glm::ivec2(pictureSide));
+    GatheredFrame frame =
+        frameOf(context, scene, noLight(), settings, lookAt({0, 0.2, 1.5}, {0, 0.1, 0}, 20));
+    const Image light = frame.view(VCT_VIEW_INDIRECT);
+    const std::vector<SurfacePixel> pixels = frame.pixels();
+    const glm::dmat4 worldFromVolume =
+        glm::inverse(volumeAround(scene.boundsWorld, settings.grid).volumeFromWorld());
+    Spread foot;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!pixels[i].surface) continue;
+        const glm::dvec3 p(worldFromVolume * glm::dvec4(pixels[i].positionVolume, 1.0));
+        if (p.y > 1e-3 && p.y < 0.05) foot.add(light.pixels[i].x);
+    }
+    ASSERT_GT(foot.count, 500);
+    std::printf("%s, foot: mean %.3f, min %.3f\n", GetParam(), foot.mean, foot.min);
+    EXPECT_GE(foot.min, 0.6);
+}
+
 TEST_P(GatherOf, WhiteFurnaceIsOne) {
     const Context context = openContext(Backend::egl);
     for (const double turnDeg : {0.0, 30.0}) {
