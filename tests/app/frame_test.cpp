@@ -8,13 +8,16 @@
 #include "cli/program_run.h"
 #include "image/image.h"
 #include "stand_in/stand_in.h"
+#include "support/moving_scenes.h"
+#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
 
-// The window without the display.
-Image screenOf(const std::string& show, int width, int height) {
+// The window without the display. `scenes`: the APK's; the source tree's where it is empty.
+Image screenOf(const std::string& show, int width, int height, const std::string& scenes = "") {
     StandIn android;
+    if (!scenes.empty()) android.scenes = scenes;
     android.intentExtra = "show display=off " + show;
     android.startUntilSceneShown(width, height);
     android.then([&] { android.capture = true; });
@@ -90,6 +93,24 @@ TEST(Animated, PlaysUnlessItIsStopped) {
     };
     EXPECT_TRUE(changes(""));
     EXPECT_FALSE(changes("time=1"));
+}
+
+// Nothing else moves in this scene.
+TEST(Animated, TheViewGoesWithTheScenesCamera) {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    builder.animate(2, "translation", {0, 1}, {0, 2.6F, 5.2F, 2, 2.6F, 5.2F});
+    const Bytes file = builder.glb();
+    const TemporaryFolder scenes;
+    writeBytes(scenes.file("camera.glb"), std::string(file.begin(), file.end()));
+    const auto screenAt = [&](const std::string& time) {
+        return screenOf("scene=camera.glb preset=mobile pixels=1 mode=phong time=" + time, 96, 72,
+                        scenes.path());
+    };
+    const Image first = screenAt("0"), second = screenAt("0.9");
+    ASSERT_EQ(first.pixels.size(), second.pixels.size());
+    EXPECT_TRUE(screenAt("0").pixels == first.pixels);
+    EXPECT_FALSE(second.pixels == first.pixels);
 }
 
 // Rendered at half the sides and shown as large as the window: the same picture with fewer details.
