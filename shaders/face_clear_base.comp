@@ -1,4 +1,5 @@
-// Empties what the last frame listed, of the base level: voxels, their faces and the faces' sums.
+// Empties what the last frame listed, of the base level: voxels, their faces and the faces' sums. VCT_PART: static voxels
+// keep their places in the list.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #include "shared/face_voxels.glsl"
@@ -17,8 +18,16 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         TRIP(VCT_TRIPS_FACE_CLEAR_BASE_VOXEL);
         ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
+#ifdef VCT_PART
+        uint slot = texelFetch(slots, voxel, 0).r - 1u;
+        if (partIsMoving()) {
+            if (slot < partFirst) continue;  // static, where all are visited; the base level's list begins at 0
+            imageStore(voxels, voxel, uvec4(0u));
+        }
+#else
         uint slot = overflowed(level) ? texelFetch(slots, voxel, 0).r - 1u : i;
         imageStore(voxels, voxel, uvec4(0u));
+#endif
         if (slot >= faceSlots()) continue;
         for (uint left = markedFaces(slot); left != 0u; left &= left - 1u) {
             TRIP(VCT_TRIPS_FACE_CLEAR_BASE_FACE);
@@ -28,6 +37,10 @@ void main() {
             for (uint word = 0u; word < VCT_FACE_SUM_WORDS; ++word)
                 faceSums[index + word] = 0u;
         }
-        faceSums[slotIndex(slot)] = 0u;
+#ifdef VCT_PART
+        setMarks(slot, 0u, stillFaces(slot));
+#else
+        setMarks(slot, 0u, 0u);
+#endif
     }
 }

@@ -1,7 +1,8 @@
 // One mip level of the faces from the one below, over that level's faces that are not empty: of each of the four pairs
 // of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
 // voxel stays opaque at every level, and is seen from one side only. VCT_LIST_PARENTS: makes the next level's lists too;
-// they last until the scene is voxelized again.
+// they last until the scene is voxelized again. VCT_PART: of a part of the faces; the parents of what does not move are
+// listed.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #ifdef VCT_LIST_PARENTS
@@ -16,12 +17,12 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
 
 void main() {
     TRIP(VCT_TRIPS_FACE_MIPMAPPER);
-    uint count = faceCount(level);
+    uint end = endFacesVisited(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int childGrid = textureSize(faces, int(level) - 1).z;
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+    for (uint i = firstFaceVisited() + gl_GlobalInvocationID.x; i < end; i += stride) {
         TRIP(VCT_TRIPS_FACE_MIPMAPPER_FACE);
-        ListedFace listed = listedFace(level, i);
+        ListedFace listed = visitedFace(level, i);
         int axis = listed.face >> 1, side = listed.face & 1;
         ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
         ivec3 across = along.zxy;
@@ -37,6 +38,9 @@ void main() {
         ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
         imageStore(means, texel, storedFace(sum * 0.25, texel));
 #ifdef VCT_LIST_PARENTS
+#ifdef VCT_PART
+        if (!partIsMoving()) continue;
+#endif
         ivec3 parent = listed.voxel >> 1;
         if (int(level) < frame.grid.y && listParent(level + 1u, parent, 1u << uint(listed.face)) != 0u)
             listFace(level + 1u, parent, listed.face);

@@ -1,5 +1,6 @@
 // The base level: the sums of each occupied voxel into the texels of its faces, and the lists of the faces and of their
-// parents. VCT_RELIGHT: the lists are there.
+// parents. VCT_RELIGHT: the lists are there. VCT_STILL: of the static geometry alone, where something else moves, whose
+// faces stay listed from then on. VCT_PART: of a part of the voxels.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #ifndef VCT_RELIGHT
@@ -9,19 +10,35 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
+#ifdef VCT_PART
+layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;
+#endif
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
     TRIP(VCT_TRIPS_FACE_RESOLVE);
-    uint count = min(activeVoxelCount(level), faceSlots());
+    uint end = endVisited(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint slot = gl_GlobalInvocationID.x; slot < count; slot += stride) {
+    for (uint i = firstVisited(level) + gl_GlobalInvocationID.x; i < end; i += stride) {
+        ivec3 voxel = ivec3(unpackEntry(activeVoxels[i]));
+#ifdef VCT_PART
+        uint slot = texelFetch(slots, voxel, 0).r - 1u;
+#else
+        uint slot = i - firstVisited(level);
+#endif
+        if (slot >= faceSlots()) continue;
         TRIP(VCT_TRIPS_FACE_RESOLVE_VOXEL);
-        ivec3 voxel = ivec3(unpackEntry(activeVoxels[commands[level].firstEntry + slot]));
         uint marked = markedFaces(slot);
         if (marked == 0u) continue;
 #ifndef VCT_RELIGHT
-        listFaces(level, voxel, marked, VCT_TRIPS_FACE_RESOLVE_LISTED);
+        uint unlisted = marked;
+#ifdef VCT_PART
+        unlisted &= ~stillFaces(slot);
+#endif
+        if (unlisted != 0u) listFaces(level, voxel, unlisted, VCT_TRIPS_FACE_RESOLVE_LISTED);
+#ifdef VCT_STILL
+        setMarks(slot, marked, marked);
+#endif
         uint ofParent = listParent(level + 1u, voxel >> 1, marked);
         if (ofParent != 0u) listFaces(level + 1u, voxel >> 1, ofParent, VCT_TRIPS_FACE_RESOLVE_PARENT);
 #endif

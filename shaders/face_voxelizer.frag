@@ -6,6 +6,9 @@
 #include "shared/face_list.glsl"
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
+#ifdef VCT_STILL  // of a scene where something else moves: in the blocks that this frame makes anew
+#include "shared/changed_blocks.glsl"
+#endif
 
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
@@ -63,6 +66,9 @@ void main() {
     if (materialIsHole(baseColor.a)) discard;
 
     ivec3 voxel = clamp(ivec3(floor(positionVoxels)), ivec3(0), ivec3(frame.grid.x - 1));
+#ifdef VCT_STILL
+    if (!isChanged(voxel)) discard;
+#endif
     uint slot = texelFetch(slots, voxel, 0).r - 1u;
     if (slot >= faceSlots()) return;  // no room in the list: reported by the program
 

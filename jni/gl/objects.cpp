@@ -135,11 +135,12 @@ Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const
     gl::label(GL_BUFFER, name, label);
 }
 
-void Buffer::read(void* destination, std::size_t size) const {
+void Buffer::read(void* destination, std::size_t size, std::size_t offset) const {
+    if (size == 0) return;
     MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     BindBuffer(GL_COPY_READ_BUFFER, name());
-    const void* mapped =
-        MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
+    const void* mapped = MapBufferRange(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
+                                        static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
     if (mapped == nullptr) throw Error("the driver could not map buffer '" + label_ + "' for reading");
     std::memcpy(destination, mapped, size);
     UnmapBuffer(GL_COPY_READ_BUFFER);

@@ -100,8 +100,8 @@ class Buffer {
     const std::string& label() const { return label_; }
     void bind(GLenum target) const { BindBuffer(target, name()); }
     void bindBase(GLenum target, GLuint index) const { BindBufferBase(target, index, name()); }
-    // Reads bytes [0, size) after everything before has finished.
-    void read(void* destination, std::size_t size) const;
+    // Reads `size` bytes from `offset` on, after everything before has finished.
+    void read(void* destination, std::size_t size, std::size_t offset = 0) const;
 
   private:
     struct Traits {

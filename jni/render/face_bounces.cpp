@@ -24,7 +24,9 @@ FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, int grid, bool voxels
       albedos_(shaders, faceAlbedosProgram(grid)),
       gather_(shaders, faceBounceGatherProgram(grid)),
       applyToPatches_(shaders, faceBouncePatchesProgram()),
-      apply_(shaders, faceBounceProgram(grid)) {}
+      apply_(shaders, faceBounceProgram(grid)) {
+    if (voxelsChange) restore_.emplace(shaders, faceDirectProgram());
+}
 
 // Reads the list's length back: once, where what is voxelized does not change.
 void FaceBounces::reservePatches(const FaceVoxels& voxels) {
@@ -36,6 +38,16 @@ void FaceBounces::reservePatches(const FaceVoxels& voxels) {
     words[VCT_PATCH_PLACES] = places_;
     patches_ = gl::Buffer("patches of the voxel faces", GL_SHADER_STORAGE_BUFFER,
                           words.size() * sizeof words[0], words.data(), GL_DYNAMIC_COPY);
+}
+
+void FaceBounces::restoreDirect(const FaceVoxels& voxels) const {
+    voxels.bindLists();
+    patches_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_PATCHES);
+    voxels.slots().texture().bind(VCT_TEX_VOXELS);
+    restore_->use();
+    voxels.bindLevel(VCT_IMAGE_FACES, level_);
+    voxels.slots().dispatchOverFaces(level_);
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {

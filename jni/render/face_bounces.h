@@ -23,6 +23,10 @@ class FaceBounces {
     // are.
     void runAgain(const gl::ShaderLibrary& shaders, int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
+    // Takes back what they have added to the patches' level, but for the changed blocks, which are bound (see
+    // block_lists.h) and where there is direct light alone.
+    void restoreDirect(const FaceVoxels& voxels) const;
+
     // shaders/shared/face_patches.glsl. Empty before the first bounce.
     const gl::Buffer& patches() const { return patches_; }
 
@@ -36,6 +40,7 @@ class FaceBounces {
     std::uint32_t places_ = 0;  // of blocks in patches_
     gl::Program place_, albedos_, gather_, applyToPatches_, apply_;
     std::optional<gl::Program> relight_;  // where place_ and albedos_ have run
+    std::optional<gl::Program> restore_;  // where voxels change
     gl::Buffer patches_;
 };
 

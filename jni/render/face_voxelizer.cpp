@@ -2,6 +2,7 @@
 
 #include "gl/debug.h"
 #include "render/programs.h"
+#include "render/voxelizer.h"
 
 namespace vct {
 
@@ -38,25 +39,39 @@ FaceVoxelizer::FaceVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& s
 void FaceVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
+    touch(scene, {}, voxels);
+    if (voxels.places() == 0) voxels.makeRoom(voxels.slots().readActiveCounts()[0]);
+    accumulate(scene, {}, accumulate_, shadowMap, voxels);
+    resolve(resolve_, voxels, [&] { voxels.slots().dispatchOverLevel(0); });
+}
+
+void FaceVoxelizer::touch(const GpuScene& scene, const ScenePart& part, FaceVoxels& voxels) const {
     projection_.use();
-    const VoxelPyramid& slots = voxels.slots();
-    slots.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
-    slots.bindLists();
-    scene.drawForVoxels(touch_);
+    voxels.slots().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    voxels.slots().bindLists();
+    scene.drawForVoxels(touch_, part);
     // Next: the places in the list are fetched as a texture.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
 
-    voxels.reserveSums(scene.moves());
+void FaceVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
+                               const gl::Texture& shadowMap, FaceVoxels& voxels) const {
+    projection_.use();
     voxels.bindLists();
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
-    slots.texture().bind(VCT_TEX_VOXELS);
-    scene.drawForVoxels(accumulate_);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    voxels.slots().texture().bind(VCT_TEX_VOXELS);
+    if (part.touched != nullptr) scissorTo(*part.touched, projection_.viewport());
+    scene.drawForVoxels(programs, part);
+    gl::Disable(GL_SCISSOR_TEST);
+}
 
-    resolve_.use();
+void FaceVoxelizer::resolve(const gl::Program& program, FaceVoxels& voxels,
+                            const std::function<void()>& dispatch) const {
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    program.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    slots.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);
-    slots.dispatchOverLevel(0);
+    voxels.slots().bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);
+    dispatch();
     // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

@@ -2,6 +2,8 @@
 // the triangles, then one over what they occupied.
 #pragma once
 
+#include <functional>
+
 #include "render/face_voxels.h"
 #include "render/gpu_scene.h"
 
@@ -16,9 +18,10 @@ class FaceProjection {
 
     // Of draws to come.
     void use() const;
+    const glm::ivec4& viewport() const { return viewport_; }  // x, y, width, height
 
   private:
-    glm::ivec4 viewport_;  // x, y, width, height
+    glm::ivec4 viewport_;
     gl::Framebuffer framebuffer_;
 };
 
@@ -30,6 +33,16 @@ class FaceVoxelizer {
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxels& voxels);
+
+    // The passes of that. Adds to the base level's list what a part of the scene occupies.
+    void touch(const GpuScene& scene, const ScenePart& part, FaceVoxels& voxels) const;
+    // Adds the part to the sums of the voxels in the list, for which there must be room. The programs: those
+    // for all of it, or others of the same features.
+    void accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
+                    const gl::Texture& shadowMap, FaceVoxels& voxels) const;
+    const MaterialPrograms& programs() const { return accumulate_; }
+    // The sums into the faces and their lists, by a program for whichever voxels `dispatch` visits.
+    void resolve(const gl::Program& program, FaceVoxels& voxels, const std::function<void()>& dispatch) const;
 
   private:
     MaterialPrograms touch_, accumulate_;

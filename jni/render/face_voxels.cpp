@@ -78,15 +78,19 @@ void FaceVoxels::clear() {
     slots_.emptyLists();
 }
 
-void FaceVoxels::reserveSums(bool changes) {
-    if (places_ > 0 && !changes) return;
-    const std::uint32_t voxels = std::max(slots_.readActiveCounts()[0], 1U);
-    if (voxels <= places_) return;
-    places_ = changes ? withHeadRoom(voxels) : voxels;
+void FaceVoxels::makeRoom(std::uint32_t voxels) {
+    places_ = std::max(voxels, 1U);
     const std::size_t words = slots_.placeFaceLists(std::size_t{places_} * VCT_SLOT_WORDS, places_);
     const std::vector<std::uint32_t> zeros(words);
     sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
                        GL_DYNAMIC_COPY);
+}
+
+std::vector<std::uint32_t> FaceVoxels::readFaceList(int level) const {
+    const shared::LevelCommands commands = slots_.readCommands(level);
+    std::vector<std::uint32_t> faces(std::min(commands.faceCount, commands.faceCapacity));
+    sums_.read(faces.data(), faces.size() * sizeof faces[0], commands.firstFace * sizeof faces[0]);
+    return faces;
 }
 
 void FaceVoxels::bindLists() const {

@@ -35,15 +35,19 @@ class FaceVoxels {
     // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
     const VoxelPyramid& slots() const { return slots_; }
     // What voxelization adds up per occupied voxel, and the lists of faces: shaders/shared/face_sums.glsl,
-    // face_list.glsl. Empty before reserveSums().
+    // face_list.glsl. Empty before makeRoom().
     const gl::Buffer& sums() const { return sums_; }
 
     // Empties everything through the last frame's lists.
     void clear();
-    // Makes room for the sums and the faces of every voxel in the base level's list, whose length it reads
-    // back, which waits for the GPU: once, or each time where what is voxelized changes (then with head
-    // room).
-    void reserveSums(bool changes);
+    // Says which entries of the lists are active: VoxelPyramid::copyCommands().
+    void setCommands(const gl::Buffer& commands) { slots_.setCommands(commands); }
+    // Of how many voxels there is room for sums and faces, the first ones in the base level's list.
+    std::uint32_t places() const { return places_; }
+    // Makes that room. Sums and lists of faces that there were are gone.
+    void makeRoom(std::uint32_t voxels);
+    // A level's list of faces, as shared::packFace() makes it. Waits for the GPU.
+    std::vector<std::uint32_t> readFaceList(int level) const;
 
     void bindLevel(int unit, int level) const;
     // The lists of voxels and faces, and the sums, for shaders.

@@ -2,7 +2,9 @@
 // of the rest only what it or its shadow can have changed. The voxels are the same as if all were made anew.
 #pragma once
 
-#include "render/changed_blocks.h"
+#include <optional>
+
+#include "render/block_lists.h"
 #include "render/mipmapper.h"
 #include "render/voxelizer.h"
 
@@ -19,35 +21,21 @@ class PartialVoxels {
     // The coarser levels of that.
     void mipmap(VoxelPyramid& voxels);
 
-    std::vector<const gl::Buffer*> buffers() const { return {&stillVoxels_, &stillCommands_, &mask_}; }
+    std::vector<const gl::Buffer*> buffers() const;
 
   private:
-    // The static geometry's voxels of one level, sorted by block, or in any order where a voxel is larger.
-    struct StillLevel {
-        std::vector<std::uint32_t> entries;
-        std::vector<std::uint32_t> firstOfBlock;  // and behind the last; empty where a voxel is larger
-        std::uint32_t first = 0;                  // in stillVoxels_
-        std::uint32_t firstEntry = 0;             // in the pyramid's list, where they come first too
-    };
-    // Entries of stillVoxels_.
-    struct Range {
-        std::uint32_t first = 0, end = 0;
-    };
     void learn(const GpuScene& scene, const gl::Texture& shadowMap, Voxelizer& voxelizer,
                Mipmapper& mipmapper, VoxelPyramid& voxels);
-    void choose(const BlockMask* changed);
     void takeOut(VoxelPyramid& voxels);
-    void dispatchOverStill(std::size_t level, const Range& range, const VoxelPyramid& voxels) const;
+    void dispatchOverStill(std::size_t level, const BlockLists::Range& range,
+                           const VoxelPyramid& voxels) const;
     void dispatchFrom(std::uint32_t entry, std::size_t level, const VoxelPyramid& voxels) const;
-    std::uint32_t firstMoving(std::size_t level) const;
+    std::uint32_t firstMoving(std::size_t level, const VoxelPyramid& voxels) const;
 
     gl::Program clear_, mipmap_;
     MaterialPrograms still_;
-    std::vector<StillLevel> levels_;      // empty until they are known
-    std::vector<Range> cleared_, added_;  // of this frame: made anew, and added to the level above
-    gl::Buffer stillVoxels_;              // of all levels; behind them, those that the frame makes anew
-    gl::Buffer stillCommands_;            // those of the static geometry alone
-    gl::Buffer mask_;
+    std::optional<BlockLists> stillVoxels_;  // of each level; nothing until they are known
+    gl::Buffer stillCommands_;               // those of the static geometry alone
 };
 
 }  // namespace vct

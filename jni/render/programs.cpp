@@ -165,6 +165,36 @@ gl::ProgramDescription faceRelightPatchesProgram() {
     return {"face_patches of a light", {"face_patches.comp"}, {"VCT_RELIGHT"}};
 }
 
+gl::ProgramDescription stillFaceVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    std::vector<std::string> defines = featureDefines(features, ~0U);
+    defines.emplace_back("VCT_STILL");
+    return voxelizing("face_voxelizer", std::move(defines), voxelization);
+}
+
+gl::ProgramDescription stillFaceResolveProgram() {
+    return {"face_resolve of what is static", {"face_resolve.comp"}, {"VCT_STILL"}};
+}
+
+gl::ProgramDescription partialFaceResolveProgram() {
+    return {"face_resolve of a part", {"face_resolve.comp"}, {"VCT_PART"}};
+}
+
+gl::ProgramDescription partialFaceMipmapperProgram() {
+    return {"face_levels of a part", {"face_mipmapper.comp"}, {"VCT_LIST_PARENTS", "VCT_PART"}};
+}
+
+gl::ProgramDescription partialFaceClearProgram() {
+    return {"face_clear of a part", {"face_clear.comp"}, {"VCT_PART"}};
+}
+
+gl::ProgramDescription partialFaceClearBaseProgram() {
+    return {"face_clear_base of a part", {"face_clear_base.comp"}, {"VCT_PART"}};
+}
+
+gl::ProgramDescription faceDirectProgram() {
+    return {"face_direct", {"face_direct.comp"}, {}};
+}
+
 gl::ProgramDescription faceLevelsProgram() {
     return {"face_levels", {"face_mipmapper.comp"}, {"VCT_LIST_PARENTS"}};
 }
@@ -278,6 +308,12 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  faceBouncePatchesProgram(),
                                                  partialClearProgram(),
                                                  partialMipmapperProgram(),
+                                                 stillFaceResolveProgram(),
+                                                 partialFaceResolveProgram(),
+                                                 partialFaceMipmapperProgram(),
+                                                 partialFaceClearProgram(),
+                                                 partialFaceClearBaseProgram(),
+                                                 faceDirectProgram(),
                                                  faceDarkenProgram(),
                                                  relightMipmapperProgram(),
                                                  faceRelightResolveProgram(),
@@ -291,6 +327,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
             programs.push_back(faceTouchProgram(features, voxelization));
             programs.push_back(faceVoxelizerProgram(features, voxelization));
             programs.push_back(faceRelightProgram(features, voxelization));
+            programs.push_back(stillFaceVoxelizerProgram(features, voxelization));
         }
         for (bool emissive : {false, true})
             for (bool gloss : {false, true})

@@ -43,6 +43,14 @@ gl::ProgramDescription faceDarkenProgram();
 gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceRelightResolveProgram();
 gl::ProgramDescription faceRelightPatchesProgram();
+// Of the static geometry of a scene where something moves, and of a part: render/partial_faces.h.
+gl::ProgramDescription stillFaceVoxelizerProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription stillFaceResolveProgram();
+gl::ProgramDescription partialFaceResolveProgram();
+gl::ProgramDescription partialFaceMipmapperProgram();
+gl::ProgramDescription partialFaceClearProgram();
+gl::ProgramDescription partialFaceClearBaseProgram();
+gl::ProgramDescription faceDirectProgram();
 gl::ProgramDescription faceLevelsProgram();  // and the next level's lists
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();

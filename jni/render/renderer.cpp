@@ -124,14 +124,7 @@ void Renderer::makeWords(const std::optional<Lit>& before) {
         return;
     }
     timer_.time(Step::voxelize, [&] {
-        std::optional<BlockMask> changed;
-        if (before && before->towardsLight == light_.towardsLight) {
-            const double diagonal = glm::length(boundsWorld_.max - boundsWorld_.min);
-            // The filter reads the texels around a point: two would do.
-            const double margin = 4.0 * diagonal / settings_.shadowMapSize / volume_.side;
-            changed = changedBlocks(before->placements, scene_.placements(),
-                                    {light_.towardsLight, margin, scene_.stillBox()}, 1.0 / settings_.grid);
-        }
+        const std::optional<BlockMask> changed = changedSince(before);
         passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
                                  passes.mipmapper, passes.pyramid);
     });
@@ -143,23 +136,31 @@ void Renderer::makeFaces(const Made& before, int bounces) {
     FacePasses& passes = facePasses();
     FaceVoxels& voxels = passes.voxels;
     const gl::Texture& shadow = shadowMap().texture();
+    FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
     const bool sameSurfaces = before.voxels && before.voxels->placements == scene_.placements();
     if (sameSurfaces && !passes.relighter)
         passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
                                  settings_.voxelSamples);
     timer_.time(Step::voxelize, [&] {
-        if (sameSurfaces)
+        if (sameSurfaces) {
             passes.relighter->run(scene_, shadow, voxels);
-        else
+        } else if (passes.partial) {
+            std::optional<BlockMask> changed;
+            if (before.bounces == bounces) changed = changedSince(before.voxels);
+            passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
+                                     passes.mipmapper, voxels);
+        } else {
             passes.voxelizer.run(scene_, shadow, voxels);
+        }
     });
     timer_.time(Step::mipmap, [&] {
         if (sameSurfaces)
             passes.mipmapper.update(voxels, 1);
+        else if (passes.partial)
+            passes.partial->mipmap(voxels, passes.mipmapper, bouncePass);
         else
             passes.mipmapper.makeLevels(voxels);
     });
-    FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
     timer_.time(Step::bounces, [&] {
         if (!bouncePass) return;
         if (sameSurfaces && before.bounces > 0)
@@ -167,6 +168,16 @@ void Renderer::makeFaces(const Made& before, int bounces) {
         else
             bouncePass->run(bounces, voxels, passes.mipmapper);
     });
+}
+
+// Which blocks what moves can have changed since; nothing where that is not known, or they can all have.
+std::optional<BlockMask> Renderer::changedSince(const std::optional<Lit>& before) const {
+    if (!before || before->towardsLight != light_.towardsLight) return {};
+    const double diagonal = glm::length(boundsWorld_.max - boundsWorld_.min);
+    // The filter reads the texels around a point: two would do.
+    const double margin = 4.0 * diagonal / settings_.shadowMapSize / volume_.side;
+    return changedBlocks(before->placements, scene_.placements(),
+                         {light_.towardsLight, margin, scene_.stillBox()}, 1.0 / settings_.grid);
 }
 
 void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
@@ -217,7 +228,9 @@ Renderer::FacePasses& Renderer::facePasses() {
             {},
             {},
             {},
+            {},
             {}});
+        if (scene_.moves()) facePasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
     }
     return *facePasses_;
 }
@@ -365,6 +378,9 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         addPyramid(facePasses_->voxels.slots());
         add(facePasses_->voxels.faces());
         add(facePasses_->voxels.sums());
+        if (facePasses_->partial)
+            for (const gl::Buffer* buffer : facePasses_->partial->buffers())
+                add(*buffer);
         if (facePasses_->bounces) add(facePasses_->bounces->patches());
         for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
             if (*gather)

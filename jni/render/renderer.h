@@ -15,6 +15,7 @@
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
 #include "render/mipmapper.h"
+#include "render/partial_faces.h"
 #include "render/partial_voxels.h"
 #include "render/settings.h"
 #include "render/shadow_map.h"
@@ -92,6 +93,7 @@ class Renderer {
         FaceVoxels voxels;
         FaceVoxelizer voxelizer;
         FaceMipmapper mipmapper;
+        std::optional<PartialFaces> partial;  // where something moves
         std::optional<FaceRelighter> relighter;
         std::optional<FaceBounces> bounces;
         std::optional<Gather> light, occlusion;
@@ -121,6 +123,7 @@ class Renderer {
     void uploadFrameUniforms(const Camera& camera);
     void makeWords(const std::optional<Lit>& before);
     void makeFaces(const Made& before, int bounces);
+    std::optional<BlockMask> changedSince(const std::optional<Lit>& before) const;
     Image tracedView(int view);
 
     Settings settings_;

@@ -149,6 +149,19 @@ std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels
     return first;
 }
 
+shared::LevelCommands VoxelPyramid::readCommands(int level) const {
+    shared::LevelCommands commands{};
+    commands_.read(&commands, sizeof commands, static_cast<std::size_t>(level) * sizeof commands);
+    return commands;
+}
+
+std::vector<std::uint32_t> VoxelPyramid::readList(int level) const {
+    const shared::LevelCommands commands = readCommands(level);
+    std::vector<std::uint32_t> list(std::min(commands.instanceCount, commands.capacity));
+    activeVoxels_.read(list.data(), list.size() * sizeof list[0], commands.firstEntry * sizeof list[0]);
+    return list;
+}
+
 std::vector<std::uint32_t> VoxelPyramid::readActiveCounts() const {
     std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS);
     commands_.read(commands.data(), commands.size() * sizeof commands[0]);

@@ -55,6 +55,10 @@ class VoxelPyramid {
     // more than the list can hold, with the number that is needed.
     std::vector<std::uint32_t> readActiveCounts() const;
 
+    // A level's commands, and what is active in its list. Wait for the GPU.
+    shared::LevelCommands readCommands(int level) const;
+    std::vector<std::uint32_t> readList(int level) const;
+
     std::uint32_t firstEntry(int level) const { return initialCommands_[level].firstEntry; }
 
   private:

@@ -13,15 +13,14 @@ Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
       pixels_(grid * samples),
       framebuffer_("voxelizer", pixels_, pixels_) {}
 
-// To the pixels of the blocks, whichever axis they are projected along: a square, as each axis comes to lie
-// along both sides of the picture.
-void Voxelizer::scissor(const BlockMask& blocks) const {
+// A square, as each axis comes to lie along both sides of the picture.
+void scissorTo(const BlockMask& blocks, const glm::ivec4& viewport) {
     const Bounds box = blocks.box();
-    const double first = std::clamp(std::min({box.min.x, box.min.y, box.min.z}), 0.0, 1.0) * pixels_;
-    const double end = std::clamp(std::max({box.max.x, box.max.y, box.max.z}), 0.0, 1.0) * pixels_;
+    const double first = std::clamp(std::min({box.min.x, box.min.y, box.min.z}), 0.0, 1.0) * viewport.z;
+    const double end = std::clamp(std::max({box.max.x, box.max.y, box.max.z}), 0.0, 1.0) * viewport.z;
     const auto side = static_cast<GLsizei>(std::max(end - first, 0.0));
     gl::Enable(GL_SCISSOR_TEST);
-    gl::Scissor(static_cast<GLint>(first), static_cast<GLint>(first), side, side);
+    gl::Scissor(viewport.x + static_cast<GLint>(first), viewport.y + static_cast<GLint>(first), side, side);
 }
 
 void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
@@ -39,7 +38,7 @@ void Voxelizer::draw(const GpuScene& scene, const ScenePart& part, const Materia
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);  // read by the experiment second-atomic only
     voxels.bindLists();
-    if (part.touched != nullptr) scissor(*part.touched);
+    if (part.touched != nullptr) scissorTo(*part.touched, {0, 0, pixels_, pixels_});
     scene.drawForVoxels(programs, part);
     gl::Disable(GL_SCISSOR_TEST);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.

@@ -6,6 +6,10 @@
 
 namespace vct {
 
+// Limits drawing to the pixels of the blocks, whichever axis they are projected along. `viewport`: of the
+// volume, as glViewport takes it.
+void scissorTo(const BlockMask& blocks, const glm::ivec4& viewport);
+
 class Voxelizer {
   public:
     // `samples`: Settings::voxelSamples.
@@ -21,8 +25,6 @@ class Voxelizer {
     const MaterialPrograms& programs() const { return programs_; }
 
   private:
-    void scissor(const BlockMask& blocks) const;
-
     MaterialPrograms programs_;
     int pixels_;                   // along each side
     gl::Framebuffer framebuffer_;  // no attachments: the rasterizer only makes fragments

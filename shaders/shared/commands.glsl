@@ -53,10 +53,16 @@ uint endVisited(uint level) {
 
 // What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
 // found no room in it is not empty either.
+bool emptiesAll(uint level) {
+#ifdef VCT_PART
+    if (!partIsMoving()) return false;
+#endif
+    return overflowed(level);
+}
 uint voxelsToEmpty(uint level, uint side) {
-    return overflowed(level) ? side * side * side : endVisited(level) - firstVisited(level);
+    return emptiesAll(level) ? side * side * side : endVisited(level) - firstVisited(level);
 }
 uvec3 voxelToEmpty(uint level, uint side, uint i) {
-    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
+    return emptiesAll(level) ? uvec3(i % side, i / side % side, i / (side * side))
                              : unpackEntry(activeVoxels[firstVisited(level) + i]);
 }

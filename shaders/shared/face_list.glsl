@@ -35,10 +35,38 @@ struct ListedFace {
     int face;  // 0..5: +x, -x, +y, -y, +z, -z
 };
 
-ListedFace listedFace(uint level, uint i) {
-    uint entry = faceSums[commands[level].firstFace + i];
+ListedFace unpackListed(uint entry) {
     return ListedFace(ivec3(unpackFaceVoxel(entry)), int(unpackFace(entry)));
 }
+
+ListedFace listedFace(uint level, uint i) {
+    return unpackListed(faceSums[commands[level].firstFace + i]);
+}
+
+// Those that a pass visits: the first, and behind the last. A part of them is of the list that is bound as that of
+// active voxels, but for what moves.
+#ifdef VCT_PART
+uint firstFaceVisited() {
+    return partFirst;
+}
+uint endFacesVisited(uint level) {
+    return partIsMoving() ? faceCount(level) : partEnd;
+}
+ListedFace visitedFace(uint level, uint i) {
+    if (partIsMoving()) return listedFace(level, i);
+    return unpackListed(activeVoxels[i]);
+}
+#else
+uint firstFaceVisited() {
+    return 0u;
+}
+uint endFacesVisited(uint level) {
+    return faceCount(level);
+}
+ListedFace visitedFace(uint level, uint i) {
+    return listedFace(level, i);
+}
+#endif
 
 // Occupied voxels that have sums.
 uint faceSlots() {

@@ -4,7 +4,7 @@
 #include "shared/blocks.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
-    uint faceSums[];  // per slot: a bit for each face that is not empty, then per face VCT_FACE_SUM_*
+    uint faceSums[];  // per slot: marks, then per face VCT_FACE_SUM_*
 };
 
 #define VCT_FACE_SUM_COVERAGE 0u
@@ -59,7 +59,15 @@ void markFaces(uint slot, uint faces) {
 
 // A bit for each face that is not empty.
 uint markedFaces(uint slot) {
-    return faceSums[slotIndex(slot)];
+    return faceSums[slotIndex(slot)] & VCT_FACE_MASK;
+}
+
+// And above them, for each that the static geometry fills where something else moves: those stay listed.
+uint stillFaces(uint slot) {
+    return faceSums[slotIndex(slot)] >> VCT_FACE_MASK_BITS;
+}
+void setMarks(uint slot, uint marked, uint still) {
+    faceSums[slotIndex(slot)] = marked | (still << VCT_FACE_MASK_BITS);
 }
 
 // A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of

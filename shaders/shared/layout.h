@@ -100,7 +100,9 @@ using glm::vec4;
 #define VCT_TRIPS_FACE_DARKEN 49
 #define VCT_TRIPS_FACE_DARKEN_VOXEL 50
 #define VCT_TRIPS_FACE_DARKEN_FACE 51
-#define VCT_TRIPS_COUNT 52
+#define VCT_TRIPS_FACE_DIRECT 52
+#define VCT_TRIPS_FACE_DIRECT_PATCH 53
+#define VCT_TRIPS_COUNT 54
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -146,6 +148,7 @@ using glm::vec4;
 // The image of occupied voxels, above the base level: a bit for each face that is not empty, and above them the
 // place in the list.
 #define VCT_FACE_MASK_BITS 6
+#define VCT_FACE_MASK 63u
 // Bounces, per face of a block: VCT_PATCH_* of shared/face_patches.glsl.
 #define VCT_PATCH_WORDS 11u
 #define VCT_PATCH_ENERGIES 9u

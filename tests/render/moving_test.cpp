@@ -17,9 +17,10 @@ namespace {
 
 // Everything that voxelization leaves behind. Slots are in whatever order the GPU took them, so not compared.
 struct Grid {
-    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
-    std::vector<std::vector<std::uint32_t>> words;  // of each level; of the one kind of voxels
-    std::vector<FaceLevel> faces;                   // or of the other
+    std::vector<std::vector<std::uint32_t>> lists;      // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;      // of each level; of the one kind of voxels
+    std::vector<FaceLevel> faces;                       // or of the other
+    std::vector<std::vector<std::uint32_t>> faceLists;  // as the lists of voxels
 };
 
 Grid gridOf(Renderer& renderer) {
@@ -32,7 +33,13 @@ Grid gridOf(Renderer& renderer) {
         std::sort(grid.lists.back().begin(), grid.lists.back().end());
         if (renderer.voxels() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
     }
-    if (renderer.faceVoxels() != nullptr) grid.faces = readFaces(*renderer.faceVoxels());
+    if (const FaceVoxels* voxels = renderer.faceVoxels()) {
+        grid.faces = readFaces(*voxels);
+        for (int level = 0; level < voxels->levels(); ++level) {
+            grid.faceLists.push_back(voxels->readFaceList(level));
+            std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
+        }
+    }
     return grid;
 }
 
@@ -42,6 +49,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     EXPECT_TRUE(a.lists == b.lists) << what << ": other voxels are occupied";
     EXPECT_TRUE(a.words == b.words) << what << ": words differ";
     EXPECT_TRUE(a.faces == b.faces) << what << ": faces differ";
+    EXPECT_TRUE(a.faceLists == b.faceLists) << what << ": other faces are listed";
 }
 
 // The grid is equal to the last bit, and each pixel's light is added up in the same order.
@@ -69,13 +77,13 @@ class Stage {
     Stage(const Context& context, const Scene& scene, const Settings& settings)
         : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
 
-    void frameAt(double seconds) {
+    void frameAt(double seconds, Mode mode = Mode::gi) {
         const Pose pose = poseAt(scene_.animation, seconds);
         renderer_.setPose(pose);
         renderer_.setLightDirection(posed(chooseLight(scene_), pose).towardsLight);
-        renderer_.frame(Mode::gi, posed(chooseCamera(scene_, ""), pose));
+        renderer_.frame(mode, posed(chooseCamera(scene_, ""), pose));
     }
-    void frame() { renderer_.frame(Mode::gi, chooseCamera(scene_, "")); }
+    void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
     Renderer& renderer() { return renderer_; }
     std::size_t bytes() const {
         std::size_t sum = 0;
@@ -90,12 +98,12 @@ class Stage {
 };
 
 void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
-                 double seconds) {
-    const std::string what = std::to_string(seconds) + " s";
-    stage.frameAt(seconds);
+                 double seconds, Mode mode = Mode::gi) {
+    const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
+    stage.frameAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
     Stage fresh(context, frozen, settings);
-    fresh.frame();
+    fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
     expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
@@ -146,6 +154,35 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     const Grid moved = gridOf(stage.renderer());
     stage.frameAt(0.0);
     EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
+}
+
+// Occlusion needs voxels without bounces; no shadow needs none.
+TEST_P(Moving, BetweenModesThatTakeTurns) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(everything());
+    const Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.1);
+    expectFresh(stage, context, scene, settings, 0.4, Mode::ao);
+    expectFresh(stage, context, scene, settings, 0.7, Mode::ao);
+    expectFresh(stage, context, scene, settings, 0.9);
+    stage.frameAt(1.2, Mode::phong);
+    expectFresh(stage, context, scene, settings, 1.5);
+    expectFresh(stage, context, scene, settings, 1.5, Mode::ao);
+}
+
+// Where two levels are made anew in part, and bounces light but one of them.
+TEST(MovingInstances, AtAFinerGrid) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(everything());
+    for (const int bounces : {0, 2}) {
+        Settings settings = settingsOf("mobile", Voxelization::sortedAxes);
+        settings.grid = 128;
+        settings.bounces = bounces;
+        Stage stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.1, 1.7, 1.6})
+            expectFresh(stage, context, scene, settings, seconds);
+    }
 }
 
 // One second inside, one far away (beyond what the volume was made for), one inside again.
@@ -262,11 +299,13 @@ TEST_P(Moving, For300FramesLeavesNothingBehindAndTakesNoMoreMemory) {
     }
 }
 
-// In voxels that the wall occupies, too; the wall is in its shadow before and after.
+// In voxels that the wall occupies, too; the wall is in its shadow before and after. It covers its voxels in
+// part: what is added to it twice is seen.
 TEST_P(Moving, WhatPassesThroughAWall) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
-    addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0, 0.8, 0}}, {"scale", {0.1, 1.6, 3}}});
+    addCube(builder, {0.7F, 0.7F, 0.2F},
+            {{"translation", {0, 0.8, 0}}, {"rotation", {0.05, 0.1, 0.08, 0.99}}, {"scale", {0.1, 1.6, 3}}});
     const int box =
         addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {-1, 0.7, 0}}, {"scale", {0.4, 0.4, 0.4}}});
     builder.animate(box, "translation", {0, 2}, {-1, 0.7F, -0.3F, 1, 0.9F, 0.3F});
@@ -324,7 +363,8 @@ TEST_P(Moving, ShadowsThatComeAndGo) {
     };
     Stage stage(context, scene, settings);
     for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})
-        for (const double seconds : {0.0, 0.1, 3.3, 3.4, 7.9, 1.0}) {
+        // The second light first finds what the last one left, and lights it anew.
+        for (const double seconds : {1.0, 0.0, 0.1, 3.3, 3.4, 7.9, 1.0}) {
             lit(stage.renderer(), scene, seconds, glm::normalize(light));
             const Scene frozen = frozenAt(scene, seconds);
             Stage fresh(context, frozen, settings);
@@ -370,28 +410,33 @@ Scene room() {
     return load(builder);
 }
 
+// What the shaders count in a frame where that cube moves.
+std::vector<std::uint32_t> countsInTheRoom(const Context& context, const std::string& preset,
+                                           bool revoxelize) {
+    Settings settings = settingsOf(preset, Voxelization::geometryShader);
+    settings.grid = 128;
+    settings.shadowMapSize = 512;
+    settings.bounces = 0;
+    settings.countTrips = true;
+    settings.revoxelize = revoxelize;
+    const Scene scene = room();
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.1, 0.2})
+        stage.frameAt(seconds);
+    std::vector<std::uint32_t> counts(VCT_TRIPS_COUNT);
+    const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
+                              counts.data(), GL_DYNAMIC_COPY);
+    counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_TRIPS);
+    stage.frameAt(0.3);
+    counters.read(counts.data(), counters.bytes());
+    return counts;
+}
+
 // By what the shaders count: visits of voxels, and fragments.
 TEST(MovingInstances, OneOfAHundredVisitsATenthOfTheVoxels) {
     const Context context = openContext(Backend::egl);
-    const auto countsOf = [&](bool revoxelize) {
-        Settings settings = settingsOf("thesis", Voxelization::geometryShader);
-        settings.grid = 128;
-        settings.shadowMapSize = 512;
-        settings.countTrips = true;
-        settings.revoxelize = revoxelize;
-        const Scene scene = room();
-        Stage stage(context, scene, settings);
-        for (const double seconds : {0.0, 0.1, 0.2})
-            stage.frameAt(seconds);
-        std::vector<std::uint32_t> counts(VCT_TRIPS_COUNT);
-        const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
-                                  counts.data(), GL_DYNAMIC_COPY);
-        counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_TRIPS);
-        stage.frameAt(0.3);
-        counters.read(counts.data(), counters.bytes());
-        return counts;
-    };
-    const std::vector<std::uint32_t> part = countsOf(false), all = countsOf(true);
+    const std::vector<std::uint32_t> part = countsInTheRoom(context, "thesis", false),
+                                     all = countsInTheRoom(context, "thesis", true);
     for (const int voxels : {VCT_TRIPS_SPARSE_CLEAR_VOXEL, VCT_TRIPS_MIPMAPPER_VOXEL}) {
         EXPECT_GT(part[voxels], 100U);
         EXPECT_LT(10 * part[voxels], all[voxels]) << voxels;
@@ -399,22 +444,39 @@ TEST(MovingInstances, OneOfAHundredVisitsATenthOfTheVoxels) {
     EXPECT_LT(2 * part[VCT_TRIPS_VOXELIZER], all[VCT_TRIPS_VOXELIZER]);
 }
 
+TEST(MovingInstances, OneOfAHundredVisitsATenthOfTheFaces) {
+    const Context context = openContext(Backend::egl);
+    const std::vector<std::uint32_t> part = countsInTheRoom(context, "mobile", false),
+                                     all = countsInTheRoom(context, "mobile", true);
+    for (const int visits :
+         {VCT_TRIPS_FACE_CLEAR_BASE_VOXEL, VCT_TRIPS_FACE_CLEAR_BASE_FACE, VCT_TRIPS_FACE_RESOLVE_VOXEL,
+          VCT_TRIPS_FACE_RESOLVE_FACE, VCT_TRIPS_FACE_MIPMAPPER_FACE}) {
+        EXPECT_GT(part[visits], 50U) << visits;
+        EXPECT_LT(10 * part[visits], all[visits]) << visits;
+    }
+    EXPECT_LT(2 * part[VCT_TRIPS_FACE_VOXELIZER], all[VCT_TRIPS_FACE_VOXELIZER]);
+}
+
 // What finds no room in the list is taken out too, once it has moved on.
-TEST(MovingInstances, AnOverflowIsReportedAndLeavesNothingBehind) {
+TEST_P(Moving, AnOverflowIsReportedAndLeavesNothingBehind) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     const int box = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
     builder.animate(box, "scale", {0, 1}, {0.1F, 0.1F, 0.1F, 1.5F, 1.5F, 1.5F});
     const Scene scene = load(builder);
-    Settings settings = settingsOf("thesis", Voxelization::geometryShader);
+    Settings settings = settingsOf(GetParam().preset, GetParam().voxelization);
     Stage roomy(context, scene, settings);
     roomy.frameAt(0.2);
     settings.activeVoxelLimit = roomy.renderer().activeVoxels()[0];
     Stage stage(context, scene, settings);
     for (int round = 0; round < 2; ++round) {
         stage.frameAt(0.0);
-        stage.frameAt(1.0);
-        EXPECT_THROW(stage.renderer().activeVoxels(), Error);
+        EXPECT_THROW(
+            {
+                stage.frameAt(1.0);
+                stage.renderer().activeVoxels();
+            },
+            Error);
         expectFresh(stage, context, scene, settings, 0.1);
     }
 }
@@ -435,6 +497,10 @@ TEST(MovingInstances, AStaticSceneTakesLess) {
     };
     for (const char* name : {"indices", "voxel face sums", "patches of the voxel faces"})
         EXPECT_LT(bytesOf(still, name), bytesOf(moving, name)) << name;
+    for (const char* name : {"static voxels and faces", "static voxel commands", "changed blocks"}) {
+        EXPECT_GT(bytesOf(moving, name), 0U) << name;
+        EXPECT_EQ(bytesOf(still, name), 0U) << name;
+    }
     for (const char* name : {"vertices", "draw uniforms", "voxel faces", "active voxels"})
         EXPECT_EQ(bytesOf(still, name), bytesOf(moving, name)) << name;
     // A pose of nothing changes nothing.

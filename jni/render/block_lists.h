@@ -1,0 +1,62 @@
+// What the static geometry occupies, in lists that are sorted by block: what lies in some blocks is visited
+// alone. Of a scene where something else moves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/objects.h"
+#include "render/changed_blocks.h"
+
+namespace vct {
+
+class BlockLists {
+  public:
+    // Of a level with `side` voxels along each side, in entries that `voxelOf` understands. Where voxels are
+    // larger than blocks they stay in the order in which they are.
+    struct List {
+        std::vector<std::uint32_t> entries;
+        int side;
+        glm::uvec3 (*voxelOf)(std::uint32_t entry);
+    };
+    BlockLists(const std::string& label, std::vector<List> lists);
+
+    std::size_t size() const { return lists_.size(); }
+    bool isInBlocks(std::size_t list) const { return !lists_[list].firstOfBlock.empty(); }
+    std::uint32_t count(std::size_t list) const {
+        return static_cast<std::uint32_t>(lists_[list].entries.size());
+    }
+
+    // What this frame makes anew; null: everything. Also binds it for shaders (shared/changed_blocks.glsl).
+    void choose(const BlockMask* changed);
+
+    // Of entries, in buffers that hold them one behind the other.
+    struct Range {
+        std::uint32_t first = 0, end = 0;
+    };
+    Range all(std::size_t list) const;
+    // Of those that were chosen; all where voxels are larger than blocks.
+    Range chosen(std::size_t list) const { return chosen_[list]; }
+    // Runs the current program, one that was compiled with VCT_PART, over them. Binds them as active voxels.
+    void dispatchOver(const Range& range, std::size_t level) const;
+
+    std::vector<const gl::Buffer*> buffers() const { return {&entries_, &mask_}; }
+
+  private:
+    struct Sorted {
+        std::vector<std::uint32_t> entries;
+        std::vector<std::uint32_t> firstOfBlock;  // and behind the last; empty where a voxel is larger
+        std::uint32_t first = 0;                  // in entries_
+    };
+    std::vector<Sorted> lists_;
+    std::vector<Range> chosen_;
+    std::uint32_t firstCopied_ = 0;
+    gl::Buffer entries_;  // of all lists; behind them, those that were chosen
+    gl::Buffer mask_;
+};
+
+// Runs the current program, one that was compiled with VCT_PART, from an entry to the end of a level's own
+// list, which the GPU alone knows.
+void dispatchFrom(std::uint32_t entry, std::size_t level);
+
+}  // namespace vct

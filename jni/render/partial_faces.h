@@ -1,0 +1,43 @@
+// Static and moving geometry apart, in voxels that are faces: as partial_voxels.h for those that are words.
+// The static voxels come first in the lists, and keep their places there, which are those of their sums.
+#pragma once
+
+#include <optional>
+
+#include "render/block_lists.h"
+#include "render/face_bounces.h"
+#include "render/face_voxelizer.h"
+
+namespace vct {
+
+class PartialFaces {
+  public:
+    PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization);
+
+    // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
+    // them. What moves must have been in `changed` before, and must be in it now.
+    void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
+                  FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper, FaceVoxels& voxels);
+    // The coarser levels of that. `bounces`: what has added to the light of the others since; may be null.
+    void mipmap(FaceVoxels& voxels, FaceMipmapper& mipmapper, const FaceBounces* bounces);
+
+    std::vector<const gl::Buffer*> buffers() const;
+
+  private:
+    void learn(const GpuScene& scene, const gl::Texture& shadowMap, FaceVoxelizer& voxelizer,
+               FaceMipmapper& mipmapper, FaceVoxels& voxels);
+    void replaceMoving(const GpuScene& scene, const BlockMask* changed, FaceVoxelizer& voxelizer,
+                       FaceVoxels& voxels);
+    void dispatchOverPart(std::size_t level, const FaceVoxels& voxels) const;
+
+    gl::Program clearBase_, clear_, resolve_, resolveStill_, mipmap_;
+    MaterialPrograms still_;
+    // The base level's voxels, and the faces of the coarser levels whose voxels are blocks or smaller;
+    // nothing until they are known.
+    std::optional<BlockLists> stillEntries_;
+    std::vector<std::uint32_t> stillFaces_;  // how many, of each level
+    gl::Buffer stillCommands_;               // those of the static geometry alone
+    bool everythingAnew_ = true;             // this frame
+};
+
+}  // namespace vct
