@@ -302,6 +302,10 @@ void render(const RenderOptions& options) {
         report.settings = settings;
         writeJson(options.timings, timingsJson(report, context.capabilities));
         std::fputs(timingsTable(report.modes).c_str(), stdout);
+        if (!settings.revoxelize && !sequence)
+            progress(
+                "Nothing moved: shadow map (CS) and voxels (V, M, B) were made once, before these frames; "
+                "--revoxelize times them too");
     }
 }
 
@@ -392,7 +396,8 @@ void addRender(CLI::App& app, int&) {
     command->add_flag("--contact-sheet", options->contactSheet,
                       "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
-                        "Time each step over 5 frames (docs/timings.md) and write FILE.json");
+                        "Time each step over 5 frames (docs/timings.md) and write FILE.json; "
+                        "--revoxelize for those that nothing changes");
     command->add_flag("--revoxelize", options->revoxelize,
                       "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
                       "changed: to measure what that takes");

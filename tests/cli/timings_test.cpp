@@ -105,6 +105,7 @@ TEST(Timings, WhatAFrameNeedNotMakeAgainTakesNoTime) {
         << program.err;
     const json timings = program.json("t.json");
     EXPECT_EQ(timings.at("method").at("revoxelized_every_frame"), false);
+    EXPECT_NE(program.err.find("--revoxelize times them too"), std::string::npos) << program.err;
     expectSteps(timings.at("steps"));
     for (const std::string step : steps) {
         const bool everyFrame = step == "render_data" || step == "trace";
