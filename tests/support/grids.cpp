@@ -19,7 +19,13 @@ Grid gridOf(Renderer& renderer) {
         std::sort(grid.lists.back().begin(), grid.lists.back().end());
         if (renderer.voxels() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
     }
-    if (renderer.faceVoxels() != nullptr) grid.faces = readFaces(*renderer.faceVoxels());
+    if (const FaceVoxels* voxels = renderer.faceVoxels()) {
+        grid.faces = readFaces(*voxels);
+        for (int level = 0; level < voxels->levels(); ++level) {
+            grid.faceLists.push_back(voxels->readFaceList(level));
+            std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
+        }
+    }
     return grid;
 }
 
@@ -28,6 +34,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     EXPECT_TRUE(a.lists == b.lists) << what << ": other voxels are occupied";
     EXPECT_TRUE(a.words == b.words) << what << ": words differ";
     EXPECT_TRUE(a.faces == b.faces) << what << ": faces differ";
+    EXPECT_TRUE(a.faceLists == b.faceLists) << what << ": other faces are listed";
 }
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what) {

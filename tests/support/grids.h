@@ -11,9 +11,10 @@ namespace vct::test {
 
 // Slots are in whatever order the GPU took them, so not compared.
 struct Grid {
-    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
-    std::vector<std::vector<std::uint32_t>> words;  // of each level; of the one kind of voxels
-    std::vector<FaceLevel> faces;                   // or of the other
+    std::vector<std::vector<std::uint32_t>> lists;      // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;      // of each level; of the one kind of voxels
+    std::vector<FaceLevel> faces;                       // or of the other
+    std::vector<std::vector<std::uint32_t>> faceLists;  // as the lists of voxels
 };
 Grid gridOf(Renderer& renderer);
 
