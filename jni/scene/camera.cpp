@@ -69,6 +69,7 @@ Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFo
     const glm::dvec3 x = glm::normalize(glm::cross(up, z));
 
     Camera camera;
+    camera.nearest = distance / 50.0;
     camera.worldFromCamera = glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0),
                                         glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0));
     camera.verticalFovRad = glm::radians(verticalFovDeg);
@@ -145,7 +146,9 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
     // A point at distance d in the corner of the picture is only d cos(corner angle) deep.
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
     const double cosCorner = 1.0 / std::sqrt(1.0 + tanHalf * tanHalf * (1.0 + aspect * aspect));
-    const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(visible, eye), 1e-3 * diagonal);
+    // Floats hold a depth a ten-millionth of the scene away, and nothing nearer.
+    const double nearest = std::max(std::min(1e-3 * diagonal, camera.nearest), 1e-7 * diagonal);
+    const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(visible, eye), nearest);
     // A million diagonals away nothing is a pixel wide, and more would not fit floats.
     farthest = std::min(farthest, 1e6 * diagonal);
     const double far = std::max(1.001 * farthest + 1e-3 * diagonal, 2.0 * near);  // also when it looks away

@@ -148,6 +148,7 @@ void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
     Camera camera;
     camera.name = source.name.empty() ? placed.node->name : source.name;
     camera.verticalFovRad = source.perspective.yfov;
+    if (source.perspective.znear > 0.0) camera.nearest = source.perspective.znear;
     if (!(camera.verticalFovRad > 0.0 && camera.verticalFovRad < 3.14159265358979))
         file.fail("camera \"" + oneLine(camera.name) +
                   "\" has a field of view that is not between 0 and 180 degrees");

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,9 @@ struct Camera {
     std::string name;
     glm::dmat4 worldFromCamera{1.0};  // rigid: rotation and translation only
     double verticalFovRad = 0.8;
+    // World units: what is no nearer is seen, however large the scene. (Of a scene of a kilometre around the
+    // camera, what is nearer than a metre would be cut off otherwise.)
+    double nearest = std::numeric_limits<double>::infinity();
     int node = -1;  // as Instance::node
 };
 

@@ -171,6 +171,13 @@ TEST(ClipFromWorld, IsUsableInsideTheSceneAndLookingAway) {
     EXPECT_NEAR(project(inside, {0, 0, -1e-3 * diagonal}).z, -1.0, 1e-9);
     EXPECT_LT(project(inside, {0, 0, -5}).z, 1.0);
 
+    // A room of a few metres, and something 10 km away.
+    Camera camera = lookAt({0, 0, 0}, {0, 0, -5}, 60.0);
+    const Bounds wide{glm::dvec3(-5), glm::dvec3(1e4)};
+    EXPECT_GE(project(clipFromWorld(camera, wide, 1.0), {0, 0, -0.11}).z, -1.0);
+    camera.nearest = 0.01;
+    EXPECT_GE(project(clipFromWorld(camera, wide, 1.0), {0, 0, -0.011}).z, -1.0);
+
     const glm::dmat4 away = clipFromWorld(lookAt({0, 0, 100}, {0, 0, 200}, 60.0), bounds, 1.0);
     EXPECT_TRUE(std::isfinite(glm::determinant(away)));
     EXPECT_LT(project(away, {0, 0, 147.5}).z, project(away, {0, 0, 150}).z);
