@@ -79,6 +79,8 @@ void printScene(const InfoOptions& options) {
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
     options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
+    std::fprintf(stderr, "rendering %s with and without each of its needs (seconds)\n",
+                 options.scene.c_str());
     const SceneCosts costs =
         sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
