@@ -1,12 +1,19 @@
 // Empties what the last frame listed, of the base level: voxels, their faces and the faces' sums. VCT_PART: static voxels
-// keep their places in the list.
+// keep their places in the list; and the next level is emptied of what moved.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #include "shared/face_voxels.glsl"
+#ifdef VCT_PART
+#include "shared/moving_faces.glsl"
+#endif
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
+#ifdef VCT_PART
+layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) writeonly uniform uimage3D voxels;  // of this level all the same
+#else
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
+#endif
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D slots;     // the same
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
@@ -20,10 +27,7 @@ void main() {
         ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
 #ifdef VCT_PART
         uint slot = texelFetch(slots, voxel, 0).r - 1u;
-        if (partIsMoving()) {
-            if (slot < partFirst) continue;  // static, where all are visited; the base level's list begins at 0
-            imageStore(voxels, voxel, uvec4(0u));
-        }
+        if (slot >= firstMoving) imageStore(voxels, voxel, uvec4(0u));
 #else
         uint slot = overflowed(level) ? texelFetch(slots, voxel, 0).r - 1u : i;
         imageStore(voxels, voxel, uvec4(0u));
@@ -43,4 +47,7 @@ void main() {
         setMarks(slot, 0u, 0u);
 #endif
     }
+#ifdef VCT_PART
+    emptyMoving(level + 1u);
+#endif
 }

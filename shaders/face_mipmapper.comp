@@ -2,13 +2,16 @@
 // of children along the face's axis the front one over the back one, and the mean of the pairs. A wall across the
 // voxel stays opaque at every level, and is seen from one side only. VCT_LIST_PARENTS: makes the next level's lists too;
 // they last until the scene is voxelized again. VCT_PART: of a part of the faces; the parents of what does not move are
-// listed.
+// listed; and the level behind the next is emptied of what moved.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #ifdef VCT_LIST_PARENTS
 #include "shared/face_parents.glsl"
 #endif
 #include "shared/face_voxels.glsl"
+#ifdef VCT_PART
+#include "shared/moving_faces.glsl"
+#endif
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
@@ -17,10 +20,10 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
 
 void main() {
     TRIP(VCT_TRIPS_FACE_MIPMAPPER);
-    uint end = endFacesVisited(level);
+    uint count = visitedFaces(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int childGrid = textureSize(faces, int(level) - 1).z;
-    for (uint i = firstFaceVisited() + gl_GlobalInvocationID.x; i < end; i += stride) {
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         TRIP(VCT_TRIPS_FACE_MIPMAPPER_FACE);
         ListedFace listed = visitedFace(level, i);
         int axis = listed.face >> 1, side = listed.face & 1;
@@ -39,11 +42,14 @@ void main() {
         imageStore(means, texel, storedFace(sum * 0.25, texel));
 #ifdef VCT_LIST_PARENTS
 #ifdef VCT_PART
-        if (!partIsMoving()) continue;
+        if (!isMoving(i)) continue;
 #endif
         ivec3 parent = listed.voxel >> 1;
         if (int(level) < frame.grid.y && listParent(level + 1u, parent, 1u << uint(listed.face)) != 0u)
             listFace(level + 1u, parent, listed.face);
 #endif
     }
+#ifdef VCT_PART
+    emptyMoving(level + 2u);
+#endif
 }

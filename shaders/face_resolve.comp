@@ -1,12 +1,16 @@
 // The base level: the sums of each occupied voxel into the texels of its faces, and the lists of the faces and of their
 // parents. VCT_RELIGHT: the lists are there. VCT_STILL: of the static geometry alone, where something else moves, whose
-// faces stay listed from then on. VCT_PART: of a part of the voxels.
+// faces stay listed from then on. VCT_PART: of a part of the voxels; and the level behind the parents' is emptied of what
+// moved.
 #include "shared/trips.glsl"
 #include "shared/face_list.glsl"
 #ifndef VCT_RELIGHT
 #include "shared/face_parents.glsl"
 #endif
 #include "shared/face_voxels.glsl"
+#ifdef VCT_PART
+#include "shared/moving_faces.glsl"
+#endif
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
@@ -17,14 +21,14 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
     TRIP(VCT_TRIPS_FACE_RESOLVE);
-    uint end = endVisited(level);
+    uint count = visitedCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = firstVisited(level) + gl_GlobalInvocationID.x; i < end; i += stride) {
-        ivec3 voxel = ivec3(unpackEntry(activeVoxels[i]));
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        ivec3 voxel = ivec3(unpackEntry(visitedEntry(level, i)));
 #ifdef VCT_PART
         uint slot = texelFetch(slots, voxel, 0).r - 1u;
 #else
-        uint slot = i - firstVisited(level);
+        uint slot = i;
 #endif
         if (slot >= faceSlots()) continue;
         TRIP(VCT_TRIPS_FACE_RESOLVE_VOXEL);
@@ -50,4 +54,7 @@ void main() {
             imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel));
         }
     }
+#ifdef VCT_PART
+    emptyMoving(level + 2u);
+#endif
 }

@@ -11,16 +11,16 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
     TRIP(VCT_TRIPS_MIPMAPPER);
-    uint end = endVisited(level);
+    uint count = visitedCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = firstVisited(level) + gl_GlobalInvocationID.x; i < end; i += stride) {
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         TRIP(VCT_TRIPS_MIPMAPPER_VOXEL);
-        uvec3 voxel = unpackEntry(activeVoxels[i]);
+        uvec3 voxel = unpackEntry(visitedEntry(level, i));
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;
         bool isNew = imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u;
 #ifdef VCT_PART  // the parents of what does not move are listed
-        isNew = isNew && partIsMoving();
+        isNew = isNew && isMoving(i);
 #endif
 #ifndef VCT_RELIGHT
         if (isNew) appendVoxel(level + 1u, parent);

@@ -19,7 +19,7 @@ void main() {
         TRIP(VCT_TRIPS_SPARSE_CLEAR_VOXEL);
         ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
 #ifdef VCT_PART  // what is larger than a block is always made anew
-        if (emptiesAll(level) && side >= uint(VCT_BLOCKS) && !isChanged(voxel << level)) continue;
+        if (overflowed(level) && side >= uint(VCT_BLOCKS) && !isChanged(voxel << level)) continue;
 #endif
         imageStore(voxels, voxel, uvec4(0u));
     }

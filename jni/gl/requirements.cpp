@@ -37,6 +37,15 @@ const std::vector<Feature>& features() {
          "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it "
          "that "
          "preset is lost, unless with --voxelization sorted-axes"},
+        {{"GL_EXT_copy_image"},
+         3,
+         2,
+         4,
+         3,
+         false,
+         "moving objects with --bounces, as in the presets mobile and quality: keeps the direct light of "
+         "what "
+         "stands still; without it such scenes need --bounces 0"},
         {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
          3,
          2,
@@ -73,10 +82,10 @@ constexpr Limit limits[] = {
      "commands"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 3, true,
      "voxelization: one image and two storage buffers in one fragment shader"},
-    {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 2, true,
-     "mipmap and sparse clear: read and append the active-voxel list, and write the indirect commands"},
-    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,
-     "mipmap: one level is read and the next is written"},
+    {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
+     "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
+    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 4, true,
+     "mipmap: a level of voxels and of faces is written while another is emptied"},
     {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS", 64, true,
      "mipmap and sparse clear: work groups of 64"},
     {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 256, true,

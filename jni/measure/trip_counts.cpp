@@ -55,7 +55,6 @@ const std::vector<Stage>& stages() {
         {"face_mipmapper.comp",
          VCT_TRIPS_FACE_MIPMAPPER,
          {{"face", 0, VCT_TRIPS_FACE_MIPMAPPER_FACE}, {"pair", 1, VCT_TRIPS_FACE_MIPMAPPER_FACE, true, 4}}},
-        {"face_direct.comp", VCT_TRIPS_FACE_DIRECT, {{"patch", 0, VCT_TRIPS_FACE_DIRECT_PATCH}}},
         {"face_patches.comp",
          VCT_TRIPS_FACE_PATCHES,
          {{"patch", 0, VCT_TRIPS_FACE_PATCHES_PATCH},

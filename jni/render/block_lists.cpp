@@ -28,13 +28,6 @@ std::vector<std::uint32_t> sortByBlock(BlockLists::List& list) {
     return first;
 }
 
-void dispatch(std::uint32_t first, std::uint32_t end, std::size_t level, GLuint groups) {
-    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
-    gl::Uniform1ui(VCT_UNIFORM_FIRST, first);
-    gl::Uniform1ui(VCT_UNIFORM_END, end);
-    gl::DispatchCompute(groups, 1, 1);
-}
-
 }  // namespace
 
 BlockLists::BlockLists(const std::string& label, std::vector<List> lists)
@@ -87,18 +80,18 @@ void BlockLists::choose(const BlockMask* changed) {
                       static_cast<GLsizeiptr>(copied.size() * sizeof copied[0]), copied.data());
 }
 
-void BlockLists::dispatchOver(const Range& range, std::size_t level) const {
-    if (range.first == range.end) return;
-    entries_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_ACTIVE_VOXELS);
+void BlockLists::dispatchOver(const Range& still, const Moving& moving, std::size_t level) const {
+    std::uint32_t entries = still.end - still.first;
+    if (moving.first != VCT_NO_ENTRY) entries += std::max(moving.about, 1U);
+    if (entries == 0) return;
+    entries_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_STILL_ENTRIES);
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    gl::Uniform1ui(VCT_UNIFORM_FIRST, still.first);
+    gl::Uniform1ui(VCT_UNIFORM_END, still.end);
+    gl::Uniform1ui(VCT_UNIFORM_MOVING, moving.first);
     // Enough to keep a GPU busy; each invocation takes as many entries as there are for it.
     constexpr GLuint mostGroups = 1024;
-    dispatch(range.first, range.end, level,
-             std::min((range.end - range.first - 1) / VCT_LIST_GROUP + 1, mostGroups));
-}
-
-void dispatchFrom(std::uint32_t entry, std::size_t level) {
-    constexpr GLuint groups = 32;
-    dispatch(entry, 0, level, groups);
+    gl::DispatchCompute(std::min((entries - 1) / VCT_LIST_GROUP + 1, mostGroups), 1, 1);
 }
 
 }  // namespace vct

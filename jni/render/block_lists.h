@@ -37,8 +37,13 @@ class BlockLists {
     Range all(std::size_t list) const;
     // Of those that were chosen; all where voxels are larger than blocks.
     Range chosen(std::size_t list) const { return chosen_[list]; }
-    // Runs the current program, one that was compiled with VCT_PART, over them. Binds them as active voxels.
-    void dispatchOver(const Range& range, std::size_t level) const;
+    // What moves, in the level's own list.
+    struct Moving {
+        std::uint32_t first = VCT_NO_ENTRY;  // VCT_NO_ENTRY: none of it
+        std::uint32_t about = 2048;          // how many there may be; the GPU alone knows
+    };
+    // Runs the current program, one that was compiled with VCT_PART, over both in one dispatch.
+    void dispatchOver(const Range& still, const Moving& moving, std::size_t level) const;
 
     std::vector<const gl::Buffer*> buffers() const { return {&entries_, &mask_}; }
 
@@ -54,9 +59,5 @@ class BlockLists {
     gl::Buffer entries_;  // of all lists; behind them, those that were chosen
     gl::Buffer mask_;
 };
-
-// Runs the current program, one that was compiled with VCT_PART, from an entry to the end of a level's own
-// list, which the GPU alone knows.
-void dispatchFrom(std::uint32_t entry, std::size_t level);
 
 }  // namespace vct

@@ -19,21 +19,22 @@ float largestBounceShare(const Scene& scene) {
 
 FaceBounces::FaceBounces(const gl::ShaderLibrary& shaders, int grid, bool voxelsChange)
     : level_(patchLevel(grid)),
-      voxelsChange_(voxelsChange),
       place_(shaders, facePatchesProgram()),
       albedos_(shaders, faceAlbedosProgram(grid)),
       gather_(shaders, faceBounceGatherProgram(grid)),
       applyToPatches_(shaders, faceBouncePatchesProgram()),
       apply_(shaders, faceBounceProgram(grid)) {
-    if (voxelsChange) restore_.emplace(shaders, faceDirectProgram());
+    if (!voxelsChange) return;
+    const int side = grid >> level_;
+    direct_ = FaceVoxels::texture("voxel faces, direct light", side, 1);
 }
 
 // Reads the list's length back: once, where what is voxelized does not change.
 void FaceBounces::reservePatches(const FaceVoxels& voxels) {
-    if (places_ > 0 && !voxelsChange_) return;
+    if (places_ > 0 && !direct_) return;
     const std::uint32_t blocks = std::max(voxels.slots().readActiveCounts()[level_], 1U);
     if (blocks <= places_) return;
-    places_ = voxelsChange_ ? withHeadRoom(blocks) : blocks;
+    places_ = direct_ ? withHeadRoom(blocks) : blocks;
     std::vector<std::uint32_t> words(VCT_PATCH_HEADER + std::size_t{places_} * 6 * VCT_PATCH_WORDS);
     words[VCT_PATCH_PLACES] = places_;
     patches_ = gl::Buffer("patches of the voxel faces", GL_SHADER_STORAGE_BUFFER,
@@ -41,13 +42,15 @@ void FaceBounces::reservePatches(const FaceVoxels& voxels) {
 }
 
 void FaceBounces::restoreDirect(const FaceVoxels& voxels) const {
-    voxels.bindLists();
-    patches_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_PATCHES);
-    voxels.slots().texture().bind(VCT_TEX_VOXELS);
-    restore_->use();
-    voxels.bindLevel(VCT_IMAGE_FACES, level_);
-    voxels.slots().dispatchOverFaces(level_);
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    copyLevel(*direct_, 0, voxels.faces(), level_);
+}
+
+void FaceBounces::copyLevel(const gl::Texture& from, int fromLevel, const gl::Texture& to,
+                            int toLevel) const {
+    // Shaders have written it, or have fetched what is written now.
+    gl::MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    gl::CopyImageSubData(from.name(), from.target(), fromLevel, 0, 0, 0, to.name(), to.target(), toLevel, 0,
+                         0, 0, direct_->width(), direct_->height(), direct_->height() / FaceVoxels::blocksY);
 }
 
 void FaceBounces::run(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
@@ -81,6 +84,7 @@ void FaceBounces::bind(const FaceVoxels& voxels) const {
 
 void FaceBounces::bounce(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper) {
     const VoxelPyramid& slots = voxels.slots();
+    if (direct_) copyLevel(voxels.faces(), level_, *direct_, 0);
     for (int bounce = 1; bounce <= count; ++bounce) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
         gather_.use();

@@ -23,25 +23,26 @@ class FaceBounces {
     // are.
     void runAgain(const gl::ShaderLibrary& shaders, int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
-    // Takes back what they have added to the patches' level, but for the changed blocks, which are bound (see
-    // block_lists.h) and where there is direct light alone.
+    // Takes back what they have added to the patches' level, where others are occupied from frame to frame.
     void restoreDirect(const FaceVoxels& voxels) const;
 
     // shaders/shared/face_patches.glsl. Empty before the first bounce.
     const gl::Buffer& patches() const { return patches_; }
+    // The patches' level of the faces before the bounces; null where nothing moves.
+    const gl::Texture* direct() const { return direct_ ? &*direct_ : nullptr; }
 
   private:
     void reservePatches(const FaceVoxels& voxels);
     void bind(const FaceVoxels& voxels) const;
+    void copyLevel(const gl::Texture& from, int fromLevel, const gl::Texture& to, int toLevel) const;
     void bounce(int count, FaceVoxels& voxels, FaceMipmapper& mipmapper);
 
-    int level_;  // of the patches
-    bool voxelsChange_;
+    int level_;                 // of the patches
     std::uint32_t places_ = 0;  // of blocks in patches_
     gl::Program place_, albedos_, gather_, applyToPatches_, apply_;
     std::optional<gl::Program> relight_;  // where place_ and albedos_ have run
-    std::optional<gl::Program> restore_;  // where voxels change
     gl::Buffer patches_;
+    std::optional<gl::Texture> direct_;
 };
 
 }  // namespace vct

@@ -49,7 +49,7 @@ void FaceVoxelizer::touch(const GpuScene& scene, const ScenePart& part, FaceVoxe
     projection_.use();
     voxels.slots().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.slots().bindLists();
-    scene.drawForVoxels(touch_, part);
+    scene.drawForVoxels(touch_, part, projection_.viewport());
     // Next: the places in the list are fetched as a texture.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
@@ -60,9 +60,7 @@ void FaceVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part, con
     voxels.bindLists();
     shadowMap.bind(VCT_TEX_SHADOW_MAP);
     voxels.slots().texture().bind(VCT_TEX_VOXELS);
-    if (part.touched != nullptr) scissorTo(*part.touched, projection_.viewport());
-    scene.drawForVoxels(programs, part);
-    gl::Disable(GL_SCISSOR_TEST);
+    scene.drawForVoxels(programs, part, projection_.viewport());
 }
 
 void FaceVoxelizer::resolve(const gl::Program& program, FaceVoxels& voxels,

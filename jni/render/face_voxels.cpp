@@ -9,10 +9,6 @@
 
 namespace vct {
 
-namespace {
-constexpr int blocksX = 3, blocksY = 2;
-}
-
 float faceSumUnits(std::size_t triangles, int samples) {
     // Each fragment may be rounded up by half a unit; a single one is at most the whole face, which is not.
     const std::size_t rounding = static_cast<std::size_t>(samples) * samples / 2;
@@ -37,12 +33,15 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
 
 FaceVoxels::FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity)
     : slots_(shaders, grid, listCapacity),
-      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
-                                 slots_.levels())),
+      faces_(texture("voxel faces", grid, slots_.levels())),
       clearBase_(shaders, faceClearBaseProgram()),
       clear_(shaders, faceClearProgram()) {
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     gl::zeroTexture3d(faces_, grid);
+}
+
+gl::Texture FaceVoxels::texture(const std::string& label, int grid, int levels) {
+    return gl::Texture::make3d(label, GL_RGBA8, blocksX * grid, blocksY * grid, grid, levels);
 }
 
 std::size_t FaceVoxels::bytesFor(int grid, std::uint32_t listCapacity) {
@@ -87,7 +86,7 @@ void FaceVoxels::makeRoom(std::uint32_t voxels) {
 }
 
 std::vector<std::uint32_t> FaceVoxels::readFaceList(int level) const {
-    const shared::LevelCommands commands = slots_.readCommands(level);
+    const shared::LevelCommands commands = slots_.readCommands()[static_cast<std::size_t>(level)];
     std::vector<std::uint32_t> faces(std::min(commands.faceCount, commands.faceCapacity));
     sums_.read(faces.data(), faces.size() * sizeof faces[0], commands.firstFace * sizeof faces[0]);
     return faces;

@@ -26,6 +26,9 @@ class FaceVoxels {
     FaceVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity);
 
     static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
+    // Faces of a grid, as those below.
+    static constexpr int blocksX = 3, blocksY = 2;
+    static gl::Texture texture(const std::string& label, int grid, int levels);
 
     int grid() const { return slots_.grid(); }
     int levels() const { return faces_.levels(); }

@@ -6,9 +6,11 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "render/axis_sort.h"
+#include "render/block_scissor.h"
 #include "render/programs.h"
 #include "shared/layout.h"
 
@@ -362,9 +364,13 @@ bool GpuScene::isIn(const Draw& draw, const ScenePart& part) const {
     return part.touched == nullptr || part.touched->touches(draw.box);
 }
 
-void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part) const {
+void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
+                             const glm::ivec4& viewport) const {
     vertexArray_.bind();
     gl::Disable(GL_CULL_FACE);
+    std::optional<BlockScissor> scissor;
+    if (part.touched != nullptr) scissor.emplace(*part.touched, viewport);
+    if (scissor) scissor->alongAnyAxis();
     const gl::Program* current = nullptr;
     for (const Draw& draw : draws_) {
         if (!isIn(draw, part)) continue;
@@ -377,6 +383,7 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& 
             const IndexRange& range = draw.trianglesAlong[axis];
             if (range.count == 0) continue;
             gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
+            if (scissor) scissor->along(axis);
             drawTriangles(range.first, range.count);
         }
     }

@@ -49,7 +49,10 @@ class GpuScene {
     // drawn first: with Culling::backFaces that does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
     // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
-    void drawForVoxels(const MaterialPrograms& programs, const ScenePart& part = {}) const;
+    // Where `part` names blocks, to their pixels alone, of the volume's `viewport`.
+    void drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
+                       const glm::ivec4& viewport) const;
+    void drawForVoxels(const MaterialPrograms& programs) const { drawForVoxels(programs, {}, {}); }
 
     const SceneNeeds& needs() const { return needs_; }
     std::vector<const gl::Texture*> textures() const;

@@ -1,5 +1,7 @@
 #include "render/partial_faces.h"
 
+#include <algorithm>
+
 #include "gl/debug.h"
 #include "render/programs.h"
 
@@ -9,7 +11,6 @@ using Of = ScenePart::Of;
 
 PartialFaces::PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization)
     : clearBase_(shaders, partialFaceClearBaseProgram()),
-      clear_(shaders, partialFaceClearProgram()),
       resolve_(shaders, partialFaceResolveProgram()),
       resolveStill_(shaders, stillFaceResolveProgram()),
       mipmap_(shaders, partialFaceMipmapperProgram()),
@@ -17,24 +18,19 @@ PartialFaces::PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& sce
              [=](unsigned features) { return stillFaceVoxelizerProgram(features, voxelization); }) {}
 
 void PartialFaces::voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                            FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper, FaceVoxels& voxels) {
+                            const FaceBounces* bounces, FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper,
+                            FaceVoxels& voxels) {
     if (!stillEntries_) {
         learn(scene, shadowMap, voxelizer, mipmapper, voxels);
         changed = nullptr;
     }
     const gl::DebugGroup group("voxelize");
+    if (changed != nullptr && bounces != nullptr) bounces->restoreDirect(voxels);
     replaceMoving(scene, changed, voxelizer, voxels);
-    if (voxels.slots().readActiveCounts()[0] > voxels.places()) {
-        // More room is made by emptying everything.
-        learn(scene, shadowMap, voxelizer, mipmapper, voxels);
-        changed = nullptr;
-        replaceMoving(scene, changed, voxelizer, voxels);
-    }
     const BlockMask mask = changed != nullptr ? *changed : BlockMask::all();
     voxelizer.accumulate(scene, {Of::still, &mask}, still_, shadowMap, voxels);
     voxelizer.accumulate(scene, {Of::moving}, voxelizer.programs(), shadowMap, voxels);
-    voxelizer.resolve(resolve_, voxels, [&] { dispatchOverPart(0, voxels); });
-    everythingAnew_ = changed == nullptr;
+    voxelizer.resolve(resolve_, voxels, [&] { dispatchOverPart(0, 2, voxels); });
 }
 
 // Which voxels and faces the static geometry fills, as no light and no pose changes that; and makes room for
@@ -54,15 +50,10 @@ void PartialFaces::learn(const GpuScene& scene, const gl::Texture& shadowMap, Fa
     mipmapper.makeLevels(voxels, 1);
 
     std::vector<BlockLists::List> lists{{voxels.slots().readList(0), voxels.grid(), shared::unpackEntry}};
-    stillFaces_.clear();
-    for (int level = 0; level < voxels.levels(); ++level) {
-        std::vector<std::uint32_t> faces = voxels.readFaceList(level);
-        stillFaces_.push_back(static_cast<std::uint32_t>(faces.size()));
-        const int side = voxels.grid() >> level;
-        if (level > 0 && side >= BlockMask::side)
-            lists.push_back({std::move(faces), side, shared::unpackFaceVoxel});
-    }
+    for (int level = 1; level < voxels.levels(); ++level)
+        lists.push_back({voxels.readFaceList(level), voxels.grid() >> level, shared::unpackFaceVoxel});
     stillCommands_ = voxels.slots().copyCommands("static voxel commands");
+    lastCommands_ = voxels.slots().readCommands();
     stillEntries_.emplace("static voxels and faces", std::move(lists));
 }
 
@@ -72,48 +63,57 @@ void PartialFaces::replaceMoving(const GpuScene& scene, const BlockMask* changed
     stillEntries_->choose(changed);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_TEXTURE_FETCH_BARRIER_BIT);
+    voxels.bindLists();
     voxels.slots().texture().bind(VCT_TEX_VOXELS);
     clearBase_.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    voxels.slots().bindLevel(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
-    dispatchOverPart(0, voxels);
-    clear_.use();
-    for (int level = 1; level < voxels.levels(); ++level) {
-        voxels.bindLevel(VCT_IMAGE_FACES, level);
-        voxels.slots().bindLevel(VCT_IMAGE_VOXELS, level, GL_READ_WRITE);
-        dispatchFrom(stillFaces_[static_cast<std::size_t>(level)], static_cast<std::size_t>(level));
-    }
+    voxels.slots().bindLevel(VCT_IMAGE_VOXELS_NEXT, 0, GL_WRITE_ONLY);
+    dispatchOverPart(0, 1, voxels);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
     voxels.setCommands(stillCommands_);
     voxelizer.touch(scene, {Of::moving}, voxels);
 }
 
-void PartialFaces::mipmap(FaceVoxels& voxels, FaceMipmapper& mipmapper, const FaceBounces* bounces) {
-    const auto coarse =
-        static_cast<int>(stillEntries_->size());  // the first level of voxels larger than blocks
-    {
-        const gl::DebugGroup group("mipmap");
-        mipmap_.use();
-        voxels.faces().bind(VCT_TEX_FACES);
-        for (int level = 1; level < coarse; ++level) {
-            voxels.bindLevel(VCT_IMAGE_FACES, level);
+bool PartialFaces::mipmap(FaceVoxels& voxels) {
+    const gl::DebugGroup group("mipmap");
+    voxels.bindLists();
+    mipmap_.use();
+    voxels.faces().bind(VCT_TEX_FACES);
+    for (int level = 1; level < voxels.levels(); ++level) {
+        voxels.bindLevel(VCT_IMAGE_FACES, level);
+        if (level + 1 < voxels.levels())
             voxels.slots().bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
-            dispatchOverPart(static_cast<std::size_t>(level), voxels);
-            gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                              GL_COMMAND_BARRIER_BIT);
-        }
-        if (bounces != nullptr && !everythingAnew_) bounces->restoreDirect(voxels);
+        dispatchOverPart(level, level + 2, voxels);
+        gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                          GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
-    mipmapper.makeLevels(voxels, coarse);
+    gl::MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    lastCommands_ = voxels.slots().readCommands();
+    if (voxels.slots().activeCounts(lastCommands_)[0] <= voxels.places()) return true;
+    stillEntries_.reset();  // more room is made by emptying everything
+    return false;
 }
 
-// Of the base level voxels, of coarser levels faces: those that were chosen, and what moves.
-void PartialFaces::dispatchOverPart(std::size_t level, const FaceVoxels& voxels) const {
-    voxels.bindLists();
-    stillEntries_->dispatchOver(stillEntries_->chosen(level), level);
-    voxels.bindLists();
-    dispatchFrom(level == 0 ? stillEntries_->count(0) : stillFaces_[level], level);
+// Of the base level voxels, of coarser levels faces: those that were chosen, and what moves. Meanwhile the
+// level `emptied`, where nothing has been put in again yet, is emptied of what moved.
+void PartialFaces::dispatchOverPart(int level, int emptied, const FaceVoxels& voxels) const {
+    const auto list = static_cast<std::size_t>(level);
+    const std::uint32_t still = stillEntries_->count(list);
+    // As many as in the last frame, give or take a few.
+    const std::uint32_t last = level == 0 ? lastCommands_[0].instanceCount : lastCommands_[list].faceCount;
+    const BlockLists::Moving moving{still, last - still};
+    std::uint32_t firstEmptied = 0, endEmptied = 0;
+    if (emptied < voxels.levels()) {
+        voxels.bindLevel(VCT_IMAGE_EMPTIED_FACES, emptied);
+        voxels.slots().bindLevel(VCT_IMAGE_EMPTIED_VOXELS, emptied, GL_READ_WRITE);
+        const shared::LevelCommands& commands = lastCommands_[static_cast<std::size_t>(emptied)];
+        firstEmptied = stillEntries_->count(static_cast<std::size_t>(emptied));
+        endEmptied = std::min(commands.faceCount, commands.faceCapacity);
+    }
+    gl::Uniform1ui(VCT_UNIFORM_EMPTIED, firstEmptied);
+    gl::Uniform1ui(VCT_UNIFORM_EMPTIED_END, endEmptied);
+    stillEntries_->dispatchOver(stillEntries_->chosen(list), moving, list);
 }
 
 std::vector<const gl::Buffer*> PartialFaces::buffers() const {

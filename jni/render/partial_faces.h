@@ -15,11 +15,14 @@ class PartialFaces {
     PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization);
 
     // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
-    // them. What moves must have been in `changed` before, and must be in it now.
+    // them. What moves must have been in `changed` before, and must be in it now. `bounces`: what has added
+    // to their light since; may be null.
     void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                  FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper, FaceVoxels& voxels);
-    // The coarser levels of that. `bounces`: what has added to the light of the others since; may be null.
-    void mipmap(FaceVoxels& voxels, FaceMipmapper& mipmapper, const FaceBounces* bounces);
+                  const FaceBounces* bounces, FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper,
+                  FaceVoxels& voxels);
+    // The coarser levels of that. False where there were more voxels than there is room for: to be made again
+    // from the start.
+    bool mipmap(FaceVoxels& voxels);
 
     std::vector<const gl::Buffer*> buffers() const;
 
@@ -28,16 +31,14 @@ class PartialFaces {
                FaceMipmapper& mipmapper, FaceVoxels& voxels);
     void replaceMoving(const GpuScene& scene, const BlockMask* changed, FaceVoxelizer& voxelizer,
                        FaceVoxels& voxels);
-    void dispatchOverPart(std::size_t level, const FaceVoxels& voxels) const;
+    void dispatchOverPart(int level, int emptied, const FaceVoxels& voxels) const;
 
-    gl::Program clearBase_, clear_, resolve_, resolveStill_, mipmap_;
+    gl::Program clearBase_, resolve_, resolveStill_, mipmap_;
     MaterialPrograms still_;
-    // The base level's voxels, and the faces of the coarser levels whose voxels are blocks or smaller;
-    // nothing until they are known.
+    // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
     std::optional<BlockLists> stillEntries_;
-    std::vector<std::uint32_t> stillFaces_;  // how many, of each level
-    gl::Buffer stillCommands_;               // those of the static geometry alone
-    bool everythingAnew_ = true;             // this frame
+    gl::Buffer stillCommands_;                         // those of the static geometry alone
+    std::vector<shared::LevelCommands> lastCommands_;  // those of the last frame
 };
 
 }  // namespace vct

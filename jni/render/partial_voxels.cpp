@@ -51,54 +51,35 @@ void PartialVoxels::learn(const GpuScene& scene, const gl::Texture& shadowMap, V
 void PartialVoxels::takeOut(VoxelPyramid& voxels) {
     const gl::DebugGroup group("take out");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    voxels.bindLists();
     clear_.use();
     for (std::size_t level = 0; level < stillVoxels_->size(); ++level) {
         voxels.bindLevel(VCT_IMAGE_VOXELS, static_cast<int>(level), GL_WRITE_ONLY);
-        if (stillVoxels_->isInBlocks(level)) {
-            dispatchOverStill(level, stillVoxels_->chosen(level), voxels);
-            dispatchFrom(firstMoving(level, voxels), level, voxels);
-        } else {
-            dispatchFrom(voxels.firstEntry(static_cast<int>(level)), level, voxels);
-        }
+        // In the pyramid's list the static geometry's come first.
+        stillVoxels_->dispatchOver(stillVoxels_->chosen(level), {stillVoxels_->count(level)}, level);
     }
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void PartialVoxels::mipmap(VoxelPyramid& voxels) {
     const gl::DebugGroup group("mipmap");
+    voxels.bindLists();
     mipmap_.use();
     for (std::size_t level = 0; level + 1 < stillVoxels_->size(); ++level) {
         const int finer = static_cast<int>(level);
         voxels.bindLevel(VCT_IMAGE_VOXELS, finer, GL_READ_ONLY);
         voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, finer + 1, GL_READ_WRITE);
         // A parent as large as a block, or smaller, is made anew where its children are.
-        dispatchOverStill(
-            level,
-            stillVoxels_->isInBlocks(level + 1) ? stillVoxels_->chosen(level) : stillVoxels_->all(level),
-            voxels);
+        stillVoxels_->dispatchOver(
+            stillVoxels_->isInBlocks(level + 1) ? stillVoxels_->chosen(level) : stillVoxels_->all(level), {},
+            level);
         // What moves finds every parent that is listed already.
         gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-        dispatchFrom(firstMoving(level, voxels), level, voxels);
+        stillVoxels_->dispatchOver({}, {stillVoxels_->count(level)}, level);
         gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
-}
-
-void PartialVoxels::dispatchOverStill(std::size_t level, const BlockLists::Range& range,
-                                      const VoxelPyramid& voxels) const {
-    voxels.bindLists();
-    stillVoxels_->dispatchOver(range, level);
-}
-
-// In the pyramid's list, where the static geometry's come first.
-std::uint32_t PartialVoxels::firstMoving(std::size_t level, const VoxelPyramid& voxels) const {
-    return voxels.firstEntry(static_cast<int>(level)) + stillVoxels_->count(level);
-}
-
-void PartialVoxels::dispatchFrom(std::uint32_t entry, std::size_t level, const VoxelPyramid& voxels) const {
-    voxels.bindLists();
-    vct::dispatchFrom(entry, level);
 }
 
 std::vector<const gl::Buffer*> PartialVoxels::buffers() const {

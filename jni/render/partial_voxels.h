@@ -27,11 +27,6 @@ class PartialVoxels {
     void learn(const GpuScene& scene, const gl::Texture& shadowMap, Voxelizer& voxelizer,
                Mipmapper& mipmapper, VoxelPyramid& voxels);
     void takeOut(VoxelPyramid& voxels);
-    void dispatchOverStill(std::size_t level, const BlockLists::Range& range,
-                           const VoxelPyramid& voxels) const;
-    void dispatchFrom(std::uint32_t entry, std::size_t level, const VoxelPyramid& voxels) const;
-    std::uint32_t firstMoving(std::size_t level, const VoxelPyramid& voxels) const;
-
     gl::Program clear_, mipmap_;
     MaterialPrograms still_;
     std::optional<BlockLists> stillVoxels_;  // of each level; nothing until they are known

@@ -183,16 +183,8 @@ gl::ProgramDescription partialFaceMipmapperProgram() {
     return {"face_levels of a part", {"face_mipmapper.comp"}, {"VCT_LIST_PARENTS", "VCT_PART"}};
 }
 
-gl::ProgramDescription partialFaceClearProgram() {
-    return {"face_clear of a part", {"face_clear.comp"}, {"VCT_PART"}};
-}
-
 gl::ProgramDescription partialFaceClearBaseProgram() {
     return {"face_clear_base of a part", {"face_clear_base.comp"}, {"VCT_PART"}};
-}
-
-gl::ProgramDescription faceDirectProgram() {
-    return {"face_direct", {"face_direct.comp"}, {}};
 }
 
 gl::ProgramDescription faceLevelsProgram() {
@@ -311,9 +303,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  stillFaceResolveProgram(),
                                                  partialFaceResolveProgram(),
                                                  partialFaceMipmapperProgram(),
-                                                 partialFaceClearProgram(),
                                                  partialFaceClearBaseProgram(),
-                                                 faceDirectProgram(),
                                                  faceDarkenProgram(),
                                                  relightMipmapperProgram(),
                                                  faceRelightResolveProgram(),

@@ -48,9 +48,7 @@ gl::ProgramDescription stillFaceVoxelizerProgram(unsigned features, Voxelization
 gl::ProgramDescription stillFaceResolveProgram();
 gl::ProgramDescription partialFaceResolveProgram();
 gl::ProgramDescription partialFaceMipmapperProgram();
-gl::ProgramDescription partialFaceClearProgram();
 gl::ProgramDescription partialFaceClearBaseProgram();
-gl::ProgramDescription faceDirectProgram();
 gl::ProgramDescription faceLevelsProgram();  // and the next level's lists
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();

@@ -54,6 +54,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       timer_(capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
         capabilities.require("GL_EXT_geometry_shader", "--voxelization sorted-axes gives the same voxels");
+    if (scene_.moves() && settings.voxels == Voxels::faces && settings.bounces > 0)
+        capabilities.require("GL_EXT_copy_image", "--bounces 0 does without it");
     gl::checkErrors("setting up the renderer");
 }
 
@@ -141,26 +143,24 @@ void Renderer::makeFaces(const Made& before, int bounces) {
     if (sameSurfaces && !passes.relighter)
         passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
                                  settings_.voxelSamples);
-    timer_.time(Step::voxelize, [&] {
-        if (sameSurfaces) {
-            passes.relighter->run(scene_, shadow, voxels);
-        } else if (passes.partial) {
-            std::optional<BlockMask> changed;
-            if (before.bounces == bounces) changed = changedSince(before.voxels);
-            passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
-                                     passes.mipmapper, voxels);
-        } else {
-            passes.voxelizer.run(scene_, shadow, voxels);
+    if (sameSurfaces) {
+        timer_.time(Step::voxelize, [&] { passes.relighter->run(scene_, shadow, voxels); });
+        timer_.time(Step::mipmap, [&] { passes.mipmapper.update(voxels, 1); });
+    } else if (!passes.partial) {
+        timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, voxels); });
+        timer_.time(Step::mipmap, [&] { passes.mipmapper.makeLevels(voxels); });
+    } else {
+        std::optional<BlockMask> changed;
+        bool room = false;
+        while (!room) {
+            timer_.time(Step::voxelize, [&] {
+                if (before.bounces == bounces) changed = changedSince(before.voxels);
+                passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, bouncePass,
+                                         passes.voxelizer, passes.mipmapper, voxels);
+            });
+            timer_.time(Step::mipmap, [&] { room = passes.partial->mipmap(voxels); });
         }
-    });
-    timer_.time(Step::mipmap, [&] {
-        if (sameSurfaces)
-            passes.mipmapper.update(voxels, 1);
-        else if (passes.partial)
-            passes.partial->mipmap(voxels, passes.mipmapper, bouncePass);
-        else
-            passes.mipmapper.makeLevels(voxels);
-    });
+    }
     timer_.time(Step::bounces, [&] {
         if (!bouncePass) return;
         if (sameSurfaces && before.bounces > 0)
@@ -381,7 +381,10 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         if (facePasses_->partial)
             for (const gl::Buffer* buffer : facePasses_->partial->buffers())
                 add(*buffer);
-        if (facePasses_->bounces) add(facePasses_->bounces->patches());
+        if (facePasses_->bounces) {
+            add(facePasses_->bounces->patches());
+            if (facePasses_->bounces->direct() != nullptr) add(*facePasses_->bounces->direct());
+        }
         for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
             if (*gather)
                 for (const gl::Texture* texture : (*gather)->textures())

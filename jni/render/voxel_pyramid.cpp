@@ -149,25 +149,24 @@ std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels
     return first;
 }
 
-shared::LevelCommands VoxelPyramid::readCommands(int level) const {
-    shared::LevelCommands commands{};
-    commands_.read(&commands, sizeof commands, static_cast<std::size_t>(level) * sizeof commands);
+std::vector<shared::LevelCommands> VoxelPyramid::readCommands() const {
+    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS);
+    commands_.read(commands.data(), commands.size() * sizeof commands[0]);
+    commands.resize(static_cast<std::size_t>(levels()));
     return commands;
 }
 
 std::vector<std::uint32_t> VoxelPyramid::readList(int level) const {
-    const shared::LevelCommands commands = readCommands(level);
+    const shared::LevelCommands commands = readCommands()[static_cast<std::size_t>(level)];
     std::vector<std::uint32_t> list(std::min(commands.instanceCount, commands.capacity));
     activeVoxels_.read(list.data(), list.size() * sizeof list[0], commands.firstEntry * sizeof list[0]);
     return list;
 }
 
-std::vector<std::uint32_t> VoxelPyramid::readActiveCounts() const {
-    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS);
-    commands_.read(commands.data(), commands.size() * sizeof commands[0]);
+std::vector<std::uint32_t> VoxelPyramid::activeCounts(
+    const std::vector<shared::LevelCommands>& commands) const {
     std::vector<std::uint32_t> counts;
-    for (int level = 0; level < levels(); ++level) {
-        const shared::LevelCommands& c = commands[level];
+    for (const shared::LevelCommands& c : commands) {
         if (c.instanceCount > c.capacity)
             throw Error("the scene has " + std::to_string(c.instanceCount) + " active voxels at " +
                         std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +

@@ -51,13 +51,13 @@ class VoxelPyramid {
     // last.
     std::size_t placeFaceLists(std::size_t first, std::uint32_t voxels);
 
-    // Reads the commands back and returns the active voxels of each level. Throws vct::Error where there were
-    // more than the list can hold, with the number that is needed.
-    std::vector<std::uint32_t> readActiveCounts() const;
-
-    // A level's commands, and what is active in its list. Wait for the GPU.
-    shared::LevelCommands readCommands(int level) const;
+    // The commands of each level, and what is active in a level's list. Wait for the GPU.
+    std::vector<shared::LevelCommands> readCommands() const;
     std::vector<std::uint32_t> readList(int level) const;
+    // The active voxels of each level, by its commands. Throws vct::Error where there were more than the list
+    // can hold, with the number that is needed.
+    std::vector<std::uint32_t> activeCounts(const std::vector<shared::LevelCommands>& commands) const;
+    std::vector<std::uint32_t> readActiveCounts() const { return activeCounts(readCommands()); }
 
     std::uint32_t firstEntry(int level) const { return initialCommands_[level].firstEntry; }
 

@@ -1,7 +1,5 @@
 #include "render/voxelizer.h"
 
-#include <algorithm>
-
 #include "gl/debug.h"
 #include "render/programs.h"
 
@@ -12,16 +10,6 @@ Voxelizer::Voxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
     : programs_(shaders, scene, [=](unsigned features) { return voxelizerProgram(features, voxelization); }),
       pixels_(grid * samples),
       framebuffer_("voxelizer", pixels_, pixels_) {}
-
-// A square, as each axis comes to lie along both sides of the picture.
-void scissorTo(const BlockMask& blocks, const glm::ivec4& viewport) {
-    const Bounds box = blocks.box();
-    const double first = std::clamp(std::min({box.min.x, box.min.y, box.min.z}), 0.0, 1.0) * viewport.z;
-    const double end = std::clamp(std::max({box.max.x, box.max.y, box.max.z}), 0.0, 1.0) * viewport.z;
-    const auto side = static_cast<GLsizei>(std::max(end - first, 0.0));
-    gl::Enable(GL_SCISSOR_TEST);
-    gl::Scissor(viewport.x + static_cast<GLint>(first), viewport.y + static_cast<GLint>(first), side, side);
-}
 
 void Voxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");
@@ -38,9 +26,7 @@ void Voxelizer::draw(const GpuScene& scene, const ScenePart& part, const Materia
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);  // read by the experiment second-atomic only
     voxels.bindLists();
-    if (part.touched != nullptr) scissorTo(*part.touched, {0, 0, pixels_, pixels_});
-    scene.drawForVoxels(programs, part);
-    gl::Disable(GL_SCISSOR_TEST);
+    scene.drawForVoxels(programs, part, {0, 0, pixels_, pixels_});
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);

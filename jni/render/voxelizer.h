@@ -6,10 +6,6 @@
 
 namespace vct {
 
-// Limits drawing to the pixels of the blocks, whichever axis they are projected along. `viewport`: of the
-// volume, as glViewport takes it.
-void scissorTo(const BlockMask& blocks, const glm::ivec4& viewport);
-
 class Voxelizer {
   public:
     // `samples`: Settings::voxelSamples.

@@ -29,40 +29,47 @@ uint activeVoxelCount(uint level) {
     return min(commands[level].instanceCount, commands[level].capacity);
 }
 
-// Where they are in the list that is bound: the first, and behind the last.
+// Those that a pass visits: how many, and the i-th of them. With VCT_PART first some of what the static geometry
+// occupies, from a list of its own, then what moves, from the level's list on; or one of the two.
 #ifdef VCT_PART
-layout(location = VCT_UNIFORM_FIRST) uniform uint partFirst;
-layout(location = VCT_UNIFORM_END) uniform uint partEnd;  // 0: to the end of what is active
-bool partIsMoving() {
-    return partEnd == 0u;
+layout(std430, binding = VCT_SSBO_STILL_ENTRIES) readonly buffer StillEntryBlock {
+    uint stillEntries[];
+};
+layout(location = VCT_UNIFORM_FIRST) uniform uint firstStill;
+layout(location = VCT_UNIFORM_END) uniform uint endStill;
+layout(location = VCT_UNIFORM_MOVING) uniform uint firstMoving;  // in the level's list, or VCT_NO_ENTRY
+uint stillVisited() {
+    return endStill - firstStill;
 }
-uint firstVisited(uint level) {
-    return partFirst;
+bool isMoving(uint i) {
+    return i >= stillVisited();
 }
-uint endVisited(uint level) {
-    return partIsMoving() ? commands[level].firstEntry + activeVoxelCount(level) : partEnd;
+// `count`: of the entries in the level's list.
+uint partVisited(uint count) {
+    return stillVisited() + (count > firstMoving ? count - firstMoving : 0u);
+}
+uint visitedCount(uint level) {
+    return partVisited(activeVoxelCount(level));
+}
+uint visitedEntry(uint level, uint i) {
+    return isMoving(i) ? activeVoxels[commands[level].firstEntry + firstMoving + i - stillVisited()]
+                       : stillEntries[firstStill + i];
 }
 #else
-uint firstVisited(uint level) {
-    return commands[level].firstEntry;
+uint visitedCount(uint level) {
+    return activeVoxelCount(level);
 }
-uint endVisited(uint level) {
-    return commands[level].firstEntry + activeVoxelCount(level);
+uint visitedEntry(uint level, uint i) {
+    return activeVoxels[commands[level].firstEntry + i];
 }
 #endif
 
 // What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
 // found no room in it is not empty either.
-bool emptiesAll(uint level) {
-#ifdef VCT_PART
-    if (!partIsMoving()) return false;
-#endif
-    return overflowed(level);
-}
 uint voxelsToEmpty(uint level, uint side) {
-    return emptiesAll(level) ? side * side * side : endVisited(level) - firstVisited(level);
+    return overflowed(level) ? side * side * side : visitedCount(level);
 }
 uvec3 voxelToEmpty(uint level, uint side, uint i) {
-    return emptiesAll(level) ? uvec3(i % side, i / side % side, i / (side * side))
-                             : unpackEntry(activeVoxels[firstVisited(level) + i]);
+    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
+                             : unpackEntry(visitedEntry(level, i));
 }

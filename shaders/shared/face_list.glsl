@@ -43,24 +43,17 @@ ListedFace listedFace(uint level, uint i) {
     return unpackListed(faceSums[commands[level].firstFace + i]);
 }
 
-// Those that a pass visits: the first, and behind the last. A part of them is of the list that is bound as that of
-// active voxels, but for what moves.
+// Those that a pass visits, as visitedCount() and visitedEntry() do.
 #ifdef VCT_PART
-uint firstFaceVisited() {
-    return partFirst;
-}
-uint endFacesVisited(uint level) {
-    return partIsMoving() ? faceCount(level) : partEnd;
+uint visitedFaces(uint level) {
+    return partVisited(faceCount(level));
 }
 ListedFace visitedFace(uint level, uint i) {
-    if (partIsMoving()) return listedFace(level, i);
-    return unpackListed(activeVoxels[i]);
+    if (isMoving(i)) return listedFace(level, firstMoving + i - stillVisited());
+    return unpackListed(stillEntries[firstStill + i]);
 }
 #else
-uint firstFaceVisited() {
-    return 0u;
-}
-uint endFacesVisited(uint level) {
+uint visitedFaces(uint level) {
     return faceCount(level);
 }
 ListedFace visitedFace(uint level, uint i) {

@@ -45,6 +45,7 @@ using glm::vec4;
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACE_SUMS 2
 #define VCT_SSBO_FACE_PATCHES 3
+#define VCT_SSBO_STILL_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
 #define VCT_SSBO_TRIPS 4
 
 // What the counting variant counts (shared/trips.glsl): invocations of a stage, and iterations of its loops.
@@ -100,9 +101,7 @@ using glm::vec4;
 #define VCT_TRIPS_FACE_DARKEN 49
 #define VCT_TRIPS_FACE_DARKEN_VOXEL 50
 #define VCT_TRIPS_FACE_DARKEN_FACE 51
-#define VCT_TRIPS_FACE_DIRECT 52
-#define VCT_TRIPS_FACE_DIRECT_PATCH 53
-#define VCT_TRIPS_COUNT 54
+#define VCT_TRIPS_COUNT 52
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -123,6 +122,8 @@ using glm::vec4;
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_FACES 2
+#define VCT_IMAGE_EMPTIED_VOXELS 0  // likewise
+#define VCT_IMAGE_EMPTIED_FACES 3
 
 // Vertex attributes.
 #define VCT_ATTRIBUTE_POSITION 0
@@ -132,15 +133,20 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which bounce it is, counted from 1; a part of the list of active voxels.
+// the triangles of a draw call are voxelized; which bounce it is, counted from 1; what a pass over a part of the voxels
+// visits (shared/commands.glsl), and what it empties (shared/moving_faces.glsl).
 #define VCT_UNIFORM_LEVEL 0
 #define VCT_UNIFORM_BOUNCE 1
 #define VCT_UNIFORM_FIRST 1
 #define VCT_UNIFORM_END 2
+#define VCT_UNIFORM_MOVING 3
+#define VCT_UNIFORM_EMPTIED 4
+#define VCT_UNIFORM_EMPTIED_END 5
 #define VCT_UNIFORM_AXIS 0
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
+#define VCT_NO_ENTRY 0xFFFFFFFFu
 #define VCT_BLOCKS 32      // along each side of the volume: what a frame may make anew alone
 // Directional coverage voxels while voxelizing: per face coverage, radiance, albedo; per voxel which faces, and the six.
 #define VCT_FACE_SUM_WORDS 5u

@@ -16,14 +16,15 @@ namespace {
 struct MadeUpDriver {
     std::string version = "OpenGL ES 3.1 made up";
     std::vector<std::string> extensions = {"GL_OES_shader_image_atomic", "GL_EXT_geometry_shader",
-                                           "GL_EXT_color_buffer_half_float", "GL_KHR_debug"};
+                                           "GL_EXT_copy_image", "GL_EXT_color_buffer_half_float",
+                                           "GL_KHR_debug"};
     bool essl310 = true, essl320 = false;
     std::map<GLenum, GLint> limits = {
         {GL_MAX_FRAGMENT_IMAGE_UNIFORMS, 1},
         {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, 2},
         {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, 3},
-        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 2},
-        {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 2},
+        {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 4},
+        {GL_MAX_COMPUTE_IMAGE_UNIFORMS, 4},
         {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, 64},
         {GL_MAX_3D_TEXTURE_SIZE, 512},
         {GL_MAX_TEXTURE_SIZE, 2048},

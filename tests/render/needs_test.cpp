@@ -248,7 +248,7 @@ TEST(Needs, AnAnimationCostsNothingButWhereItMovesAnObject) {
     EXPECT_TRUE(needsOf(scene).movingObjects);
     const Asked moving = askedBy(scene, "mobile");
     // Those of parts of the voxels: render/partial_faces.h.
-    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 7);
+    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 5);
     EXPECT_GT(moving.frame.byName.at("BufferSubData"),
               askedByPlain("mobile").frame.byName.at("BufferSubData"));
 }
