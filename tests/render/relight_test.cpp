@@ -11,6 +11,7 @@
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
+#include "support/voxel_kinds.h"
 
 namespace vct::test {
 namespace {
@@ -20,15 +21,6 @@ const glm::dvec3 sun(0.4, 1.0, 0.3);
 const std::vector<glm::dvec3> lights{{-0.7, 0.4, 0.2}, {1, 0, 0.1}, {0.2, -1, 0.1},
                                      {0, 1, 0},        {0, -1, 0},  sun};
 
-Settings settingsOf(const std::string& preset, Voxelization voxelization) {
-    Settings settings = presetSettings(preset);
-    settings.grid = 64;
-    settings.size = glm::ivec2(48);
-    settings.shadowMapSize = 128;
-    settings.voxelization = voxelization;
-    return settings;
-}
-
 double brightness(const Renderer& renderer) {
     double sum = 0.0;
     for (const glm::vec3& p : renderer.radiance().pixels)
@@ -36,15 +28,9 @@ double brightness(const Renderer& renderer) {
     return sum;
 }
 
-struct Kind {
-    const char* preset;
-    Voxelization voxelization;
-};
-class Relight : public testing::TestWithParam<Kind> {
+class Relight : public testing::TestWithParam<VoxelKind> {
   protected:
-    Relight()
-        : context_(openContext(Backend::egl)),
-          settings_(settingsOf(GetParam().preset, GetParam().voxelization)) {}
+    Relight() : context_(openContext(Backend::egl)), settings_(settingsOf(GetParam())) {}
 
     DirectionalLight lightAlong(const glm::dvec3& towardsLight) const {
         DirectionalLight light = lightFrom({0, 1, 0});
@@ -70,14 +56,7 @@ class Relight : public testing::TestWithParam<Kind> {
     Context context_;
     Settings settings_;
 };
-INSTANTIATE_TEST_SUITE_P(
-    Voxels, Relight,
-    testing::Values(Kind{"thesis", Voxelization::geometryShader}, Kind{"thesis", Voxelization::sortedAxes},
-                    Kind{"mobile", Voxelization::geometryShader}, Kind{"mobile", Voxelization::sortedAxes}),
-    [](const auto& test) {
-        return std::string(test.param.preset) +
-               (test.param.voxelization == Voxelization::sortedAxes ? "SortedAxes" : "GeometryShader");
-    });
+INSTANTIATE_TEST_SUITE_P(Voxels, Relight, everyVoxelKind(), nameOfKind);
 
 // Textures, holes, emission, both sides: the courtyard has all of them.
 TEST_P(Relight, EveryLightLeavesTheVoxelsAndThePictureOfAFreshRenderer) {

@@ -49,6 +49,22 @@ GltfBuilder openFloor() {
     return builder;
 }
 
+GltfBuilder twoThatMove() {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.2F, 0.7F, 0.2F}, {{"translation", {1, 0.5, -1}}});
+    const int box = addCube(builder, {0.8F, 0.1F, 0.1F}, {{"translation", {-1, 0.6, -1}}});
+    const int mesh = builder.document["nodes"][static_cast<std::size_t>(box)]["mesh"];
+    const int child =
+        builder.add("nodes", {{"mesh", mesh}, {"scale", {-0.5, 0.5, 0.3}}, {"translation", {0, 0.9, 0}}});
+    builder.document["nodes"][static_cast<std::size_t>(box)]["children"] = {child};
+    builder.animate(box, "translation", {0, 2}, {-1, 0.6F, -1, 1.2F, 0.7F, -0.8F});
+    // Inside out, and flat in between.
+    builder.animate(child, "scale", {0, 2}, {-0.5F, 0.5F, 0.3F, 0.5F, 0.5F, 0.3F});
+    builder.animate(box, "rotation", {0, 1, 2},
+                    {0, 0, 0, 1, 0.3F, 0.5F, 0.1F, 0.8F, 0.1F, 0.9F, -0.2F, 0.3F});
+    return builder;
+}
+
 Scene frozenAt(Scene scene, double seconds) {
     const Pose pose = poseAt(scene.animation, seconds);
     for (Instance& instance : scene.instances) {

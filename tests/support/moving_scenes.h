@@ -12,6 +12,10 @@ int addCube(GltfBuilder& builder, const std::vector<float>& color, json node);
 // A floor of 4 x 4 at y = 0, a sun from above and the side, a camera `front`. What is added stands on it.
 GltfBuilder openFloor();
 
+// On it a box that turns and crosses another, which stays; a mirrored child of it; light, camera. Two
+// instances move.
+GltfBuilder twoThatMove();
+
 // The scene as it is at a time, without an animation: a fresh scene of that pose, in the same volume.
 Scene frozenAt(Scene scene, double seconds);
 

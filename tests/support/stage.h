@@ -1,0 +1,30 @@
+// A scene on a renderer of its own, at whatever time, and what a renderer leaves that never saw another.
+#pragma once
+
+#include "scene/camera.h"
+#include "support/moving_scenes.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+
+class Stage {
+  public:
+    // Of what is given here it keeps the scene.
+    Stage(const Context& context, const Scene& scene, const Settings& settings)
+        : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
+
+    void frameAt(double seconds, Mode mode = Mode::gi);
+    void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
+    Renderer& renderer() { return renderer_; }
+    std::size_t bytes() const;
+
+  private:
+    const Scene& scene_;
+    Renderer renderer_;
+};
+
+// Draws a frame, and expects the grid and the picture of a fresh renderer of a scene that stands still there.
+void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+                 double seconds, Mode mode = Mode::gi);
+
+}  // namespace vct::test
