@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -78,16 +80,21 @@ struct Asked {
     std::vector<std::pair<std::string, std::size_t>> bytes;
 };
 
-Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
+Settings settingsOf(const std::string& preset) {
     Settings settings = presetSettings(preset);
     settings.grid = 64;
     settings.size = glm::ivec2(32);
     settings.shadowMapSize = 64;
     settings.revoxelize = true;
+    return settings;
+}
+
+const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
+
+Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
     const Context context = openContext(Backend::egl);
     gl::CallLog log;
-    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), settings);
-    const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
+    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), settingsOf(preset));
     int frames = 0;
     const auto frame = [&] {
         if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
@@ -149,6 +156,41 @@ TEST_P(NeedsOf, WhatNoInstanceHasCostsNothing) {
     EXPECT_GT(never.frame.calls, 100);
     EXPECT_FALSE(never.frame.bindings.empty());
     expectEqual(askedBy(sceneWith(&feature, false), feature.preset), never);
+}
+
+// Of frames that take turns, as the machine may be busy with something else: the fastest.
+TEST(Needs, WhatNoInstanceHasTakesNoTime) {
+    using Clock = std::chrono::steady_clock;
+    const Feature everything{"",
+                             [](Material& m) {
+                                 for (const Feature& feature : allFeaturesOfAllPresets())
+                                     feature.give(m);
+                             },
+                             "", ""};
+    const Scene never = sceneWith(nullptr, false), declared = sceneWith(&everything, false);
+    // The second is where the surfaces' features take most of the time.
+    for (const auto& [preset, mode] : {std::pair{"mobile", Mode::giConeShadow}, {"thesis", Mode::phong}}) {
+        const Context context = openContext(Backend::egl);
+        Settings settings = settingsOf(preset);
+        settings.size = glm::ivec2(192);
+        Renderer plain = makeRenderer(context, never, lightFrom({1, 2, 1}), settings);
+        Renderer other = makeRenderer(context, declared, lightFrom({1, 2, 1}), settings);
+        const auto improve = [&, mode = mode](Renderer& renderer, Clock::duration& fastest) {
+            const Clock::time_point start = Clock::now();
+            renderer.frame(mode, camera);
+            gl::Finish();
+            fastest = std::min(fastest, Clock::now() - start);
+        };
+        Clock::duration plainTime = Clock::duration::max(), otherTime = plainTime;
+        double ratio = 0.0;
+        for (int round = 0; round < 200 && (round < 20 || std::abs(ratio - 1.0) > 0.05); ++round) {
+            improve(plain, plainTime);
+            improve(other, otherTime);
+            ratio = static_cast<double>(otherTime.count()) / static_cast<double>(plainTime.count());
+        }
+        EXPECT_NEAR(ratio, 1.0, 0.1) << preset << ": " << std::chrono::duration<double>(plainTime).count()
+                                     << " s";
+    }
 }
 
 TEST_P(NeedsOf, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
