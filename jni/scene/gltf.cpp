@@ -40,7 +40,8 @@ class MeshLoader {
         const tinygltf::Mesh& source = file_.at(file_.model.meshes, index, "mesh");
         std::vector<int>& loaded = meshes_[index];
         for (const tinygltf::Primitive& primitive : source.primitives) {
-            std::optional<Mesh> mesh = loadPrimitive(file_, primitive, materials_, source.name);
+            std::optional<Mesh> mesh =
+                loadPrimitive(file_, primitive, materials_, static_cast<std::size_t>(index));
             if (!mesh) continue;
             loaded.push_back(static_cast<int>(scene_.meshes.size()));
             scene_.meshes.push_back(std::move(*mesh));

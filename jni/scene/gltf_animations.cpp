@@ -38,7 +38,7 @@ std::vector<json> objects(const GltfFile& file, const json& animation, const cha
 }
 
 std::string named(const std::vector<tinygltf::Animation>& all, std::size_t i) {
-    return std::to_string(i) + (all[i].name.empty() ? "" : " (" + oneLine(all[i].name) + ")");
+    return indexAndName(i, all[i].name);
 }
 
 std::size_t choose(const GltfFile& file, const std::string& nameOrIndex) {

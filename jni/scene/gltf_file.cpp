@@ -223,6 +223,10 @@ bool GltfFile::uses(const std::string& extension) const {
            model.extensionsUsed.end();
 }
 
+std::string indexAndName(std::size_t index, const std::string& name) {
+    return std::to_string(index) + (name.empty() ? "" : " (" + oneLine(name) + ")");
+}
+
 std::string oneLine(std::string text) {
     constexpr std::size_t maxLength = 300;
     if (text.size() > maxLength) text = text.substr(0, maxLength) + "...";

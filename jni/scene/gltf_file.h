@@ -51,6 +51,9 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile);
 // The bytes behind a URI of the file: a data URI, or a file relative to it. `what` names it in an error.
 std::vector<unsigned char> readUri(const GltfFile& file, const std::string& uri, const std::string& what);
 
+// How messages name an element of one of the model's arrays: "3 (wall)", "3" where it has no name.
+std::string indexAndName(std::size_t index, const std::string& name);
+
 // Text of the file or of a library as a part of a sentence: one line, not too long.
 std::string oneLine(std::string text);
 

@@ -10,8 +10,8 @@ namespace {
 constexpr int maxDepth = 1000;  // of nodes; real hierarchies have less than a hundred levels
 
 std::string named(const GltfFile& file, const tinygltf::Node& node) {
-    return "node " + std::to_string(&node - file.model.nodes.data()) +
-           (node.name.empty() ? "" : " (" + oneLine(node.name) + ")");
+    const auto index = static_cast<std::size_t>(&node - file.model.nodes.data());
+    return "node " + indexAndName(index, node.name);
 }
 
 void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node) {
@@ -150,8 +150,8 @@ void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
     camera.verticalFovRad = source.perspective.yfov;
     if (source.perspective.znear > 0.0) camera.nearest = source.perspective.znear;
     if (!(camera.verticalFovRad > 0.0 && camera.verticalFovRad < 3.14159265358979))
-        file.fail("camera \"" + oneLine(camera.name) +
-                  "\" has a field of view that is not between 0 and 180 degrees");
+        file.fail("camera " + indexAndName(static_cast<std::size_t>(placed.node->camera), camera.name) +
+                  " has a field of view that is not between 0 and 180 degrees");
 
     const std::optional<glm::dmat4> worldFromCamera = withoutScale(placed.worldFromNode);
     if (!worldFromCamera) {
@@ -179,15 +179,17 @@ void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
         file.warn("a light without a direction (zero scale) is left out");
         return;
     }
+    const std::string name = "light " + indexAndName(static_cast<std::size_t>(index), source.name);
     glm::dvec3 color(1.0);
     if (!source.color.empty()) {
-        if (source.color.size() != 3) file.fail("a light has a colour that is not three numbers");
+        if (source.color.size() != 3) file.fail(name + " has a colour that is not three numbers");
         color = {source.color[0], source.color[1], source.color[2]};
     }
-    color = glm::max(color, glm::dvec3(0.0));
+    if (std::min(color.x, std::min(color.y, color.z)) < 0.0) file.fail(name + " has a negative colour");
+    if (source.intensity < 0.0) file.fail(name + " has a negative intensity");
     const double largest = std::max(color.x, std::max(color.y, color.z));
-    const double intensity = std::max(source.intensity, 0.0) * largest;
-    if (!(intensity <= 1e30)) file.fail("a light has an intensity that is not a usable number");
+    const double intensity = source.intensity * largest;
+    if (!(intensity <= 1e30)) file.fail(name + " has an intensity that is not a usable number");
 
     DirectionalLight light;
     light.towardsLight = back / length;

@@ -41,20 +41,19 @@ glm::dvec3 position(const std::vector<float>& values, std::uint32_t vertex) {
 }
 
 Bounds usedBounds(const GltfFile& file, const std::vector<float>& positions, const Indices& indices,
-                  const std::string& meshName) {
+                  const std::string& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
     for (const std::uint32_t index : indices) {
         const glm::dvec3 p = position(positions, index);
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            file.fail("mesh \"" + oneLine(meshName) + "\" has a position that is not a finite number");
+            file.fail(mesh + " has a position that is not a finite number");
         bounds.min = glm::min(bounds.min, p);
         bounds.max = glm::max(bounds.max, p);
     }
     const glm::dvec3 extent = bounds.max - bounds.min;
     if (!(extent.x <= maxExtent && extent.y <= maxExtent && extent.z <= maxExtent))
-        file.fail("mesh \"" + oneLine(meshName) + "\" has positions further apart than 1e30",
-                  "scale it down");
+        file.fail(mesh + " has positions further apart than 1e30", "scale it down");
     return bounds;
 }
 
@@ -157,10 +156,11 @@ void warnOfIgnored(GltfFile& file, const tinygltf::Primitive& primitive) {
 }  // namespace
 
 std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
-                                  MaterialLoader& materials, const std::string& meshName) {
+                                  MaterialLoader& materials, std::size_t meshIndex) {
+    const std::string& meshName = file.model.meshes[meshIndex].name;
+    const std::string label = "mesh " + indexAndName(meshIndex, meshName);
     if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
-        file.fail("mesh \"" + oneLine(meshName) + "\" has the unknown mode " +
-                  std::to_string(primitive.mode));
+        file.fail(label + " has the unknown mode " + std::to_string(primitive.mode));
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         file.warn("points and lines are left out");
         return std::nullopt;
@@ -190,13 +190,13 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     }
 
     Mesh mesh;
-    mesh.name = meshName;
+    mesh.name = meshName.empty() ? label : meshName;
     mesh.indices = triangleList(file, primitive.mode, std::move(corners));
     if (mesh.indices.empty()) return std::nullopt;
 
     const MaterialUse& material = materials.get(primitive.material);
     mesh.material = material.material;
-    const Bounds bounds = usedBounds(file, positions, mesh.indices, meshName);
+    const Bounds bounds = usedBounds(file, positions, mesh.indices, label);
     mesh.centre = 0.5 * (bounds.min + bounds.max);
     file.reserveGeometry(vertexCount, sizeof(Vertex));
     mesh.vertices.assign(vertexCount,

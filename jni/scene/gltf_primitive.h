@@ -8,8 +8,9 @@
 
 namespace vct {
 
-// Nothing where the primitive has no triangles (points and lines are left out with a warning).
+// `meshIndex`: of the mesh that the primitive is of, which must exist. Nothing where the primitive has no
+// triangles (points and lines are left out with a warning).
 std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
-                                  MaterialLoader& materials, const std::string& meshName);
+                                  MaterialLoader& materials, std::size_t meshIndex);
 
 }  // namespace vct

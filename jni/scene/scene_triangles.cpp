@@ -121,7 +121,7 @@ void computeBounds(Scene& scene) {
                 const glm::dvec3 world(instance->worldFromObject * glm::dvec4(position, 1.0));
                 if (!isUsable(world))
                     throw Error(
-                        prefix + "the mesh \"" + scene.meshes[mesh].name +
+                        prefix + "\"" + scene.meshes[mesh].name +
                         "\" has a position that is not finite or beyond 1e18; correct its vertices or scale");
                 bounds.min = glm::min(bounds.min, world);
                 bounds.max = glm::max(bounds.max, world);

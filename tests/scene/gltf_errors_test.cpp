@@ -79,9 +79,27 @@ const Damage damages[] = {
      },
      "no such.png"},
     {"CameraOutOfRange", [](json& d) { d["nodes"][1]["camera"] = 7; }, "camera 7"},
-    {"CameraFov", [](json& d) { d["cameras"][0]["perspective"]["yfov"] = 3.2; }, "field of view"},
+    {"CameraFov", [](json& d) { d["cameras"][0]["perspective"]["yfov"] = 3.2; },
+     "camera 0 has a field of view"},
     {"LightOutOfRange", [](json& d) { d["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 7; },
      "light 7"},
+    {"NegativeIntensity",
+     [](json& d) { d["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = -1; },
+     "light 0 has a negative intensity"},
+    {"NegativeLightColour",
+     [](json& d) {
+         json& light = d["extensions"]["KHR_lights_punctual"]["lights"][0];
+         light["name"] = "sun";
+         light["color"] = {1, -0.5, 1};
+     },
+     "light 0 (sun) has a negative colour"},
+    {"UnnamedMesh", [](json& d) { primitive(d)["mode"] = 99; }, "mesh 0 has the unknown mode 99"},
+    {"NamedMesh",
+     [](json& d) {
+         d["meshes"][0]["name"] = "wall";
+         primitive(d)["mode"] = 99;
+     },
+     "mesh 0 (wall) has the unknown mode 99"},
     {"SceneOutOfRange", [](json& d) { d["scene"] = 7; }, "scene 7"},
     {"RootOutOfRange", [](json& d) { d["scenes"][0]["nodes"] = {7}; }, "node 7"},
     {"ChildOutOfRange", [](json& d) { d["nodes"][0]["children"] = {7}; }, "node 7"},
