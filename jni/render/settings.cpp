@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace vct {
 
@@ -199,8 +200,7 @@ void changeGather(GatherSettings& gather, const std::string& nameIsValue) {
         const bool whole = part.number == nullptr || value == std::floor(value);
         if (text.empty() || *end != '\0' || !(value >= part.smallest && value <= part.largest) || !whole)
             throw Error("--gather " + nameIsValue + ": expected a " + (part.number ? "whole " : "") +
-                        "number from " + std::to_string(part.smallest) + " to " +
-                        std::to_string(part.largest));
+                        "number from " + numberText(part.smallest) + " to " + numberText(part.largest));
         if (part.number != nullptr)
             gather.*part.number = static_cast<int>(value);
         else

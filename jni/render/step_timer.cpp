@@ -4,6 +4,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "core/number_text.h"
 #include "gl/api.h"
 
 namespace vct {
@@ -53,8 +54,8 @@ std::string whyGpuTimesAreWrong(const StepTimes& times) {
         const double finishMs = median(times.stepMs[i]);
         const double gpuMs = median(times.gpuMs[i]);
         if (gpuMs > 1.1 * finishMs + 0.2 || (finishMs > longStepMs && gpuMs < leastShare * finishMs))
-            return std::string("it says ") + std::to_string(gpuMs) + " ms for " +
-                   stepName(static_cast<Step>(i)) + " and glFinish " + std::to_string(finishMs);
+            return std::string("it says ") + numberText(gpuMs) + " ms for " + stepName(static_cast<Step>(i)) +
+                   " and glFinish " + numberText(finishMs);
     }
     return "";
 }

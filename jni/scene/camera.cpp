@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace vct {
 namespace {
@@ -56,7 +57,7 @@ double distanceTo(const Bounds& bounds, const glm::dvec3& p) {
 
 Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg) {
     if (!(verticalFovDeg > 0.0 && verticalFovDeg < 180.0))
-        throw Error("the camera's field of view is " + std::to_string(verticalFovDeg) +
+        throw Error("the camera's field of view is " + numberText(verticalFovDeg) +
                     " degrees; give one between 0 and 180");
     const glm::dvec3 back = eye - target;
     const double distance = glm::length(back);
@@ -79,10 +80,9 @@ Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFo
 Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex) {
     if (scene.cameras.empty()) {
         const View view = framingView(scene.boundsWorld);
-        char fov[32];
-        std::snprintf(fov, sizeof fov, "%g", framingFovDeg);
-        throw Error("the scene " + scene.path + " has no perspective camera; add --camera eye=" +
-                    printed(view.eye) + ",target=" + printed(view.target) + ",fov=" + fov);
+        throw Error("the scene " + scene.path +
+                    " has no perspective camera; add --camera eye=" + printed(view.eye) +
+                    ",target=" + printed(view.target) + ",fov=" + numberText(framingFovDeg));
     }
     if (nameOrIndex.empty()) return scene.cameras.front();
     for (const Camera& camera : scene.cameras) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/number_text.h"
 #include "scene/gltf_accessors.h"
 
 namespace vct {
@@ -143,11 +144,11 @@ class ChannelLoader {
         for (std::size_t key = 0; key < times.size(); ++key) {
             const std::string which = "key " + std::to_string(key);
             require(std::isfinite(times[key]) && times[key] >= 0.0F,
-                    "has the time " + std::to_string(times[key]) + " for " + which +
+                    "has the time " + numberText(times[key]) + " for " + which +
                         ", which is negative or not a number");
             require(key == 0 || times[key] > times[key - 1],
-                    "has unsorted keys: " + which + " at " + std::to_string(times[key]) +
-                        " s does not come after " + std::to_string(times[key == 0 ? 0 : key - 1]) + " s",
+                    "has unsorted keys: " + which + " at " + numberText(times[key]) +
+                        " s does not come after " + numberText(times[key == 0 ? 0 : key - 1]) + " s",
                     "sort its keys by time, each time once");
         }
     }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "scene/gltf.h"
 
 namespace vct {
@@ -93,7 +94,7 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
             const glm::dmat4& worldFromObject = pose.worldFromNode[static_cast<std::size_t>(m.node)];
             for (const glm::dvec3& corner : m.corners)
                 if (!isUsable(glm::dvec3(worldFromObject * glm::dvec4(corner, 1.0))))
-                    throw Error("cannot use the scene " + scene.path + ": at " + std::to_string(seconds) +
+                    throw Error("cannot use the scene " + scene.path + ": at " + numberText(seconds) +
                                 " s its animation \"" + scene.animation.name +
                                 "\" moves a mesh beyond 1e18, or to where no number is; correct its values");
             // Most poses stay inside: the box says so at once.

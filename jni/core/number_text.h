@@ -1,0 +1,11 @@
+// Numbers as people write them.
+#pragma once
+
+#include <string>
+
+namespace vct {
+
+// Up to six digits, and no zeros at the end: "2", "0.25", "1e-07".
+std::string numberText(double value);
+
+}  // namespace vct
