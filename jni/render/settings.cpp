@@ -53,12 +53,12 @@ std::vector<Mode> modesFromText(const std::string& text) {
     std::istringstream parts(text);
     std::string part;
     while (std::getline(parts, part, ',')) {
-        const std::size_t before = modes.size();
-        for (Mode mode : allModes())
-            if (part == modeName(mode) || part == std::to_string(static_cast<int>(mode)))
-                modes.push_back(mode);
-        if (modes.size() == before)
+        const auto named = std::find_if(allModes().begin(), allModes().end(), [&](Mode mode) {
+            return part == modeName(mode) || part == std::to_string(static_cast<int>(mode));
+        });
+        if (named == allModes().end())
             throw Error("--mode '" + part + "' is not a mode; use " + modeNames + ", separated by commas");
+        if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
     }
     if (modes.empty()) throw Error(std::string("--mode is empty; use ") + modeNames);
     return modes;

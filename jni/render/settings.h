@@ -21,7 +21,7 @@ enum class Mode {
 
 const std::vector<Mode>& allModes();
 const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone-shadow"
-// "all", or names and numbers separated by commas; throws vct::Error listing the names.
+// "all", or names and numbers separated by commas, each mode once; throws vct::Error listing the names.
 std::vector<Mode> modesFromText(const std::string& text);
 
 // Single changes to the thesis's algorithm, for measuring what each of its known defects costs

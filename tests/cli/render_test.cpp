@@ -1,4 +1,4 @@
-// `vct render` into a folder that was used before.
+// What `vct render` says, and what it leaves.
 #include <gtest/gtest.h>
 
 #include "cli/program_run.h"
@@ -21,6 +21,19 @@ TEST(UsedFolder, PicturesOfAnEarlierRunAreNamedAndKept) {
         << program.err;
     EXPECT_NE(readBytes(program.folder.file("out/phong.png")), "");
     EXPECT_EQ(readBytes(program.folder.file("out/notes.txt")), "mine");
+}
+
+TEST(Render, EachModeOnceInTheOrderGiven) {
+    ProgramRun program;
+    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell +
+                          " --size 16x16 --grid 64 --out out --mode gi,phong,4,gi"),
+              0)
+        << program.err;
+    const std::size_t gi = program.err.find("mode gi,");
+    const std::size_t phong = program.err.find("mode phong,");
+    ASSERT_NE(gi, std::string::npos) << program.err;
+    EXPECT_NE(program.err.find("mode phong,", gi), std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("mode gi,", phong), std::string::npos) << program.err;
 }
 
 }  // namespace
