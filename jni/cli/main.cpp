@@ -1,4 +1,5 @@
 // vct: voxel cone tracing on the desktop, by the shaders that the phone runs.
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -7,6 +8,8 @@
 int main(int argc, char** argv) {
     CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
     app.set_version_flag("--version", "vct " VCT_VERSION);
+    // Writing beyond `ulimit -f` shall be an error that is reported and tidied up after, as on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     app.require_subcommand(1);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);

@@ -167,6 +167,12 @@ TEST_F(BadScene, OutputThatCannotBeWritten) {
     EXPECT_EQ(render("good.glb", triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0})), 1);
     EXPECT_EQ(errors(), 1) << text;
 }
+// As on a full disk.
+TEST_F(BadScene, OutputThatDoesNotFitLeavesNothing) {
+    expectOneError(render("cornell.glb", cornell(), "--mode phong", "ulimit -f 4;"),
+                   "cannot write 'out/phong.exr'");
+}
+
 
 TEST_F(BadScene, UnreachableDriverLacksSomethingAndNamesIt) {
     const int status = render("good.glb", triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0}), "",
