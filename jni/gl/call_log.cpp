@@ -115,6 +115,7 @@ CallSummary summaryOf(const std::vector<Call>& calls) {
     for (const Call& call : calls) {
         const std::vector<std::int64_t>& a = call.arguments;
         if (is(call, "PushDebugGroup")) {
+            if (groups.size() == 1) summary.passes.insert(call.text);
             groups.push_back(call.text);
             countOf(call.text);
             continue;

@@ -39,6 +39,7 @@ struct CallSummary {
     std::map<std::string, int> byName;
     // By the innermost debug group that they are made in, in the order in which these begin; "" for none.
     std::vector<std::pair<std::string, int>> byGroup;
+    std::set<std::string> passes;  // the groups that are in no other
     int draws = 0, dispatches = 0;
     std::set<std::int64_t> programs;  // used for any of them
     // What shaders are given: "texture 3: GL_TEXTURE_2D", "uniform buffer 1: 208 bytes", each once. Objects

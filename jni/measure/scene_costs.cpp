@@ -85,7 +85,10 @@ std::string rowText(const SceneCosts& costs, const SceneCosts::Row& row, bool ti
     return text + formatted("%+.0f | ", with.passes() - without.passes()) +
            formatted("%+.0f | ", with.programs() - without.programs()) +
            formatted("%+.0f | ", with.calls.calls - without.calls.calls) + formatted("%+.1f |", kilobytes) +
-           (timed ? formatted(" %+.2f |", row.addedMs) : "") + "\n";
+           (!timed        ? ""
+            : row.addedMs ? formatted(" %+.2f |", *row.addedMs)
+                          : " – |") +
+           "\n";
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ const std::vector<SceneFeature>& allSceneFeatures() {
                  instance.node = -1;
          }},
         {"moving light", [](const SceneNeeds& n) { return n.movingLight; },
-         [](Scene& scene) { scene.lights.front().node = -1; }},
+         [](Scene& scene) { scene.lights.front().node = -1; }, false},
     };
     return features;
 }
@@ -140,7 +143,8 @@ SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl:
         feature.remove(stripped);
         Player without(std::move(stripped), options, capabilities, readShader);
         row.without = without.cost();
-        row.addedMs = addedMs(with, without, options.timedFrames);
+        if (feature.takesTime && options.timedFrames > 0)
+            row.addedMs = addedMs(with, without, options.timedFrames);
     }
     return costs;
 }

@@ -17,6 +17,8 @@ struct SceneFeature {
     const char* name;
     bool (*occurs)(const SceneNeeds& needs);
     void (*remove)(Scene& scene);
+    // Whether a frame that makes everything anew, as those that are timed do, takes longer for it.
+    bool takesTime = true;
 };
 const std::vector<SceneFeature>& allSceneFeatures();
 
@@ -24,7 +26,7 @@ struct FrameCost {
     gl::CallSummary calls;  // of one frame, when every pass has been made
     std::vector<Renderer::Resource> resources;
 
-    int passes() const { return static_cast<int>(calls.byGroup.size()) - 1; }  // less what is in none
+    int passes() const { return static_cast<int>(calls.passes.size()); }
     int programs() const { return static_cast<int>(calls.programs.size()); }
     std::size_t bytes() const;
 };
@@ -41,8 +43,8 @@ struct SceneCosts {
     struct Row {
         std::string name;
         bool occurs = false;
-        FrameCost without;     // where it occurs
-        double addedMs = 0.0;  // likewise, where frames are timed: difference of the medians
+        FrameCost without;              // where it occurs
+        std::optional<double> addedMs;  // likewise, where that is timed: difference of the medians
     };
     FrameCost frame;
     std::vector<Row> rows;  // of allSceneFeatures(), in that order

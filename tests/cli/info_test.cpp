@@ -6,8 +6,10 @@
 #include <string>
 
 #include "platform/contexts.h"
+#include "support/moving_scenes.h"
+#include "support/temporary_folder.h"
 
-namespace vct {
+namespace vct::test {
 namespace {
 
 struct Outcome {
@@ -94,6 +96,24 @@ TEST(Info, CostsOfASceneAreOfTheModeAndGridAskedFor) {
     EXPECT_FALSE(has(outcome, "| shadow map |")) << outcome.output;
 }
 
+// What moves costs no pass; a moving light no time, as all is made anew in the frames that are timed.
+TEST(Info, CostsOfWhatMoves) {
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    builder.animate(1, "rotation", {0, 1}, {-0.5F, 0, 0, 0.8660254F, -0.258819F, 0, 0, 0.9659258F});
+    builder.animate(box, "translation", {0, 1}, {0, 0.5F, 0, 0.5F, 0.5F, 0});
+    const TemporaryFolder folder;
+    const Bytes file = builder.glb();
+    writeBytes(folder.file("sun.glb"), std::string(file.begin(), file.end()));
+    for (const char* preset : {"thesis", "mobile"}) {
+        const Outcome outcome =
+            info("", folder.file("sun.glb") + " --size 32x32 --grid 64 --times 1 --preset " + preset);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+        EXPECT_TRUE(has(outcome, "\n| moving objects | +0 | +")) << outcome.output;
+        EXPECT_TRUE(has(outcome, "\n| moving light | +0 | +0 | +0 | +0.0 | – |\n")) << outcome.output;
+    }
+}
+
 TEST(Info, ABadSceneIsOneError) {
     const std::string cases[][2] = {{"none.glb", "none.glb"},
                                     {courtyard + " --preset best", "thesis, mobile, quality"},
@@ -108,4 +128,4 @@ TEST(Info, ABadSceneIsOneError) {
 }
 
 }  // namespace
-}  // namespace vct
+}  // namespace vct::test

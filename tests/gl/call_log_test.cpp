@@ -44,6 +44,7 @@ TEST(CallLog, SummaryCountsByNameAndGroupAndNamesBindings) {
     EXPECT_EQ(summary.calls, 5);
     EXPECT_EQ(summary.byGroup,
               (std::vector<std::pair<std::string, int>>{{"outer", 1}, {"inner", 3}, {"", 1}}));
+    EXPECT_EQ(summary.passes, std::set<std::string>{"outer"});
     EXPECT_EQ(summary.byName.at("BindTexture"), 1);
     EXPECT_EQ(summary.bindings, (std::set<std::string>{"texture 5: 2D", "uniform buffer 2: 256 bytes"}));
     EXPECT_EQ(summary.draws + summary.dispatches, 0);
