@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/grid_option.h"
 #include "core/error.h"
+#include "cli/progress.h"
 #include "gl/capabilities.h"
 #include "measure/options.h"
 #include "measure/scene_costs.h"
@@ -79,8 +80,7 @@ void printScene(const InfoOptions& options) {
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
     options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
-    std::fprintf(stderr, "rendering %s with and without each of its needs (seconds)\n",
-                 options.scene.c_str());
+    const Progress progress("rendering " + options.scene + " with and without each of its needs");
     const SceneCosts costs =
         sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;

@@ -1,7 +1,6 @@
 // vct render: a scene in; pictures, stages and step timings out.
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -9,8 +8,10 @@
 #include "cli/grid_option.h"
 #include "cli/moments.h"
 #include "cli/output.h"
+#include "cli/pictures.h"
+#include "cli/progress.h"
 #include "core/error.h"
-#include "image/image.h"
+#include "core/number_text.h"
 #include "measure/options.h"
 #include "measure/timings.h"
 #include "platform/context.h"
@@ -24,7 +25,8 @@ namespace vct::cli {
 namespace {
 
 struct RenderOptions {
-    std::string scene, out, timings, animation;
+    std::string scene, timings, animation;
+    PictureOptions pictures;
     MomentOptions moments;
     std::string mode = "gi-cone-shadow";
     std::string preset = "thesis";
@@ -41,15 +43,12 @@ struct RenderOptions {
     GridOption grid;
     std::optional<int> shadowMap, bounces;
     std::optional<float> coneAngleDeg, aoDistance;
-    float exposure = 1.0F;
     std::vector<std::string> experiments, gather, occlusion;
     unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool revoxelize = false;
     bool emulateHalf = false;
-    bool stages = false;
     bool lightParts = false;
-    bool contactSheet = false;
 };
 
 Settings settingsFrom(const RenderOptions& options) {
@@ -77,81 +76,6 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.activeVoxelLimit = options.activeVoxels;
     validate(settings);
     return settings;
-}
-
-void progress(const std::string& text) {
-    std::fprintf(stderr, "%s\n", text.c_str());
-}
-
-std::string secondsText(double seconds) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", seconds);
-    return text;
-}
-
-Image exposed(Image image, float exposure) {
-    for (glm::vec3& pixel : image.pixels)
-        pixel *= exposure;
-    return image;
-}
-
-void writePicture(const std::string& name, const Image& image, const RenderOptions& options,
-                  const OutputFolder& out) {
-    writeExr(out.file(name + ".exr"), image);
-    writePng(out.file(name + ".png"), exposed(image, options.exposure));
-}
-
-// Of one moment. Everything is rendered before anything is written.
-struct Pictures {
-    std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
-    std::vector<std::pair<std::string, Image>> lightParts;  // likewise
-    std::vector<Renderer::Stage> stages;
-};
-
-void write(const Pictures& pictures, const RenderOptions& options, OutputFolder& out) {
-    std::vector<std::pair<std::string, Image>> sheet;
-    for (const auto* group : {&pictures.modes, &pictures.lightParts})
-        for (const auto& [name, image] : *group) {
-            writePicture(name, image, options, out);
-            if (group == &pictures.modes) sheet.emplace_back(name, exposed(image, options.exposure));
-        }
-    if (options.contactSheet && sheet.size() > 1)
-        writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
-    if (!pictures.stages.empty()) {
-        OutputFolder stages(out.file("stages"));
-        for (const Renderer::Stage& stage : pictures.stages) {
-            writePng(stages.file(stage.name + ".png"), stage.image);
-            if (stage.hasUnits) writeExr(stages.file(stage.name + ".exr"), stage.image);
-        }
-        stages.keep();
-    }
-    out.keep();
-}
-
-// What write() made.
-std::set<std::string> filesOf(const Pictures& pictures, const RenderOptions& options) {
-    std::set<std::string> made;
-    for (const auto* group : {&pictures.modes, &pictures.lightParts})
-        for (const auto& [name, image] : *group)
-            made.insert({name + ".exr", name + ".png"});
-    if (options.contactSheet && pictures.modes.size() > 1) made.insert("contact_sheet.png");
-    if (options.stages) made.insert("stages");
-    return made;
-}
-
-// Nothing is deleted from a folder that was used before, so what is not of this run is named.
-void nameOlderPictures(const std::set<std::string>& made, const RenderOptions& options) {
-    std::set<std::string> older;
-    for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
-        const std::filesystem::path& path = entry.path();
-        const bool picture = path.extension() == ".png" || path.extension() == ".exr";
-        if ((picture || path.filename() == "stages") && made.count(path.filename().string()) == 0)
-            older.insert(path.filename().string());
-    }
-    std::string names;
-    for (const std::string& name : older)
-        names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty()) progress("note: not of this run, but in " + options.out + ": " + names);
 }
 
 // A scene, and a camera and a light as they are at rest, on a renderer.
@@ -189,27 +113,33 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
     const Settings& settings = placed.settings;
     Renderer& renderer = placed.renderer;
     const Camera camera = moment.empty() ? placed.camera : placed.moveTo(moment.front());
+    ExposureCheck checkExposure(options.pictures.exposure);
     Pictures pictures;
     for (Mode mode : modes) {
-        progress(std::string("mode ") + modeName(mode) + ", " + std::to_string(settings.size.x) + "x" +
-                 std::to_string(settings.size.y) + ", " + std::to_string(settings.grid) + "^3");
+        const Progress progress(std::string("mode ") + modeName(mode) + ", " +
+                                std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
+                                ", " + std::to_string(settings.grid) + "^3");
         if (options.timings.empty())
             renderer.frame(mode, camera);
         else
             report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
         report.activeVoxels = renderer.activeVoxels();
         pictures.modes.emplace_back(modeName(mode), renderer.radiance());
+        checkExposure(modeName(mode), pictures.modes.back().second);
     }
     report.resources = renderer.resources();
-    if (options.lightParts)
+    if (options.lightParts) {
+        const Progress progress("light parts");
         for (Renderer::Stage& part : renderer.lightParts(camera))
             pictures.lightParts.emplace_back(part.name, std::move(part.image));
-    if (options.stages) {
-        progress("stages");
+    }
+    if (options.pictures.stages) {
+        const Progress progress("stages");
         pictures.stages = renderer.stages(camera);
     }
-    write(pictures, options, out);
-    return filesOf(pictures, options);
+    const Progress progress("writing the pictures");
+    write(pictures, options.pictures, out);
+    return filesOf(pictures, options.pictures);
 }
 
 // Every mode at each moment, written frame by frame: a sequence may be longer than the memory. With timings
@@ -220,6 +150,7 @@ std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mod
     Renderer& renderer = placed.renderer;
     const bool timed = !placed.options.timings.empty();
     std::set<std::string> made;
+    ExposureCheck checkExposure(placed.options.pictures.exposure);
     for (Mode mode : modes) {
         if (timed) {
             for (int i = 0; i < warmUpFrames; ++i)
@@ -230,11 +161,13 @@ std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mod
             char line[96];
             std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", modeName(mode), frame + 1,
                           moments.size(), moments[frame]);
-            progress(line);
+            const Progress progress(line);
             renderer.frame(mode, placed.moveTo(moments[frame]));
             report.activeVoxels = renderer.activeVoxels();
             const std::string name = modeName(mode) + frameSuffix(frame);
-            writePicture(name, renderer.radiance(), placed.options, out);
+            const Image image = renderer.radiance();
+            writePicture(name, image, placed.options.pictures, out);
+            checkExposure(name, image);
             out.keep();
             made.insert({name + ".exr", name + ".png"});
         }
@@ -249,42 +182,40 @@ void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     Settings settings = settingsFrom(options);
     const Backend backend = backendFromName(options.backend);
-    if (!(options.exposure > 0.0F) || !std::isfinite(options.exposure))
+    if (!(options.pictures.exposure > 0.0F) || !std::isfinite(options.pictures.exposure))
         throw Error("--exposure must be a number above 0");
     validate(options.moments);
     const bool sequence = options.moments.frames.has_value();
-    if (sequence && (options.stages || options.lightParts || options.contactSheet))
+    if (sequence && (options.pictures.stages || options.lightParts || options.pictures.contactSheet))
         throw Error(
             "--stages, --light-parts and --contact-sheet are of one moment; leave out --frames and --fps, "
             "and choose it by --time");
     // Before anything slow: an output that cannot be written should be known at once.
-    OutputFolder out(options.out);
+    OutputFolder out(options.pictures.out);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
     Scene scene = loadGltf(options.scene, readFileFromDisk, options.animation);
     for (const std::string& warning : scene.warnings)
-        progress("warning: " + warning);
+        say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
     const std::vector<double> moments = momentsOf(options.moments, scene);
     const Camera camera = cameraFromText(options.camera, scene);
     const DirectionalLight light = lightFromText(options.light, scene);
     if (scene.lights.empty() && options.light.find("direction") == std::string::npos)
-        progress(
-            "warning: the scene has no directional light; one from the upper front right is used (--light)");
-    progress(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
-             std::to_string(scene.instances.size()) + " instances");
+        say("warning: the scene has no directional light; one from the upper front right is used (--light)");
+    say(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
+        std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
-        progress("note: the scene is animated and shown at rest; --time S shows a moment of its " +
-                 secondsText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
+        say("note: the scene is animated and shown at rest; --time S shows a moment of its " +
+            numberText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
 
     if (settings.specular == Specular::none && needsOf(scene).glossy)
-        progress(
-            "warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
+        say("warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
             "can reflect (--specular cone)");
 
     const Context context = openContext(backend, options.device);
     context.capabilities.requireAll();
-    progress(context.capabilities.renderer + ", " + context.capabilities.version);
+    say(context.capabilities.renderer + ", " + context.capabilities.version);
     options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
     Renderer renderer(scene, light, settings, context.capabilities,
                       gl::shadersFromFolder(gl::defaultShaderFolder()));
@@ -293,7 +224,7 @@ void render(const RenderOptions& options) {
     const Placed placed{options, settings, scene, camera, light, renderer};
     const std::set<std::string> made =
         (sequence ? renderSequence : renderPictures)(placed, modes, moments, out, report);
-    nameOlderPictures(made, options);
+    nameOlderPictures(made, options.pictures);
     if (!options.timings.empty()) {
         report.scene = options.scene;
         report.triangles = scene.triangleCount();
@@ -303,8 +234,7 @@ void render(const RenderOptions& options) {
         writeJson(options.timings, timingsJson(report, context.capabilities));
         std::fputs(timingsTable(report.modes).c_str(), stdout);
         if (!settings.revoxelize && !sequence)
-            progress(
-                "Nothing moved: shadow map (CS) and voxels (V, M, B) were made once, before these frames; "
+            say("Nothing moved: shadow map (CS) and voxels (V, M, B) were made once, before these frames; "
                 "--revoxelize times them too");
     }
 }
@@ -327,7 +257,8 @@ void addRender(CLI::App& app, int&) {
     auto options = std::make_shared<RenderOptions>();
     command->footer(footer);
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
-    command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
+    command->add_option("--out", options->pictures.out, "Folder for the pictures; made if missing")
+        ->required();
     command
         ->add_option("--mode", options->mode,
                      "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
@@ -387,13 +318,13 @@ void addRender(CLI::App& app, int&) {
                         "Which of the scene's animations to play, by name or index (default: its first)");
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
         ->capture_default_str();
-    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")
+    command->add_option("--exposure", options->pictures.exposure, "Scales the PNGs, never the EXRs")
         ->capture_default_str();
-    command->add_flag("--stages", options->stages, "Also write every intermediate into DIR/stages/");
+    command->add_flag("--stages", options->pictures.stages, "Also write every intermediate into DIR/stages/");
     command->add_flag(
         "--light-parts", options->lightParts,
         "Also write indirect_light, ambient_occlusion and cone_shadow, each alone, as PNG and EXR");
-    command->add_flag("--contact-sheet", options->contactSheet,
+    command->add_flag("--contact-sheet", options->pictures.contactSheet,
                       "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
                         "Time each step over 5 frames (docs/timings.md) and write FILE.json; "

@@ -1,13 +1,13 @@
 // vct shaders: every program of every preset as the ESSL that a phone's driver compiles, and how often each
 // stage and loop runs in a frame. tools/mali.py makes bounds of both.
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "core/error.h"
+#include "cli/progress.h"
 #include "core/files.h"
 #include "measure/options.h"
 #include "measure/timings.h"
@@ -152,7 +152,7 @@ void writeShaders(const ShadersOptions& options) {
                           {"vertices", vertices},
                           {"presets", ordered_json::array()}};
     for (const std::string& preset : presets) {
-        std::fprintf(stderr, "%s\n", preset.c_str());
+        const Progress progress(preset);
         Settings settings = presetSettings(preset);
         settings.size = size;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};

@@ -36,5 +36,30 @@ TEST(Render, EachModeOnceInTheOrderGiven) {
     EXPECT_EQ(program.err.find("mode gi,", phong), std::string::npos) << program.err;
 }
 
+TEST(Render, WarnsOnceOfAPictureThatIsCutOffAtWhiteAndTheAdviceCuresIt) {
+    ProgramRun program;
+    const std::string sun =
+        std::string("render ") + ProgramRun::cornell +
+        " --size 16x16 --grid 64 --out out --mode phong,shadow-map --light intensity=100000";
+    ASSERT_EQ(program.run(sun), 0) << program.err;
+    const std::size_t at = program.err.find("warning: phong.png: ");
+    ASSERT_NE(at, std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("warning: ", at + 1), std::string::npos) << program.err;
+    const std::size_t advice = program.err.find("--exposure ", at);
+    ASSERT_NE(advice, std::string::npos) << program.err;
+    ASSERT_EQ(program.run(sun + " " + program.err.substr(advice, program.err.find(" (", advice) - advice)), 0)
+        << program.err;
+    EXPECT_EQ(program.err.find("warning: "), std::string::npos) << program.err;
+
+    ASSERT_EQ(
+        program.run("render " VCT_SOURCE_DIR "/assets/moving.glb --size 16x16 --grid 64 --out out --mode "
+                    "phong --light intensity=100000 --frames 3 --fps 2"),
+        0)
+        << program.err;
+    const std::size_t first = program.err.find("warning: phong_0000.png: ");
+    ASSERT_NE(first, std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("warning: ", first + 1), std::string::npos) << program.err;
+}
+
 }  // namespace
 }  // namespace vct::test

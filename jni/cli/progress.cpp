@@ -1,0 +1,29 @@
+#include "cli/progress.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+
+namespace vct::cli {
+
+void say(const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+Progress::Progress(const std::string& what) {
+    say(what);
+    reminder_ = std::jthread([what](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any stopped;
+        const auto start = std::chrono::steady_clock::now();
+        for (std::chrono::seconds at(2);; at *= 2) {
+            stopped.wait_until(lock, stop, start + at, [] { return false; });
+            if (stop.stop_requested()) return;
+            say(what + ": " + std::to_string(at.count()) + " s so far");
+        }
+    });
+}
+
+}  // namespace vct::cli
