@@ -4,14 +4,16 @@
 #include <fstream>
 #include <functional>
 #include <optional>
-#include <sstream>
 
+#include "cli/backend_option.h"
 #include "cli/child_process.h"
 #include "cli/commands.h"
 #include "cli/grid_option.h"
+#include "cli/numbers.h"
 #include "cli/output.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/number_text.h"
 #include "measure/bench_plan.h"
 #include "measure/options.h"
 #include "measure/preset_comparison.h"
@@ -30,16 +32,13 @@ struct BenchOptions {
     GridOption grid;
     std::string size = "400x400";
     std::string camera, light;
-    std::string backend = "egl";
-    int device = -1;
+    BackendOption backend;
     int shadowMap = 512;
     int repeat = 3;
 };
 
 std::vector<std::string> renderArguments(const BenchOptions& options, const std::string& preset,
                                          const BenchConfig& config, const TemporaryFolder& folder) {
-    std::ostringstream angle;
-    angle << config.coneAngleDeg;
     std::vector<std::string> arguments{"render",
                                        options.scene,
                                        "--out=" + folder.file("pictures"),
@@ -47,14 +46,15 @@ std::vector<std::string> renderArguments(const BenchOptions& options, const std:
                                        "--revoxelize",
                                        "--mode=" + config.modes,
                                        options.grid.argument(config.grid),
-                                       "--cone-angle=" + angle.str(),
+                                       "--cone-angle=" + numberText(config.coneAngleDeg),
                                        "--preset=" + preset,
                                        "--size=" + options.size,
                                        "--shadow-map=" + std::to_string(options.shadowMap),
-                                       "--backend=" + options.backend};
+                                       "--backend=" + options.backend.name};
     if (!options.camera.empty()) arguments.push_back("--camera=" + options.camera);
     if (!options.light.empty()) arguments.push_back("--light=" + options.light);
-    if (options.device >= 0) arguments.push_back("--device=" + std::to_string(options.device));
+    if (options.backend.device >= 0)
+        arguments.push_back("--device=" + std::to_string(options.backend.device));
     return arguments;
 }
 
@@ -123,7 +123,7 @@ Result presetsHere(const BenchOptions& options) {
 
 void bench(const BenchOptions& options) {
     sizeFromText(options.size);
-    backendFromName(options.backend);
+    backendFromName(options.backend.name);
     for (const std::string& preset : options.presets) {
         Settings settings = presetSettings(preset);
         options.grid.applyNumber(settings);
@@ -161,7 +161,7 @@ void addBench(CLI::App& app, int&) {
     command->add_option("--out", options->out, "Folder for bench.json and bench.txt; made if missing");
     command->add_option("--json", options->json, "Write the tables and every measurement to FILE");
     command->add_option("--repeat", options->repeat, "Fresh processes for each configuration")
-        ->check(CLI::Range(1, 100))
+        ->check(number("a whole number from 1 to 100", [](double v) { return v >= 1.0 && v <= 100.0; }))
         ->capture_default_str();
     command
         ->add_option(
@@ -174,8 +174,7 @@ void addBench(CLI::App& app, int&) {
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side")->capture_default_str();
     command->add_option("--camera", options->camera, "As for render");
     command->add_option("--light", options->light, "As for render");
-    command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
-    command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    options->backend.addTo(*command);
     command->callback([options] { bench(*options); });
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "cli/numbers.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "render/grid_choice.h"
@@ -15,13 +16,14 @@ constexpr const char* automatic = "auto";
 }
 
 void GridOption::addTo(CLI::App& command) {
-    CLI::Option* number = command.add_option("--grid", grid,
-                                             "Voxels along a side: 64, 128, 256, 512, or auto, by the "
-                                             "scene's narrowest parts (default: the preset's)");
+    CLI::Option* gridOption = command.add_option("--grid", grid,
+                                                 "Voxels along a side: 64, 128, 256, 512, or auto, by the "
+                                                 "scene's narrowest parts (default: the preset's)");
     command
         .add_option("--voxel-size", voxelSize,
                     "Largest voxel in metres: the smallest grid with such voxels around the scene")
-        ->excludes(number);
+        ->check(number("a length above 0, in metres", [](double v) { return v > 0.0; }))
+        ->excludes(gridOption);
 }
 
 void GridOption::applyNumber(Settings& settings) const {

@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/backend_option.h"
 #include "cli/commands.h"
 #include "cli/grid_option.h"
-#include "core/error.h"
+#include "cli/numbers.h"
 #include "cli/progress.h"
+#include "core/error.h"
 #include "gl/capabilities.h"
 #include "measure/options.h"
 #include "measure/scene_costs.h"
@@ -17,8 +19,7 @@ namespace vct::cli {
 namespace {
 
 struct InfoOptions {
-    std::string backend = "egl";
-    int device = -1;
+    BackendOption backend;
     bool listDevices = false;
     std::string scene;
     std::string preset = "thesis";
@@ -47,12 +48,12 @@ void printDevices() {
 }
 
 bool printCapabilities(const InfoOptions& options) {
-    const Context context = openContext(backendFromName(options.backend), options.device);
+    const Context context = openContext(backendFromName(options.backend.name), options.backend.device);
     const gl::Capabilities& capabilities = context.capabilities;
-    std::printf("back end:  %s, %s\n%s", options.backend.c_str(), context.platform->description().c_str(),
-                gl::describe(capabilities).c_str());
+    std::printf("back end:  %s, %s\n%s", options.backend.name.c_str(),
+                context.platform->description().c_str(), gl::describe(capabilities).c_str());
     // A driver library without access to its GPU is a common surprise in containers.
-    if (capabilities.softwareDriver && options.device < 0 && eglDevices().size() > 1)
+    if (capabilities.softwareDriver && options.backend.device < 0 && eglDevices().size() > 1)
         std::puts("EGL lists more than one device; --list-devices shows whether one of them is a GPU.");
     for (const gl::Requirement& row : capabilities.requirements) {
         if (row.required && !row.met) return false;
@@ -72,12 +73,12 @@ void printScene(const InfoOptions& options) {
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
-    const Backend backend = backendFromName(options.backend);
+    const Backend backend = backendFromName(options.backend.name);
 
     const Scene scene = loadGltf(options.scene);
     frame.camera = cameraFromText(options.camera, scene);
     frame.light = lightFromText(options.light, scene);
-    const Context context = openContext(backend, options.device);
+    const Context context = openContext(backend, options.backend.device);
     context.capabilities.requireAll();
     options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
     const Progress progress("rendering " + options.scene + " with and without each of its needs");
@@ -98,16 +99,11 @@ void addInfo(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand(
         "info", "Show the GL driver and whether it has what the pipeline needs, or what a scene needs");
     const auto options = std::make_shared<InfoOptions>();
-    command
-        ->add_option(
-            "--backend", options->backend,
-            "Where the context comes from: egl, osmesa (software, desktop context), zink (over Vulkan)")
-        ->capture_default_str();
-    command->add_option("--device", options->device, "Index of the EGL device (default: the driver's choice)")
-        ->check(CLI::NonNegativeNumber);
+    options->backend.addTo(*command);
     command->add_flag("--list-devices", options->listDevices,
                       "List the EGL devices with their indices, and stop");
-    command->add_option("scene", options->scene, "Scene, .gltf or .glb; without it, the driver");
+    CLI::Option* scene =
+        command->add_option("scene", options->scene, "Scene, .gltf or .glb; without it, the driver");
     command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
         ->capture_default_str();
     command->add_option("--mode", options->mode, "Of a scene's frame, as for render")->capture_default_str();
@@ -118,7 +114,10 @@ void addInfo(CLI::App& app, int& exitCode) {
     command
         ->add_option("--times", options->timedFrames,
                      "Time so many frames with and without each need, in turn; the difference of the medians")
-        ->check(CLI::Range(1, 1000));
+        ->check(number("a whole number from 1 to 1000", [](double v) { return v >= 1.0 && v <= 1000.0; }));
+    for (const char* ofAScene :
+         {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
+        command->get_option(ofAScene)->needs(scene);
     command->footer(footer);
     command->callback([options, &exitCode] {
         if (options->listDevices)

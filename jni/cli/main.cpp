@@ -4,12 +4,14 @@
 #include <exception>
 
 #include "cli/commands.h"
+#include "cli/numbers.h"
+#include "cli/parse_error.h"
 
 int main(int argc, char** argv) {
-    CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
-    app.set_version_flag("--version", "vct " VCT_VERSION);
     // Writing beyond `ulimit -f` shall be an error that is reported and tidied up after, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
+    CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
+    app.set_version_flag("--version", "vct " VCT_VERSION);
     app.require_subcommand(1);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
@@ -17,10 +19,14 @@ int main(int argc, char** argv) {
     vct::cli::addCompare(app, exitCode);
     vct::cli::addInfo(app, exitCode);
     vct::cli::addShaders(app, exitCode);
+    for (CLI::App* command : app.get_subcommands({}))
+        vct::cli::checkNumbers(*command);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        std::fprintf(stderr, "vct: error: %s\n", vct::cli::parseErrorText(app, error).c_str());
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vct: error: %s\n", error.what());
         return 1;

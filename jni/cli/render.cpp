@@ -1,12 +1,13 @@
 // vct render: a scene in; pictures, stages and step timings out.
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <set>
 
+#include "cli/backend_option.h"
 #include "cli/commands.h"
 #include "cli/grid_option.h"
 #include "cli/moments.h"
+#include "cli/numbers.h"
 #include "cli/output.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
@@ -37,14 +38,13 @@ struct RenderOptions {
     std::optional<std::string> shadow, specular, voxelization;
     std::optional<int> blockerTaps, filterTaps;
     int voxelSamples = 1;
-    std::string backend = "egl";
-    int device = -1;
+    BackendOption backend;
     // Over the preset's, where given.
     GridOption grid;
     std::optional<int> shadowMap, bounces;
+    std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg, aoDistance;
     std::vector<std::string> experiments, gather, occlusion;
-    unsigned activeVoxels = 0;
     unsigned seedOrder = 0;
     bool revoxelize = false;
     bool emulateHalf = false;
@@ -73,7 +73,7 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.experiments = options.experiments;
     settings.revoxelize = options.revoxelize;
     settings.emulateHalf = options.emulateHalf;
-    settings.activeVoxelLimit = options.activeVoxels;
+    settings.activeVoxelLimit = options.activeVoxels.value_or(settings.activeVoxelLimit);
     validate(settings);
     return settings;
 }
@@ -181,9 +181,7 @@ std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mod
 void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     Settings settings = settingsFrom(options);
-    const Backend backend = backendFromName(options.backend);
-    if (!(options.pictures.exposure > 0.0F) || !std::isfinite(options.pictures.exposure))
-        throw Error("--exposure must be a number above 0");
+    const Backend backend = backendFromName(options.backend.name);
     validate(options.moments);
     const bool sequence = options.moments.frames.has_value();
     if (sequence && (options.pictures.stages || options.lightParts || options.pictures.contactSheet))
@@ -213,7 +211,7 @@ void render(const RenderOptions& options) {
         say("warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
             "can reflect (--specular cone)");
 
-    const Context context = openContext(backend, options.device);
+    const Context context = openContext(backend, options.backend.device);
     context.capabilities.requireAll();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
     options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
@@ -228,7 +226,7 @@ void render(const RenderOptions& options) {
     if (!options.timings.empty()) {
         report.scene = options.scene;
         report.triangles = scene.triangleCount();
-        report.backend = options.backend;
+        report.backend = options.backend.name;
         report.preset = options.preset;
         report.settings = settings;
         writeJson(options.timings, timingsJson(report, context.capabilities));
@@ -319,6 +317,7 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
         ->capture_default_str();
     command->add_option("--exposure", options->pictures.exposure, "Scales the PNGs, never the EXRs")
+        ->check(number("a number above 0", [](double value) { return value > 0.0; }))
         ->capture_default_str();
     command->add_flag("--stages", options->pictures.stages, "Also write every intermediate into DIR/stages/");
     command->add_flag(
@@ -332,16 +331,17 @@ void addRender(CLI::App& app, int&) {
     command->add_flag("--revoxelize", options->revoxelize,
                       "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
                       "changed: to measure what that takes");
-    command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
-    command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    options->backend.addTo(*command);
     std::string experiments = "Change one thing of the algorithm, for measurements (docs/defects.md):";
     for (const Experiment& experiment : allExperiments())
         experiments += std::string("\n") + experiment.name + ": " + experiment.what;
     command->add_option("--experiment", options->experiments, experiments)->delimiter(',');
     command->add_flag("--emulate-half", options->emulateHalf,
                       "Round the shaders' mediump values to 16 bits, as a phone does, on any driver");
-    command->add_option("--active-voxels", options->activeVoxels,
-                        "Room in the active-voxel list (default: 16 grid^2)");
+    command
+        ->add_option("--active-voxels", options->activeVoxels,
+                     "Room in the active-voxel list (default: 16 grid^2)")
+        ->check(number("a whole number above 0", [](double value) { return value > 0.0; }));
     command->add_option("--seed-order", options->seedOrder,
                         "Shuffle the triangles; the result must not change");
     command->callback([options] { render(*options); });

@@ -4,10 +4,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/backend_option.h"
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "core/error.h"
 #include "cli/progress.h"
+#include "core/error.h"
 #include "core/files.h"
 #include "measure/options.h"
 #include "measure/timings.h"
@@ -26,8 +27,7 @@ using nlohmann::ordered_json;
 struct ShadersOptions {
     std::string scene, out;
     std::string size = "400x400";
-    std::string backend = "egl";
-    int device = -1;
+    BackendOption backend;
     std::vector<std::string> presets;
 };
 
@@ -136,14 +136,14 @@ void writeShaders(const ShadersOptions& options) {
     for (const std::string& preset : presets)
         presetSettings(preset);
     const glm::ivec2 size = sizeFromText(options.size);
-    const Backend backend = backendFromName(options.backend);
+    const Backend backend = backendFromName(options.backend.name);
     OutputFolder out(options.out);
     const Scene scene = loadGltf(options.scene);
     const Camera camera = chooseCamera(scene, "");
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
         vertices += scene.meshes[static_cast<std::size_t>(instance.mesh)].vertices.size();
-    const Context context = openContext(backend, options.device);
+    const Context context = openContext(backend, options.backend.device);
     context.capabilities.requireAll();
 
     ordered_json manifest{{"scene", options.scene.substr(options.scene.rfind('/') + 1)},
@@ -186,8 +186,7 @@ void addShaders(CLI::App& app, int&) {
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
         ->delimiter(',');
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
-    command->add_option("--backend", options->backend, "egl, osmesa or zink")->capture_default_str();
-    command->add_option("--device", options->device, "EGL device by index (`vct info --list-devices`)");
+    options->backend.addTo(*command);
     command->callback([options] { writeShaders(*options); });
 }
 

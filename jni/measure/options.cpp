@@ -106,6 +106,7 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
         throw Error("--light: color and intensity must not be negative");
     if (largest > 0.0F) light.color /= largest;
     light.intensity *= largest;
+    if (!(light.intensity <= 1e30F)) throw Error("--light: color times intensity must not be beyond 1e30");
     return light;
 }
 

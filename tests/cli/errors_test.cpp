@@ -60,15 +60,33 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"GridInWords", renderCornell("--out out --grid fine"), "'fine' is not one of 64, 128"},
         BadCommand{"BenchGrid", benchCornell("--preset mobile --grid 100"), "64, 128, 256, 512"},
         BadCommand{"BenchOutBelowAFile", benchCornell("--out file/out"), "file/out"},
-        BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"}),
+        BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"},
+        BadCommand{"NoCommand", "", "no command is given; the commands are render, bench, compare"},
+        BadCommand{"UnknownCommand", "bogus a.glb",
+                   "'bogus' is not a command; the commands are render, bench"},
+        BadCommand{"UnknownOption", renderCornell("--out out --colour red"),
+                   "no option --colour; see vct render --help"},
+        BadCommand{"OneArgumentTooMany", renderCornell("other.glb last.glb --out out"),
+                   "'other.glb' is one argument too many"},
+        BadCommand{"NoValue", renderCornell("--out"), "--out needs a value"},
+        BadCommand{"TwoValues", renderCornell("--out out --out other"), "--out is given more than once"},
+        BadCommand{"NotANumber", renderCornell("--out out --frames x"),
+                   "--frames: 'x' is not a whole number"},
+        BadCommand{"NotWhole", renderCornell("--out out --bounces 1.5"), "'1.5' is not a whole number"},
+        BadCommand{"Negative", renderCornell("--out out --seed-order -1"), "'-1' is not a whole number of 0"},
+        BadCommand{"NanAngle", renderCornell("--out out --cone-angle nan"), "'nan' is not a number"},
+        BadCommand{"InfiniteExposure", renderCornell("--out out --exposure 1e39"), "is not a number above 0"},
+        BadCommand{"VoxelSizeOfZero", renderCornell("--out out --voxel-size 0"),
+                   "'0' is not a length above 0"},
+        BadCommand{"VoxelSizeNan", benchCornell("--voxel-size nan"), "'nan' is not a length above 0"},
+        BadCommand{"NoActiveVoxels", renderCornell("--out out --active-voxels 0"),
+                   "not a whole number above 0"},
+        BadCommand{"NegativeDevice", renderCornell("--out out --device -1"), "not the index of a device"},
+        BadCommand{"Gather", renderCornell("--out out --gather cones=99"), "whole number from 2 to 64\n"},
+        BadCommand{"LightBeyondFloat", renderCornell("--out out --light intensity=1e39"),
+                   "--light: color times"},
+        BadCommand{"InfoWithoutScene", "info --times 5", "--times requires scene"}),
     [](const ::testing::TestParamInfo<BadCommand>& test) { return std::string(test.param.name); });
-
-TEST(UnknownOption, IsNamed) {
-    ProgramRun program;
-    EXPECT_NE(program.run(renderCornell("--out out --colour red")), 0);
-    EXPECT_NE(program.err.find("--colour"), std::string::npos) << program.err;
-    EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
-}
 
 }  // namespace
 }  // namespace vct::test

@@ -61,9 +61,9 @@ TEST(Sequence, WhatDoesNotGoTogetherIsRefusedBeforeAnythingIsMade) {
         {moving, "--fps 2", "go together"},
         {moving, "--frames 0 --fps 2", "--frames must be between 1"},
         {moving, "--frames 2 --fps 0", "--fps must be"},
-        {moving, "--frames 2 --fps inf", "--fps must be"},
+        {moving, "--frames 2 --fps inf", "--fps: 'inf' is not a number"},
         {moving, "--time -1", "--time must be"},
-        {moving, "--time nan", "--time must be"},
+        {moving, "--time nan", "--time: 'nan' is not a number"},
         {moving, "--frames 2 --fps 2 --stages", "leave out --frames"},
         {moving, "--frames 2 --fps 2 --contact-sheet", "leave out --frames"},
     };

@@ -76,7 +76,11 @@ TEST_F(CompareCommand, RefusesBadTolerances) {
             << difference;
         EXPECT_FALSE(text.empty()) << difference;
     }
-    EXPECT_NE(run("a.png a.png --max-difference 0 --max-fraction 1.5"), 0);
+    for (const char* fraction : {"1.5", "-1", "nan", "x"}) {
+        EXPECT_NE(run("a.png a.png --max-difference 0 --max-fraction=" + std::string(fraction)), 0)
+            << fraction;
+        EXPECT_TRUE(says("is not a fraction from 0 to 1")) << text;
+    }
     EXPECT_NE(run("a.png a.png"), 0);
 }
 

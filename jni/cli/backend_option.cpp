@@ -1,0 +1,19 @@
+#include "cli/backend_option.h"
+
+#include "cli/numbers.h"
+
+namespace vct::cli {
+
+void BackendOption::addTo(CLI::App& command) {
+    command
+        .add_option("--backend", name,
+                    "Where the context comes from: egl, osmesa (software, desktop context), zink (over "
+                    "Vulkan)")
+        ->capture_default_str();
+    command
+        .add_option("--device", device,
+                    "EGL device by index (`vct info --list-devices`; default: the driver's choice)")
+        ->check(number("the index of a device, 0 or more", [](double value) { return value >= 0.0; }));
+}
+
+}  // namespace vct::cli
