@@ -1,10 +1,10 @@
 #include "cli/grid_option.h"
 
-#include <cstdio>
 #include <limits>
 #include <sstream>
 
 #include "cli/numbers.h"
+#include "cli/progress.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "render/grid_choice.h"
@@ -34,13 +34,18 @@ void GridOption::applyNumber(Settings& settings) const {
 }
 
 void GridOption::applyScene(Settings& settings, const Scene& scene, bool texturesInMainMemory) const {
-    if (!voxelSize && grid != automatic) return;
-    const std::size_t bytes =
-        texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
-    const GridChoice choice =
-        voxelSize ? gridForVoxelSize(scene.boundsWorld, *voxelSize) : chooseGrid(scene, settings, bytes);
-    settings.grid = choice.grid;
-    std::fprintf(stderr, "%s\n", choice.reason.c_str());
+    if (grid == automatic) {
+        const std::size_t bytes =
+            texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
+        const GridChoice choice = chooseGrid(scene, settings, bytes);
+        settings.grid = choice.grid;
+        say(choice.reason);
+        return;
+    }
+    if (voxelSize) settings.grid = gridForVoxelSize(scene.boundsWorld, *voxelSize);
+    say(gridText(scene.boundsWorld, settings.grid));
+    const std::string warning = coarseGridWarning(scene, settings);
+    if (!warning.empty()) say(warning);
 }
 
 std::string GridOption::name(int presetGrid) const {

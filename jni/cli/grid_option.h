@@ -19,8 +19,8 @@ struct GridOption {
     // Sets a grid that is given as a number; the preset's stays where it follows from the scene. Throws
     // vct::Error where it is neither.
     void applyNumber(Settings& settings) const;
-    // Sets one that follows from the scene, and prints the reason. `texturesInMainMemory`: so how much memory
-    // there is can be asked.
+    // Sets one that follows from the scene. Prints how large the voxels are, and why. `texturesInMainMemory`:
+    // so how much memory there is can be asked.
     void applyScene(Settings& settings, const Scene& scene, bool texturesInMainMemory) const;
     // For people: "64^3", "grid auto".
     std::string name(int presetGrid) const;

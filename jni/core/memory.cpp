@@ -60,7 +60,7 @@ void requireMemory(std::size_t bytes, const std::string& what) {
     if (bytes + driverReserve > available)
         throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " +
                     megabytes(driverReserve) + " for the driver, of which " + megabytes(available) +
-                    " are available; use a smaller --grid, or free memory");
+                    " are available; use fewer voxels (--grid, --voxel-size), or free memory");
 }
 
 }  // namespace vct

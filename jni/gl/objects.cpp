@@ -41,7 +41,7 @@ void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
     if (error == GL_OUT_OF_MEMORY)
         throw Error("not enough memory for " + label + " (" + megabytes(bytes) +
-                    "); use a smaller --grid or --size, or free memory");
+                    "); use fewer voxels (--grid, --voxel-size) or a smaller --size, or free memory");
 }
 
 }  // namespace

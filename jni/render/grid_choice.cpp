@@ -1,7 +1,6 @@
 #include "render/grid_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -37,10 +36,6 @@ std::string lengthText(double metres) {
     return text;
 }
 
-std::string voxelsText(const Bounds& boundsWorld, int grid) {
-    return "grid " + std::to_string(grid) + ": voxels of " + lengthText(voxelSize(boundsWorld, grid));
-}
-
 std::size_t voxelBytes(const Settings& settings, int grid) {
     return settings.voxels == Voxels::words ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
                                             : FaceVoxels::bytesFor(grid, settings.activeVoxelLimit);
@@ -49,6 +44,11 @@ std::size_t voxelBytes(const Settings& settings, int grid) {
 struct Narrow {
     double across = 0.0;  // metres
     std::string name;     // of the mesh
+
+    std::string text(Voxels voxels) const {
+        return "the narrowest 2 % of the surface are parts up to " + lengthText(across) +
+               (voxels == Voxels::words ? " thick" : " wide") + (name.empty() ? "" : " (\"" + name + "\")");
+    }
 };
 
 // The parts that are no wider than this make up shareOfSurface of the surface.
@@ -74,11 +74,21 @@ Narrow narrowest(const Scene& scene, Voxels voxels) {
 
 }  // namespace
 
-GridChoice gridForVoxelSize(const Bounds& boundsWorld, double metres) {
-    if (!(metres > 0.0) || !std::isfinite(metres))
-        throw Error("--voxel-size must be a length above 0, in metres");
+std::string gridText(const Bounds& boundsWorld, int grid) {
+    return "grid " + std::to_string(grid) + ": voxels of " + lengthText(voxelSize(boundsWorld, grid));
+}
+
+std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
+    const Narrow narrow = narrowest(scene, settings.voxels);
+    if (narrow.across <= 0.0 || narrow.across >= voxelSize(scene.boundsWorld, settings.grid)) return {};
+    return "warning: " + narrow.text(settings.voxels) +
+           ", less than a voxel: their light and shadow are wrong; use a finer --grid, or leave out of the "
+           "scene what is far away";
+}
+
+int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
     for (const int grid : allGrids())
-        if (voxelSize(boundsWorld, grid) <= metres) return {grid, voxelsText(boundsWorld, grid)};
+        if (voxelSize(boundsWorld, grid) <= metres) return grid;
     const int finest = allGrids().back();
     throw Error("--voxel-size " + lengthText(metres) + ": the finest grid, " + std::to_string(finest) +
                 "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
@@ -104,12 +114,8 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t 
         chosen = grid;
     }
     if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
-    std::string reason = voxelsText(scene.boundsWorld, chosen) + limit;
-    if (needed > 0.0)
-        reason += "; the narrowest 2 % of the surface are parts up to " + lengthText(narrow.across) +
-                  (settings.voxels == Voxels::words ? " thick" : " wide") +
-                  (narrow.name.empty() ? "" : " (\"" + narrow.name + "\")") + ", which ask for " +
-                  lengthText(needed);
+    std::string reason = gridText(scene.boundsWorld, chosen) + limit;
+    if (needed > 0.0) reason += "; " + narrow.text(settings.voxels) + ", which ask for " + lengthText(needed);
     return {chosen, reason};
 }
 

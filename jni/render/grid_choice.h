@@ -11,12 +11,18 @@ namespace vct {
 
 struct GridChoice {
     int grid = 0;
-    std::string reason;  // for people: "grid 128: voxels of 6.5 cm, ..."
+    std::string reason;  // for people: "grid 128: voxels of 6.5 cm; ..."
 };
 
+// For people: "grid 64: voxels of 3.39 cm".
+std::string gridText(const Bounds& boundsWorld, int grid);
+
+// For people: what narrow parts of the scene are lost in Settings::grid, and the remedy; else empty.
+std::string coarseGridWarning(const Scene& scene, const Settings& settings);
+
 // The smallest grid whose voxels around the scene are not larger than this. Throws vct::Error where the
-// finest grid's are, or where it is not a length.
-GridChoice gridForVoxelSize(const Bounds& boundsWorld, double metres);
+// finest grid's are.
+int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 
 // The smallest grid within Settings::gridRange whose voxels are half as large as the narrowest parts of the
 // scene, up to the finest for which there are `bytes` of memory. The narrowest parts: those that make up 2 %

@@ -36,6 +36,19 @@ TEST(Render, EachModeOnceInTheOrderGiven) {
     EXPECT_EQ(program.err.find("mode gi,", phong), std::string::npos) << program.err;
 }
 
+TEST(Render, TellsHowLargeVoxelsAreAndWhatIsSmaller) {
+    ProgramRun program;
+    const std::string options = " --size 16x16 --grid 64 --out out --mode phong";
+    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell + options), 0) << program.err;
+    EXPECT_NE(program.err.find("\ngrid 64: voxels of 3.39 cm\n"), std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;
+    ASSERT_EQ(program.run("render " VCT_SOURCE_DIR "/assets/thin_wall.glb" + options), 0) << program.err;
+    EXPECT_NE(program.err.find("warning: the narrowest 2 % of the surface are parts up to 1 cm thick "
+                               "(\"wall\"), less than a voxel"),
+              std::string::npos)
+        << program.err;
+}
+
 TEST(Render, WarnsOnceOfAPictureThatIsCutOffAtWhiteAndTheAdviceCuresIt) {
     ProgramRun program;
     const std::string sun =
