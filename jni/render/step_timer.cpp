@@ -9,15 +9,15 @@
 
 namespace vct {
 
-namespace {
-
-double finishedAtMs() {
-    gl::Finish();
+double StepTimer::nowMs() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double, std::milli>(now).count();
 }
 
-}  // namespace
+double StepTimer::finishedAtMs() {
+    gl::Finish();
+    return nowMs();
+}
 
 const char* stepName(Step step) {
     switch (step) {
@@ -45,7 +45,8 @@ double median(std::vector<double> samples) {
 }
 
 std::string whyGpuTimesAreWrong(const StepTimes& times) {
-    if (times.gpuMs[0].empty()) return "the driver has no GL_EXT_disjoint_timer_query, or a clock of 0 bits";
+    if (times.gpuMs[0].empty())
+        return "the driver has no GL_EXT_disjoint_timer_query, or a clock of 0 bits, or runs on the CPU";
     if (times.gpuDisjoint) return "the driver reported a disjoint operation";
     // What submitting costs is in glFinish's times and not in the GPU's: short steps may differ widely.
     constexpr double longStepMs = 5.0;

@@ -49,8 +49,18 @@ class StepTimer {
         Scope scope(*this, step);
         return work();
     }
+    // Likewise, of work that the GPU has no part in: its queue is not waited for, which takes time of its
+    // own.
+    template <typename Work>
+    void timeOnCpu(Step step, Work&& work) {
+        const double startMs = nowMs();
+        work();
+        frameMs_[static_cast<std::size_t>(step)] += nowMs() - startMs;
+    }
 
   private:
+    static double nowMs();
+    static double finishedAtMs();
     struct Scope {
         StepTimer& timer;
         Step step;
