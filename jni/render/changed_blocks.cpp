@@ -100,15 +100,18 @@ std::vector<std::uint32_t> BlockMask::blocks() const {
 
 BlockMask changedBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
                         const ShadowReach& shadow, double voxel) {
+    // Rasterizers move corners to the next 1/16 of a pixel or finer (ES 3.2 table 21.40, SUBPIXEL_BITS), which
+    // moves fragments by less than this.
+    const double snapped = voxel / 4.0;
     BlockMask mask;
     ShadowReach reach = shadow;
-    reach.stillBox = grown(shadow.stillBox, voxel);
+    reach.stillBox = grown(shadow.stillBox, snapped);
     for (std::size_t i = 0; i < after.size(); ++i) {
         const bool changed = !(before[i] == after[i]);
         for (const Placement* placement : {&before[i], &after[i]}) {
-            mask.add(grown(placement->box, voxel));
+            mask.add(grown(placement->box, snapped));
             if (changed && !isEmpty(reach.stillBox))
-                addShadow(mask, grown(placement->box, voxel + shadow.margin), reach);
+                addShadow(mask, grown(placement->box, snapped + shadow.margin), reach);
         }
     }
     return mask;
