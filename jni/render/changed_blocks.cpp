@@ -100,8 +100,8 @@ std::vector<std::uint32_t> BlockMask::blocks() const {
 
 BlockMask changedBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
                         const ShadowReach& shadow, double voxel) {
-    // Rasterizers move corners to the next 1/16 of a pixel or finer (ES 3.2 table 21.40, SUBPIXEL_BITS), which
-    // moves fragments by less than this.
+    // Rasterizers move corners to the next 1/16 of a pixel or finer (SUBPIXEL_BITS is at least 4), which moves
+    // fragments by less than this.
     const double snapped = voxel / 4.0;
     BlockMask mask;
     ShadowReach reach = shadow;

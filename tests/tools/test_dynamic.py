@@ -32,6 +32,8 @@ def test_the_table(program, root, tmp_path):
     share = {cells[0]: float(cells[-1].strip(" %")) for cells in lines if cells[0] in CASES}
     shares = [share[case] for case in CASES]
     assert shares[0] == 100
-    # A camera that moves makes no voxels, but on a busy machine nothing takes its time too; something that moves does.
-    assert shares[1] < 15
-    assert min(shares[2:]) > 20
+    # A camera that moves makes no voxels, but on a busy machine nothing takes its time too.
+    camera, light, one_ball, all_balls = shares[1:]
+    assert camera < 15
+    assert light > 20
+    assert 2 < one_ball < 0.75 * all_balls
