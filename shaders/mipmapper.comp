@@ -1,6 +1,6 @@
 // One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
 // itself to its parent by one atomic; the first child to arrive appends the parent to the next list. VCT_RELIGHT: the
-// lists are there.
+// lists are there. VCT_PART: of a part of the voxels; the parents of what does not move are listed.
 #include "shared/commands.glsl"
 #include "shared/trips.glsl"
 

@@ -1,5 +1,5 @@
 // Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing.
+// writing every voxel of the volume would cost more than voxelizing. VCT_PART: a part of them.
 #include "shared/commands.glsl"
 #include "shared/trips.glsl"
 #ifdef VCT_PART

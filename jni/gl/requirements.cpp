@@ -35,8 +35,7 @@ const std::vector<Feature>& features() {
          2,
          false,
          "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it "
-         "that "
-         "preset is lost, unless with --voxelization sorted-axes"},
+         "that preset is lost, unless with --voxelization sorted-axes"},
         {{"GL_EXT_copy_image"},
          3,
          2,
@@ -44,8 +43,7 @@ const std::vector<Feature>& features() {
          3,
          false,
          "moving objects with --bounces, as in the presets mobile and quality: keeps the direct light of "
-         "what "
-         "stands still; without it such scenes need --bounces 0"},
+         "what stands still; without it such scenes need --bounces 0"},
         {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
          3,
          2,
@@ -80,8 +78,11 @@ constexpr Limit limits[] = {
     {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 2, true,
      "voxelization: the fragment shader appends to the active-voxel list and counts it in the indirect "
      "commands"},
-    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 3, true,
-     "voxelization: one image and two storage buffers in one fragment shader"},
+    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 5, true,
+     "clear and mipmap: two images and three storage buffers in one compute shader"},
+    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 8, false,
+     "moving objects in the presets mobile and quality: four images and four storage buffers in one compute "
+     "shader; without it they need --preset thesis"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 4, true,

@@ -40,7 +40,9 @@ class BlockLists {
     // What moves, in the level's own list.
     struct Moving {
         std::uint32_t first = VCT_NO_ENTRY;  // VCT_NO_ENTRY: none of it
-        std::uint32_t about = 2048;          // how many there may be; the GPU alone knows
+        // How many there may be, as the GPU alone knows: so many invocations, each of which takes as many
+        // entries as there are for it.
+        std::uint32_t about = 2048;
     };
     // Runs the current program, one that was compiled with VCT_PART, over both in one dispatch.
     void dispatchOver(const Range& still, const Moving& moving, std::size_t level) const;

@@ -8,10 +8,6 @@ namespace vct {
 
 namespace {
 
-Bounds grown(const Bounds& box, double by) {
-    return {box.min - by, box.max + by};
-}
-
 Bounds moved(const Bounds& box, const glm::dvec3& by) {
     return {box.min + by, box.max + by};
 }
@@ -98,11 +94,13 @@ std::vector<std::uint32_t> BlockMask::blocks() const {
     return blocks;
 }
 
+Bounds grown(const Bounds& box, double by) {
+    return {box.min - by, box.max + by};
+}
+
 BlockMask changedBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
                         const ShadowReach& shadow, double voxel) {
-    // Rasterizers move corners to the next 1/16 of a pixel or finer (SUBPIXEL_BITS is at least 4), which moves
-    // fragments by less than this.
-    const double snapped = voxel / 4.0;
+    const double snapped = snappingReach(voxel);
     BlockMask mask;
     ShadowReach reach = shadow;
     reach.stillBox = grown(shadow.stillBox, snapped);

@@ -45,6 +45,13 @@ struct ShadowReach {
     Bounds stillBox;  // around what can be in shadow and does not move
 };
 
+// How far a rasterizer may move fragments out of a box: it snaps corners to the next 1/16 of a pixel or finer
+// (SUBPIXEL_BITS is at least 4). `voxel`: a voxel's side.
+constexpr double snappingReach(double voxel) {
+    return voxel / 4.0;
+}
+Bounds grown(const Bounds& box, double by);
+
 // `before` and `after` hold the same instances. Those that have not moved count too, as all that can move is
 // taken out and put in again, but not their shadows. `voxel`: a voxel's side.
 BlockMask changedBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,

@@ -47,8 +47,10 @@ void FaceBounces::restoreDirect(const FaceVoxels& voxels) const {
 
 void FaceBounces::copyLevel(const gl::Texture& from, int fromLevel, const gl::Texture& to,
                             int toLevel) const {
-    // Shaders have written it, or have fetched what is written now.
-    gl::MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    // Shaders have written it, or have fetched what is written now. No bit names this call: drivers copy as
+    // an upload, by fetching, as an image or by drawing.
+    gl::MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
     gl::CopyImageSubData(from.name(), from.target(), fromLevel, 0, 0, 0, to.name(), to.target(), toLevel, 0,
                          0, 0, direct_->width(), direct_->height(), direct_->height() / FaceVoxels::blocksY);
 }

@@ -8,13 +8,13 @@ namespace vct {
 FaceMipmapper::FaceMipmapper(const gl::ShaderLibrary& shaders)
     : levels_(shaders, faceLevelsProgram()), mipmap_(shaders, faceMipmapperProgram()) {}
 
-void FaceMipmapper::makeLevels(const FaceVoxels& voxels, int first) {
+void FaceMipmapper::makeLevels(const FaceVoxels& voxels) {
     const gl::DebugGroup group("mipmap");
     const VoxelPyramid& slots = voxels.slots();
     voxels.bindLists();
     levels_.use();
     voxels.faces().bind(VCT_TEX_FACES);
-    for (int level = first; level < voxels.levels(); ++level) {
+    for (int level = 1; level < voxels.levels(); ++level) {
         voxels.bindLevel(VCT_IMAGE_FACES, level);
         if (level + 1 < voxels.levels()) slots.bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
         slots.dispatchOverFaces(level);

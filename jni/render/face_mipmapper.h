@@ -9,10 +9,10 @@ class FaceMipmapper {
   public:
     explicit FaceMipmapper(const gl::ShaderLibrary& shaders);
 
-    // The faces of every level from `first` on, of which the list is there, and the other levels' lists.
+    // The faces of every level above the base level, from its own list, and the lists of the levels above.
     // Afterwards the faces are ready to be fetched as a texture.
-    void makeLevels(const FaceVoxels& voxels, int first = 1);
-    // Likewise where all lists are there.
+    void makeLevels(const FaceVoxels& voxels);
+    // Likewise of every level from `first` on, where all lists are there.
     void update(const FaceVoxels& voxels, int first);
 
   private:

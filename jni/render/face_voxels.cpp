@@ -78,11 +78,15 @@ void FaceVoxels::clear() {
 }
 
 void FaceVoxels::makeRoom(std::uint32_t voxels) {
-    places_ = std::max(voxels, 1U);
-    const std::size_t words = slots_.placeFaceLists(std::size_t{places_} * VCT_SLOT_WORDS, places_);
+    // Where there is no memory for the new ones, there is no room.
+    sums_ = {};
+    places_ = 0;
+    const std::uint32_t places = std::max(voxels, 1U);
+    const std::size_t words = slots_.placeFaceLists(std::size_t{places} * VCT_SLOT_WORDS, places);
     const std::vector<std::uint32_t> zeros(words);
     sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
                        GL_DYNAMIC_COPY);
+    places_ = places;
 }
 
 std::vector<std::uint32_t> FaceVoxels::readFaceList(int level) const {

@@ -170,7 +170,8 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
             }
         }
         if (needs_.movingObjects && !instance.moves()) {
-            draw.box = boundsOf(positionsOf(mesh), volumeFromWorld_ * instance.worldFromObject);
+            draw.box = grown(boundsOf(positionsOf(mesh), volumeFromWorld_ * instance.worldFromObject),
+                             snappingReach(1.0 / volume.grid));
             stillBox_ = united(stillBox_, draw.box);
         }
         draws_.push_back(draw);

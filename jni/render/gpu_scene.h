@@ -73,7 +73,7 @@ class GpuScene {
         std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
-        Bounds box;       // in volume space, of static ones where something moves
+        Bounds box;       // around its fragments, in volume space, of static ones where something moves
     };
     // What the draw of an instance that moves is made of anew in each pose.
     struct Moving {

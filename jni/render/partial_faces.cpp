@@ -47,7 +47,7 @@ void PartialFaces::learn(const GpuScene& scene, const gl::Texture& shadowMap, Fa
     voxelizer.touch(scene, {Of::still}, voxels);
     voxelizer.accumulate(scene, {Of::still}, voxelizer.programs(), shadowMap, voxels);
     voxelizer.resolve(resolveStill_, voxels, [&] { voxels.slots().dispatchOverLevel(0); });
-    mipmapper.makeLevels(voxels, 1);
+    mipmapper.makeLevels(voxels);
 
     std::vector<BlockLists::List> lists{{voxels.slots().readList(0), voxels.grid(), shared::unpackEntry}};
     for (int level = 1; level < voxels.levels(); ++level)

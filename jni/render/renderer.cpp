@@ -55,8 +55,10 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
         capabilities.require("GL_EXT_geometry_shader", "--voxelization sorted-axes gives the same voxels");
-    if (scene_.moves() && settings.voxels == Voxels::faces && settings.bounces > 0)
-        capabilities.require("GL_EXT_copy_image", "--bounces 0 does without it");
+    if (scene_.moves() && settings.voxels == Voxels::faces) {
+        capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 8", "--preset thesis does without");
+        if (settings.bounces > 0) capabilities.require("GL_EXT_copy_image", "--bounces 0 does without it");
+    }
     gl::checkErrors("setting up the renderer");
 }
 

@@ -49,10 +49,14 @@ class StepTimer {
         Scope scope(*this, step);
         return work();
     }
-    // Likewise, of work that the GPU has no part in: its queue is not waited for, which takes time of its
-    // own.
+    // Likewise, of work that is the CPU's but for small uploads: the GPU is not waited for, which takes time
+    // of its own.
     template <typename Work>
     void timeOnCpu(Step step, Work&& work) {
+        if (!recording_) {
+            work();
+            return;
+        }
         const double startMs = nowMs();
         work();
         frameMs_[static_cast<std::size_t>(step)] += nowMs() - startMs;

@@ -122,7 +122,7 @@ using glm::vec4;
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_FACES 2
-#define VCT_IMAGE_EMPTIED_VOXELS 0  // likewise
+#define VCT_IMAGE_EMPTIED_VOXELS 0  // ES 3.1 guarantees four units, and no pass needs both
 #define VCT_IMAGE_EMPTIED_FACES 3
 
 // Vertex attributes.

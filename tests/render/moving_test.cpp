@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/volume.h"
 #include "support/grids.h"
 #include "support/stage.h"
 #include "support/voxel_kinds.h"
@@ -58,6 +59,42 @@ TEST(MovingInstances, AtAFinerGrid) {
         for (const double seconds : {0.0, 0.1, 1.7, 1.6})
             expectFresh(stage, context, scene, settings, seconds);
     }
+}
+
+// Cards between blocks: on which side their fragments fall is a matter of rounding. What moves changes the
+// blocks between them, one at a time but for its shadow.
+TEST_P(Moving, BetweenCardsOnTheBordersOfBlocks) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const Settings settings = settingsOf(GetParam());
+    const double block = volumeAround(load(builder).boundsWorld, settings.grid).side / VCT_BLOCKS;
+    const double thickness = 0.0123;
+    for (int i = -8; i <= 8; ++i)
+        for (const double side : {-1.0, 1.0})
+            addCube(builder, {0.7F, 0.7F, 0.2F},
+                    {{"translation", {i * block + side * (0.5 * thickness + 1e-12), 0.9, 0.4 * side}},
+                     {"scale", {thickness, 0.8, 0.7}}});
+    const int box =
+        addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {0, 0.9, 0}}, {"scale", {0.03, 0.03, 0.03}}});
+    const auto start = static_cast<float>(-7.5 * block), step = static_cast<float>(block);
+    builder.animate(box, "translation", {0, 15}, {start, 0.9F, 0, start + 15 * step, 0.9F, 0});
+    const Scene scene = load(builder);
+    Stage stage(context, scene, settings);
+    for (int i = 0; i < 15; ++i) {
+        stage.frameAt(i + 0.1);
+        expectFresh(stage, context, scene, settings, i);
+    }
+}
+
+// Several fragments per voxel along each side, whose places are finer.
+TEST_P(Moving, WithMoreThanOneSamplePerVoxel) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Settings settings = settingsOf(GetParam());
+    settings.voxelSamples = 2;
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.7, 0.4})
+        expectFresh(stage, context, scene, settings, seconds);
 }
 
 // One second inside, one far away (beyond what the volume was made for), one inside again.

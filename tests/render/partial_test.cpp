@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "gl/call_log.h"
 #include "support/grids.h"
 #include "support/stage.h"
 #include "support/voxel_kinds.h"
@@ -91,6 +92,21 @@ TEST(PartOfTheVoxels, OneOfAHundredVisitsATenthOfTheFaces) {
         EXPECT_LT(10 * part[visits], all[visits]) << visits;
     }
     EXPECT_LT(2 * part[VCT_TRIPS_FACE_VOXELIZER], all[VCT_TRIPS_FACE_VOXELIZER]);
+}
+
+// Each has its price, however little is in it: one for the base level's clear, one for its faces, one for
+// each level above.
+TEST(PartOfTheVoxels, AreMadeInAFewDispatches) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Stage stage(context, scene, settingsOf({"mobile", Voxelization::sortedAxes}));
+    stage.frameAt(0.0);
+    stage.frameAt(0.1);
+    gl::CallLog log;
+    stage.frameAt(0.2);
+    const gl::CallSummary frame = gl::summaryOf(log.calls());
+    EXPECT_EQ(frame.byName.at("DispatchCompute"), 8);  // 64^3 has levels 0 to 6
+    EXPECT_EQ(frame.byName.at("CopyImageSubData"), 2);
 }
 
 // What finds no room in the list is taken out too, once it has moved on.
