@@ -36,4 +36,4 @@ def test_the_table(program, root, tmp_path):
     camera, light, one_ball, all_balls = shares[1:]
     assert camera < 15
     assert light > 20
-    assert 2 < one_ball < 0.75 * all_balls
+    assert 2 < one_ball < 0.5 * all_balls
