@@ -3,8 +3,12 @@
 #include "shared/trips.glsl"
 #include "shared/precision.glsl"
 #include "shared/surface.glsl"
-#ifdef VCT_GATHERED
-#include "shared/gathered.glsl"
+#ifdef VCT_RECEIVED
+#include "shared/irradiance.glsl"
+struct Gather {
+    mediump vec3 radiance;   // relative to E/pi
+    mediump float openness;  // 1 - ambient occlusion
+};
 #else
 #include "shared/cones.glsl"
 #endif
@@ -50,12 +54,14 @@ void main() {
         outRadiance = vec4(frame.skyRadiance.rgb, 0.0);
         return;
     }
-    vec3 position = surfacePosition(pixel, depth);
+    vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
 
-#ifdef VCT_GATHERED
-    Gather gather = gatheredAt(pixel, position, normal);
+#if defined(VCT_RECEIVED) && (VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO)
+    Gather gather = Gather(vec3(0.0), opennessAt(position, normal));
+#elif defined(VCT_RECEIVED)
+    Gather gather = Gather(receivedAt(position, normal), 1.0);
 #elif VCT_MODE == VCT_MODE_AO || VCT_MODE == VCT_VIEW_AO
     Gather gather = gatherDiffuse(position, normal, frame.cone.y);
 #elif VCT_MODE == VCT_MODE_GI || VCT_MODE == VCT_MODE_GI_CONE_SHADOW || VCT_MODE == VCT_VIEW_INDIRECT
@@ -72,7 +78,7 @@ void main() {
     light = cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
 #endif
 #elif VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
-#ifdef VCT_GATHERED
+#ifdef VCT_RECEIVED
     light = HALF(shadowMapLightOn(position, normal));
 #else
     light = HALF(shadowMapLight(position, cosTheta));
@@ -110,7 +116,7 @@ void main() {
     radiance = vec3(light);
 #elif VCT_MODE == VCT_VIEW_SPECULAR
     radiance = vec3(0.0);
-#elif VCT_MODE >= VCT_MODE_GI && defined(VCT_GATHERED)
+#elif VCT_MODE >= VCT_MODE_GI && defined(VCT_RECEIVED)
     // Occlusion is in the gathered light already; it takes nothing from the sun.
     radiance = HALF(albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance));
 #elif VCT_MODE >= VCT_MODE_GI

@@ -17,6 +17,11 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D means;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // of the parents
+#ifdef VCT_LIST_PARENTS
+const uint which = 0u;  // storedFace()'s
+#else
+layout(location = VCT_UNIFORM_WHICH) uniform uint which;
+#endif
 
 void main() {
     TRIP(VCT_TRIPS_FACE_MIPMAPPER);
@@ -39,7 +44,7 @@ void main() {
             sum += front + (1.0 - front.a) * back;
         }
         ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
-        imageStore(means, texel, storedFace(sum * 0.25, texel));
+        imageStore(means, texel, storedFace(sum * 0.25, texel, which));
 #ifdef VCT_LIST_PARENTS
 #ifdef VCT_PART
         if (!isMoving(i)) continue;

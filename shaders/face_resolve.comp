@@ -51,7 +51,7 @@ void main() {
             int face = findLSB(left);
             FaceSum sum = faceSum(slot, face);
             ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);
-            imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel));
+            imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel, 0u));
         }
     }
 #ifdef VCT_PART

@@ -1,4 +1,4 @@
-// Second of two passes over the triangles: each fragment adds its coverage, albedo and radiance to the faces of its
+// Second of two passes over the triangles: each fragment adds its coverage, albedo, plane and radiance to the faces of its
 // voxel that it looks towards. Sums of integers: the order of the fragments changes nothing. VCT_RELIGHT: the radiance
 // alone, the rest is there.
 #include "shared/trips.glsl"
@@ -32,8 +32,9 @@ vec3 directRadiance(vec3 albedo, vec3 normal) {
     return albedo * cosTheta * light * frame.lightColor.rgb;
 }
 
-// One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative.
-void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
+// One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative. `normal`:
+// of this side; `fromMiddle`: to the surface, in voxels.
+void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo, vec3 radiance) {
 #ifdef VCT_RELIGHT
     if (radiance == vec3(0.0)) return;
 #endif
@@ -42,6 +43,9 @@ void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
         if (fixedCoverage(abs(weights[axis])) > 0u) marked |= 1u << uint(2 * axis + (weights[axis] > 0.0 ? 0 : 1));
 #ifndef VCT_RELIGHT
     if (marked != 0u) markFaces(slot, marked);
+#ifdef VCT_EMISSIVE
+    if (marked != 0u) markGlowing(slot, marked);
+#endif
 #endif
     // Most surfaces face along one axis.
     for (uint left = marked; left != 0u; left &= left - 1u) {
@@ -49,7 +53,7 @@ void addSide(uint slot, vec3 weights, vec3 albedo, vec3 radiance) {
         int face = findLSB(left);
         float weight = abs(weights[face >> 1]);
 #ifndef VCT_RELIGHT
-        addSurface(slot, face, weight, albedo);
+        addSurface(slot, face, weight, albedo, normal, dot(normal, fromMiddle));
 #endif
         addRadiance(slot, face, weight, radiance);
     }
@@ -74,8 +78,9 @@ void main() {
 
     vec3 normal = safeNormalize(fragmentNormal);
     vec3 emissive = materialEmissive(fragmentEmissiveUv);
-    addSide(slot, coverage, baseColor.rgb, directRadiance(baseColor.rgb, normal) + emissive);
+    vec3 fromMiddle = positionVoxels - vec3(voxel) - 0.5;
+    addSide(slot, coverage, normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, normal) + emissive);
 #ifdef VCT_DOUBLE_SIDED
-    addSide(slot, -coverage, baseColor.rgb, directRadiance(baseColor.rgb, -normal) + emissive);
+    addSide(slot, -coverage, -normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, -normal) + emissive);
 #endif
 }

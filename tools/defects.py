@@ -29,15 +29,14 @@ MODES = ("gi", "gi-cone-shadow", "ao")
 def usual_settings(grid: int) -> dict[str, Any]:
     """Of a point that changes nothing."""
     return ({setting.name: setting.default[0] for setting in SETTINGS}
-            | {"grid": grid, "cone_angle_deg": 5.0, "error_scale": 1})
+            | {"grid": grid, "cone_angle_deg": 5.0})
 
 
 def swept(options: argparse.Namespace) -> dict[str, Any]:
     """The sweep of the experiments; points that are done are kept from an earlier run."""
     command = [sys.executable, str(ROOT / "tools/sweep.py"), "--scenes", SCENES, "--presets", "thesis",
-               "--grids", str(options.grid), "--cone-angles", "5", "--error-scales", "1",
-               "--experiments", ",".join(tables.TEXTS), "--modes", ",".join(MODES), "--out", str(options.out / "sweep"),
-               "--program", str(options.program)]
+               "--grids", str(options.grid), "--cone-angles", "5", "--experiments", ",".join(tables.TEXTS),
+               "--modes", ",".join(MODES), "--out", str(options.out / "sweep"), "--program", str(options.program)]
     subprocess.run(command, check=True)
     return json.loads((options.out / "sweep/sweep.json").read_text())
 

@@ -23,7 +23,7 @@ from scenes import shapes  # noqa: E402
 from scenes.glb import Glb, axis_angle  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace", "total")
+STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace", "total")
 SECONDS = 2
 ALONG_A_SIDE = 10
 
@@ -103,7 +103,7 @@ def main() -> None:
             for case, (_, flags) in CASES.items():
                 runs[case].append(measured(options.program, scenes[case], preset,
                                            options.out / f"{preset}_{scenes[case].stem}", options.frames, flags))
-        print(f"| `{preset}`: what changes | shadow map | G-buffer | voxelize | mipmap | bounces | trace | frame "
+        print(f"| `{preset}`: what changes | shadow map | G-buffer | voxelize | mipmap | irradiance | trace | frame "
               "| voxelize + mipmap, of all |\n|---|---|---|---|---|---|---|---|---|")
         whole = 0.0
         for case in CASES:

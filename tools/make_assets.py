@@ -9,7 +9,8 @@ import sys
 
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
-from scenes import contact, cornell, corridor, courtyard, furnace, glossy, lone_plane, moving, thin_wall  # noqa: E402
+from scenes import (contact, cornell, corridor, courtyard, furnace, glossy, lamp, lone_plane, moving,  # noqa: E402
+                    thin_wall)
 
 SCENES = {
     "contact": contact.build,
@@ -20,6 +21,7 @@ SCENES = {
     "courtyard": courtyard.build,
     "furnace": furnace.build,
     "glossy": glossy.build,
+    "lamp": lamp.build,
     "lone_plane": lone_plane.build,
     "moving": moving.build,
     "thin_wall": thin_wall.build,

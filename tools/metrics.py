@@ -7,6 +7,8 @@ relmse    mean of (x - r)^2 / (r^2 + 0.01)
 bias      mean(x) / mean(r) - 1; none where the reference is black
 rmse      root of the mean of (x - r)^2: for values, such as occlusion and shadow
 p999      99.9th percentile of |x - r|
+sparks    pixels more than twice as bright as anything in the 5x5 around them in the reference: neither a mean nor FLIP
+          sees a line one pixel wide
 flip      mean FLIP of the two as sRGB pictures, 67 pixels per degree
 hdr_flip  mean HDR-FLIP, in exposures that are fixed per scene (reference.json) or follow from the reference
 
@@ -26,6 +28,7 @@ from truth.exr import PictureError, read_exr
 EPSILON = 0.01  # of relMSE
 PIXELS_PER_DEGREE = 67
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])  # ITU-R BT.709
+SPARK, DARKEST_SPARK = 2.0, 0.01  # times as bright; what is darker than that luminance counts as so bright
 
 
 def srgb_from_linear(x: np.ndarray) -> np.ndarray:
@@ -72,17 +75,29 @@ def check(image: np.ndarray, reference: np.ndarray) -> None:
             raise PictureError(f"the {name} is not finite in {len(bad)} pixels, the first at x={x}, y={y}")
 
 
-def flip_maps(image: np.ndarray, reference: np.ndarray, exposures: dict) -> tuple[np.ndarray, np.ndarray]:
-    """FLIP and HDR-FLIP per pixel, (height, width), 0 to 1."""
+def sparks(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """(height, width): true where a pixel outshines all that is near it in the reference."""
+    light = np.pad(reference @ LUMINANCE, 2, mode="edge")
+    brightest = np.lib.stride_tricks.sliding_window_view(light, (5, 5)).max((-1, -2))
+    return image @ LUMINANCE > SPARK * np.maximum(brightest, DARKEST_SPARK)
+
+
+def flip_map(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """FLIP per pixel, (height, width), 0 to 1."""
     import flip_evaluator
-    ldr = [np.ascontiguousarray(srgb_from_linear(p), np.float32) for p in (reference, image)]
-    hdr = [np.ascontiguousarray(np.maximum(p, 0), np.float32) for p in (reference, image)]
-    common = {"ppd": PIXELS_PER_DEGREE}
+    pair = [np.ascontiguousarray(srgb_from_linear(p), np.float32) for p in (reference, image)]
+    found = flip_evaluator.evaluate(*pair, "LDR", applyMagma=False, parameters={"ppd": PIXELS_PER_DEGREE})[0]
+    return found.reshape(image.shape[:2])
+
+
+def hdr_flip_map(image: np.ndarray, reference: np.ndarray, exposures: dict) -> np.ndarray:
+    """HDR-FLIP per pixel, (height, width), 0 to 1."""
+    import flip_evaluator
+    pair = [np.ascontiguousarray(np.maximum(p, 0), np.float32) for p in (reference, image)]
     fixed = {"startExposure": exposures["start"], "stopExposure": exposures["stop"],
              "numExposures": exposures["count"], "tonemapper": "ACES"}
-    low = flip_evaluator.evaluate(*ldr, "LDR", applyMagma=False, parameters=common)[0]
-    high = flip_evaluator.evaluate(*hdr, "HDR", applyMagma=False, parameters={**common, **fixed})[0]
-    return low.reshape(image.shape[:2]), high.reshape(image.shape[:2])
+    found = flip_evaluator.evaluate(*pair, "HDR", applyMagma=False, parameters={"ppd": PIXELS_PER_DEGREE, **fixed})[0]
+    return found.reshape(image.shape[:2])
 
 
 def compare(image: np.ndarray, reference: np.ndarray, exposures: dict | None = None,
@@ -101,10 +116,11 @@ def compare(image: np.ndarray, reference: np.ndarray, exposures: dict | None = N
     x, r = image[chosen], reference[chosen]
     mean = float(r.mean())
     result = {"relmse": relmse(x, r), "bias": float(x.mean()) / mean - 1 if mean > 0 else None,
-              "rmse": float(np.sqrt(np.mean((x - r) ** 2))), "p999": float(np.percentile(np.abs(x - r), 99.9))}
+              "rmse": float(np.sqrt(np.mean((x - r) ** 2))), "p999": float(np.percentile(np.abs(x - r), 99.9)),
+              "sparks": int(sparks(image, reference)[chosen].sum())}
     if flip:
         exposures = exposures or automatic_exposures(reference)
-        low, high = flip_maps(image, reference, exposures)
+        low, high = flip_map(image, reference), hdr_flip_map(image, reference, exposures)
         result |= {"flip": float(low[chosen].mean(dtype=np.float64)),
                    "hdr_flip": float(high[chosen].mean(dtype=np.float64)), "exposures": exposures}
     if noise_relmse is not None:
@@ -139,7 +155,7 @@ def stored_facts(reference: pathlib.Path) -> tuple[dict | None, float | None]:
 
 def report(result: dict) -> str:
     lines = []
-    for key in ("relmse", "bias", "rmse", "p999", "flip", "hdr_flip"):
+    for key in ("relmse", "bias", "rmse", "p999", "sparks", "flip", "hdr_flip"):
         value = result[key]
         text = "none: the reference is black" if value is None else f"{value:+.4f}" if key == "bias" else f"{value:.5g}"
         if key == "relmse" and result.get("at_noise_floor"):

@@ -3,7 +3,7 @@
 
     .venv/bin/python tools/pareto.py --sweep out/sweep/sweep.json
 
-Small marks are scenes, large ones the geometric means over them. Time is that of mode 4's voxels, bounces and cones,
+Small marks are scenes, large ones the geometric means over them. Time is that of mode 4's voxels, irradiance and cones,
 the error relMSE of the indirect light. Left out: the furnace and the lone plane, which are truths and not scenes.
 """
 from __future__ import annotations
@@ -102,7 +102,8 @@ class Page:
                     [(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], [(0, -1.15), (1.1, 0.9), (-1.1, 0.9)],
                     [(0, -1.3), (1.3, 0), (0, 1.3), (-1.3, 0)], [(0, 1.15), (1.1, -0.9), (-1.1, -0.9)],
                     [(-0.4, -1.2), (0.4, -1.2), (0.4, -0.4), (1.2, -0.4), (1.2, 0.4), (0.4, 0.4), (0.4, 1.2),
-                     (-0.4, 1.2), (-0.4, 0.4), (-1.2, 0.4), (-1.2, -0.4), (-0.4, -0.4)])
+                     (-0.4, 1.2), (-0.4, 0.4), (-1.2, 0.4), (-1.2, -0.4), (-0.4, -0.4)],
+                    [(-1.2, -0.55), (1.2, -0.55), (1.2, 0.55), (-1.2, 0.55)])
         outline = outlines[number % len(outlines)]
         self.pen.polygon([((at[0] + r * x) * TWICE, (at[1] + r * y) * TWICE) for x, y in outline], colour, PAPER, TWICE)
 
@@ -146,17 +147,15 @@ def draw_axes(page: Page, axes: Axes) -> None:
         page.line([(LEFT, y), (RIGHT, y)], "#e4e4e4", 1)
         page.text((LEFT - 14, y), f"{value:.4f}".rstrip("0"), 24, SOFT, "rm")
     page.line([(LEFT, TOP), (LEFT, BOTTOM), (RIGHT, BOTTOM)], SOFT, 2)
-    page.text(((LEFT + RIGHT) / 2, BOTTOM + 62), "milliseconds a frame: voxels, bounces and cones", 28, anchor="mm")
+    page.text(((LEFT + RIGHT) / 2, BOTTOM + 62), "milliseconds a frame: voxels, irradiance and cones", 28, anchor="mm")
     page.upright((28, (TOP + BOTTOM) / 2), "error of the indirect light, relMSE", 28)
 
 
 def footnote(sweep: dict[str, Any]) -> str:
     entry = next(entry for entry in sweep["points"] if "driver" in entry)
     driver = entry["driver"]["renderer"].split(" (")[0]
-    width, height = map(int, entry["settings"]["size"].split("x"))
-    scale = entry["settings"]["error_scale"]
-    return (f"{driver}{', a software driver' if driver == 'llvmpipe' else ''}; mode 4; times at {width}x{height} pixels, "
-            f"errors of {width * scale}x{height * scale}{' averaged down' if scale > 1 else ''}; both axes logarithmic.")
+    return (f"{driver}{', a software driver' if driver == 'llvmpipe' else ''}; mode 4; times and errors of the same frames "
+            f"of {entry['settings']['size']} pixels; both axes logarithmic.")
 
 
 def draw(found: list[Dot], note: str) -> bytes:
@@ -175,7 +174,7 @@ def draw(found: list[Dot], note: str) -> bytes:
         else:
             page.shape(0, (x, y), 11, COLOURS[dot.preset])
             page.cubed((x, y + 28), f"{dot.grid}", 24, COLOURS[dot.preset])
-    x = page.text((LEFT, 40), "Lower left is better.  Large: mean of the scenes.  Small:", 26)
+    x = page.text((28, 40), "Lower left is better.  Large: mean of the scenes.  Small:", 26)
     for number, scene in enumerate(scenes):
         page.shape(number, (x + 26, 40), 9, SOFT)
         x = page.text((x + 42, 40), scene.replace("_", " "), 26)

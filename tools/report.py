@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """One self-contained HTML page from a sweep: opens from disk, asks for nothing from outside.
 
-Time against error per scene, tables, pictures beside references and errors, voxels and memory, an animation, hard cases.
+Time against error per scene, tables, pictures beside references and errors, voxels and memory, an animation, light over
+frames, hard cases.
 """
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ from report.pictures import Album  # noqa: E402
 from sweep import identity, store  # noqa: E402
 
 PAGE = Path(__file__).resolve().parent / "report" / "page"
-SCRIPTS = ("base.js", "summary.js", "plots.js", "viewer.js", "tables.js", "sequence.js", "hard.js")
+SCRIPTS = ("base.js", "summary.js", "plots.js", "viewer.js", "tables.js", "sequence.js", "motion.js", "hard.js")
 
 
 def arguments() -> argparse.ArgumentParser:
@@ -29,6 +30,7 @@ def arguments() -> argparse.ArgumentParser:
     parser.add_argument("--bench", type=Path, help="the JSON of vct bench: the thesis's tables")
     parser.add_argument("--presets", type=Path, help="the JSON of vct bench --preset thesis,mobile,quality")
     parser.add_argument("--sequence", type=Path, help="the JSON of tools/sequence.py: moments of an animation")
+    parser.add_argument("--motion", type=Path, help="the JSON of tools/motion.py: what the light does over frames")
     parser.add_argument("--references", type=Path, default=identity.ROOT / "references", help="default: references")
     parser.add_argument("--out", type=Path, default=Path("out/report/index.html"), help="default: %(default)s")
     parser.add_argument("--megabytes", type=float, default=13, help="of pictures at most (default: %(default)g)")
@@ -50,7 +52,7 @@ def build_page(data: dict) -> str:
 def main() -> int:
     options = arguments().parse_args()
     for path in (options.sweep, options.experiments, options.hard_cases, options.bench, options.presets,
-                 options.sequence):
+                 options.sequence, options.motion):
         if path is not None and not path.is_file():
             raise SystemExit(f"error: {path}: no such file")
     sweep = store.read(options.sweep)
@@ -59,7 +61,7 @@ def main() -> int:
     album = Album(int(options.megabytes * 1e6))
     experiments = store.read(options.experiments)["points"] if options.experiments else []
     data = page_data(sweep, experiments, options.sweep.parent, options.references, options.hard_cases, options.bench,
-                     options.presets, options.sequence, album)
+                     options.presets, options.sequence, options.motion, album)
     page = build_page(data)
     identity.write_beside(options.out, page)
     left_out = f", {album.refused} left out to stay below {options.megabytes:g} MB" if album.refused else ""

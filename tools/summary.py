@@ -21,8 +21,8 @@ REST = {"occlusion": ("ao", "rmse"), "soft shadow": ("shadow", "rmse"), "mode 4 
         "FLIP": ("gi-full", "flip")}
 
 
-# The furnace has no sun, and its bounces are brighter than FLIP's white.
-SAYS_NOTHING = {("furnace", "shadow", "rmse"), ("furnace", "gi-full", "flip")}
+# Furnace and lamp have no sun; the furnace's bounces are brighter than FLIP's white.
+SAYS_NOTHING = {("furnace", "shadow", "rmse"), ("furnace", "gi-full", "flip"), ("lamp", "shadow", "rmse")}
 
 
 def number(value: float | None, metric: str) -> str:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Settings x scenes x drivers -> times and errors, in one sweep.json (docs/sweep.md).
 
-Each point is a fresh process of `vct render --timings`, and another for the errors where its picture is larger. Ctrl-C
-stops it; the same command continues where it was. A point that fails is kept as failed, with what the program said.
+Each point is a fresh process of `vct render --timings`, whose pictures are what the errors are of. Ctrl-C stops it; the
+same command continues where it was. A point that fails is kept as failed, with what the program said.
 """
 from __future__ import annotations
 

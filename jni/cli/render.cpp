@@ -41,10 +41,10 @@ struct RenderOptions {
     BackendOption backend;
     // Over the preset's, where given.
     GridOption grid;
-    std::optional<int> shadowMap, bounces;
+    std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg, aoDistance;
-    std::vector<std::string> experiments, gather, occlusion;
+    std::vector<std::string> experiments;
     unsigned seedOrder = 0;
     bool revoxelize = false;
     bool emulateHalf = false;
@@ -64,11 +64,7 @@ Settings settingsFrom(const RenderOptions& options) {
     if (options.specular) settings.specular = specularFromText(*options.specular);
     settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
     settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
-    settings.bounces = options.bounces.value_or(settings.bounces);
-    for (const std::string& change : options.gather)
-        changeGather(settings.gather, change);
-    for (const std::string& change : options.occlusion)
-        changeGather(settings.occlusion, change);
+    settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
     settings.skyRadiance = colorFromText("--sky", options.sky);
     settings.experiments = options.experiments;
     settings.revoxelize = options.revoxelize;
@@ -97,6 +93,7 @@ struct Placed {
 };
 
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
+    renderer.still(mode, camera);
     for (int i = 0; i < warmUpFrames; ++i)
         renderer.frame(mode, camera);
     renderer.timer().startRecording();
@@ -120,7 +117,7 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
                                 std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
                                 ", " + std::to_string(settings.grid) + "^3");
         if (options.timings.empty())
-            renderer.frame(mode, camera);
+            renderer.still(mode, camera);
         else
             report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
         report.activeVoxels = renderer.activeVoxels();
@@ -152,6 +149,8 @@ std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mod
     std::set<std::string> made;
     ExposureCheck checkExposure(placed.options.pictures.exposure);
     for (Mode mode : modes) {
+        // A camera that comes to a scene whose light is there.
+        renderer.still(mode, placed.moveTo(moments.front()));
         if (timed) {
             for (int i = 0; i < warmUpFrames; ++i)
                 renderer.frame(mode, placed.moveTo(moments.front()));
@@ -218,6 +217,9 @@ void render(const RenderOptions& options) {
     Renderer renderer(scene, light, settings, context.capabilities,
                       gl::shadersFromFolder(gl::defaultShaderFolder()));
 
+    if (settings.voxels == Voxels::faces)
+        say("received light: it stands still after " + std::to_string(settings.lightFrames) +
+            " frames (--light-frames)");
     TimingsReport report;
     const Placed placed{options, settings, scene, camera, light, renderer};
     const std::set<std::string> made =
@@ -232,7 +234,7 @@ void render(const RenderOptions& options) {
         writeJson(options.timings, timingsJson(report, context.capabilities));
         std::fputs(timingsTable(report.modes).c_str(), stdout);
         if (!settings.revoxelize && !sequence)
-            say("Nothing moved: shadow map (CS) and voxels (V, M, B) were made once, before these frames; "
+            say("Nothing moved: shadow map (CS) and voxels (V, M) were made once, before these frames; "
                 "--revoxelize times them too");
     }
 }
@@ -291,14 +293,10 @@ void addRender(CLI::App& app, int&) {
         "--specular", options->specular,
         "What materials with a roughness below 1 reflect besides diffuse light: none, or cone "
         "(the sun, and one cone along the mirror direction); default: the preset's");
-    command->add_option("--bounces", options->bounces,
-                        "Bounces of light beyond the first (default: the preset's)");
-    command
-        ->add_option("--gather", options->gather,
-                     "Change the gather of the preset, NAME=VALUE with commas:\n" + gatherParts())
-        ->delimiter(',');
-    command->add_option("--occlusion", options->occlusion, "The same for the gather of mode 3")
-        ->delimiter(',');
+    command->add_option(
+        "--light-frames", options->lightFrames,
+        "Frames after a change, until what surfaces receive stands still, as a still picture shows "
+        "it (default: the preset's)");
     command->add_option("--camera", options->camera,
                         "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
                         "(default: its first)");

@@ -13,7 +13,6 @@ VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
 PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
-PFNGLCOPYIMAGESUBDATAPROC CopyImageSubData = nullptr;
 
 namespace {
 
@@ -61,10 +60,6 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
                               ? reinterpret_cast<PFNGLGETQUERYOBJECTUI64VEXTPROC>(
                                     getProcAddress("glGetQueryObjectui64vEXT", user))
                               : nullptr;
-    CopyImageSubData = nullptr;
-    if (core || hasExtension("GL_EXT_copy_image"))
-        CopyImageSubData = reinterpret_cast<PFNGLCOPYIMAGESUBDATAPROC>(
-            getProcAddress(core ? "glCopyImageSubData" : "glCopyImageSubDataEXT", user));
 }
 
 }  // namespace vct::gl

@@ -115,8 +115,6 @@ VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DECLARE)
 #undef VCT_GL_DECLARE
 // Of GL_EXT_disjoint_timer_query; null without it.
 extern PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v;
-// Of ES 3.2, desktop 4.3 or GL_EXT_copy_image; null without them.
-extern PFNGLCOPYIMAGESUBDATAPROC CopyImageSubData;
 
 using Proc = void (*)();
 

@@ -89,7 +89,6 @@ CallLog::CallLog() {
 #define VCT_GL_INSTALL(TYPE, NAME) Hook<&NAME>::install(#NAME);
     VCT_GL_FUNCTIONS(VCT_GL_INSTALL)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_INSTALL)
-    VCT_GL_INSTALL(COPYIMAGESUBDATA, CopyImageSubData)
 #undef VCT_GL_INSTALL
 }
 
@@ -97,7 +96,6 @@ CallLog::~CallLog() {
 #define VCT_GL_REMOVE(TYPE, NAME) Hook<&NAME>::remove();
     VCT_GL_FUNCTIONS(VCT_GL_REMOVE)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_REMOVE)
-    VCT_GL_REMOVE(COPYIMAGESUBDATA, CopyImageSubData)
 #undef VCT_GL_REMOVE
     current = nullptr;
 }

@@ -103,6 +103,10 @@ void Texture::bind(int unit) const {
     BindTexture(target_, name());
 }
 
+void Texture::bindImage(int unit, int level, GLenum access) const {
+    BindImageTexture(static_cast<GLuint>(unit), name(), level, GL_TRUE, 0, access, format_);
+}
+
 void Texture::setFilter(GLenum minFilter, GLenum magFilter) const {
     setParameter(GL_TEXTURE_MIN_FILTER, minFilter);
     setParameter(GL_TEXTURE_MAG_FILTER, magFilter);

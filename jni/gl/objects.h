@@ -53,6 +53,8 @@ class Texture {
     std::size_t bytes() const { return bytes_; }
 
     void bind(int unit) const;
+    // One level with all its layers, for shaders' image functions.
+    void bindImage(int unit, int level, GLenum access) const;
     void setFilter(GLenum minFilter, GLenum magFilter) const;
     void setParameter(GLenum parameter, GLenum value) const;
 

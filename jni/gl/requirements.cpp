@@ -36,14 +36,6 @@ const std::vector<Feature>& features() {
          false,
          "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it "
          "that preset is lost, unless with --voxelization sorted-axes"},
-        {{"GL_EXT_copy_image"},
-         3,
-         2,
-         4,
-         3,
-         false,
-         "moving objects with --bounces, as in the presets mobile and quality: keeps the direct light of "
-         "what stands still; without it such scenes need --bounces 0"},
         {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
          3,
          2,

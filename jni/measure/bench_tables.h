@@ -30,7 +30,7 @@ struct StepMeans {
     double operator[](Step step) const { return stepMs[static_cast<std::size_t>(step)]; }
     // The thesis's (*): a static scene, voxelized once and not in every frame.
     double withoutVoxelizingMs() const {
-        return totalMs - (*this)[Step::voxelize] - (*this)[Step::mipmap] - (*this)[Step::bounces];
+        return totalMs - (*this)[Step::voxelize] - (*this)[Step::mipmap] - (*this)[Step::irradiance];
     }
 };
 

@@ -26,7 +26,7 @@ struct Column {
 std::vector<Column> summaryColumns() {
     const std::string four = modeName(Mode::gi);
     const std::string five = modeName(Mode::giConeShadow);
-    return {{"voxelize + mipmap", five, voxelsStep}, {"bounces", five, "bounces"},
+    return {{"voxelize + mipmap", five, voxelsStep}, {"irradiance", five, "irradiance"},
             {"trace, mode 4", four, "trace"},        {"trace, mode 5", five, "trace"},
             {"frame, mode 4", four, "total"},        {"frame, mode 5", five, "total"}};
 }
@@ -36,7 +36,7 @@ std::vector<Column> stepColumns(Mode mode) {
     return {{"shadow map", name, "shadow_map"},
             {"G-buffer", name, "render_data"},
             {"voxelize + mipmap", name, voxelsStep},
-            {"bounces", name, "bounces"},
+            {"irradiance", name, "irradiance"},
             {"trace", name, "trace"},
             {"frame", name, "total"}};
 }

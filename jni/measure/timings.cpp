@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int timingsVersion = 1;
+constexpr int timingsVersion = 2;
 
 double rounded(double ms) {
     return std::round(ms * 1000.0) / 1000.0;
@@ -81,7 +81,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
             {"specular", specularName(s.specular)},
-            {"bounces", s.bounces},
+            {"light_frames", s.lightFrames},
             {"experiments", s.experiments},
             {"emulate_half", s.emulateHalf}};
 }
@@ -159,7 +159,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
 }
 
 std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
-    std::string table = "milliseconds      CS      RT       V       M       B      Tr     Tot\n";
+    std::string table = "milliseconds      CS      RT       V       M       I      Tr     Tot\n";
     char cell[32];
     for (const auto& [mode, times] : modes) {
         std::snprintf(cell, sizeof cell, "%-14s", modeName(mode));

@@ -31,7 +31,8 @@ struct TimingsReport {
 
 nlohmann::ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& capabilities);
 
-// One row per mode, the thesis's columns CS, RT, V, M, Tr, Tot with B, the bounces,, medians in milliseconds.
+// One row per mode, the thesis's columns CS, RT, V, M, Tr, Tot with I, the irradiance, medians in
+// milliseconds.
 std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes);
 
 // Processor, its threads and the system, for people.

@@ -38,7 +38,7 @@ struct BlockRange {
 // What `box` sweeps on its way from the light, as far as `shadow.stillBox` goes.
 void addShadow(BlockMask& mask, const Bounds& box, const ShadowReach& shadow) {
     const glm::dvec3 away = -shadow.towardsLight;
-    double begin = 0.0, end = std::numeric_limits<double>::max();
+    double begin = -shadow.above, end = std::numeric_limits<double>::max();
     for (int axis = 0; axis < 3; ++axis) {
         const double toFar = shadow.stillBox.max[axis] - box.min[axis];
         const double toNear = shadow.stillBox.min[axis] - box.max[axis];

@@ -42,6 +42,7 @@ struct Placement {
 struct ShadowReach {
     glm::dvec3 towardsLight;
     double margin;    // how far beside its own projection something can change the filtered shadow
+    double above;     // and how far towards the light
     Bounds stillBox;  // around what can be in shadow and does not move
 };
 

@@ -40,9 +40,9 @@ const gl::Texture& ConeTracer::draw(int mode, const GBuffer::Targets& surface, c
         plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     }
     if (light.voxels != nullptr) light.voxels->bind(VCT_TEX_VOXELS);
-    if (light.gather.light != nullptr) {
-        light.gather.light->bind(VCT_TEX_GATHER);
-        light.gather.surface->bind(VCT_TEX_GATHER_SURFACE);
+    if (light.irradiance != nullptr) {
+        light.irradiance->bind(VCT_TEX_IRRADIANCE);
+        light.bricks->bind(VCT_TEX_BRICKS);
     }
     if (light.faces != nullptr) light.faces->bind(VCT_TEX_FACES);
     noVertices_.bind();

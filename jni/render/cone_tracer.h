@@ -6,7 +6,6 @@
 
 #include "gl/program.h"
 #include "render/g_buffer.h"
-#include "render/gather.h"
 #include "render/settings.h"
 
 namespace vct {
@@ -15,11 +14,12 @@ class ConeTracer {
   public:
     ConeTracer(gl::ShaderLibrary shaders, const Settings& settings);
 
-    // Where a mode's diffuse light comes from: cones through words here, or a gather that was drawn before.
+    // Where a mode's diffuse light comes from: cones through words here, or what the faces have received.
     struct Light {
         const gl::Texture* voxels = nullptr;
-        Gather::Targets gather = {};
-        const gl::Texture* faces = nullptr;  // for the specular cones of a G-buffer with gloss
+        const gl::Texture* irradiance = nullptr;
+        const gl::Texture* bricks = nullptr;  // with it: shaders/shared/irradiance.glsl
+        const gl::Texture* faces = nullptr;   // for the specular cones of a G-buffer with gloss
     };
     // `mode`: one of VCT_MODE_* and VCT_VIEW_*. What a mode does not use may be null. Returns RGBA16F: rgb
     // relative to E/pi, a 1 on surfaces.
@@ -37,7 +37,7 @@ class ConeTracer {
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;
-    gl::PlainSampler plainDepth_;  // the shadow map for shared/soft_shadow.glsl
+    gl::PlainSampler plainDepth_;  // the shadow map for shared/shadow.glsl
 };
 
 }  // namespace vct

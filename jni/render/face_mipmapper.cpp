@@ -25,12 +25,13 @@ void FaceMipmapper::makeLevels(const FaceVoxels& voxels) {
     gl::MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);  // the voxel view draws the lists
 }
 
-void FaceMipmapper::update(const FaceVoxels& voxels, int first) {
+void FaceMipmapper::update(const FaceVoxels& voxels, std::uint32_t which) {
     const gl::DebugGroup group("mipmap again");
     voxels.bindLists();
     mipmap_.use();
+    gl::Uniform1ui(VCT_UNIFORM_WHICH, which);
     voxels.faces().bind(VCT_TEX_FACES);
-    for (int level = first; level < voxels.levels(); ++level) {
+    for (int level = 1; level < voxels.levels(); ++level) {
         voxels.bindLevel(VCT_IMAGE_FACES, level);
         voxels.slots().dispatchOverFaces(level);
         gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -12,8 +12,8 @@ class FaceMipmapper {
     // The faces of every level above the base level, from its own list, and the lists of the levels above.
     // Afterwards the faces are ready to be fetched as a texture.
     void makeLevels(const FaceVoxels& voxels);
-    // Likewise of every level from `first` on, where all lists are there.
-    void update(const FaceVoxels& voxels, int first);
+    // Likewise where all lists are there. `which`: time it is that the same faces are stored.
+    void update(const FaceVoxels& voxels, std::uint32_t which);
 
   private:
     gl::Program levels_, mipmap_;

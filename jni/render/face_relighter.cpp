@@ -24,7 +24,8 @@ void FaceRelighter::run(const GpuScene& scene, const gl::Texture& shadowMap, con
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
     projection_.use();
-    shadowMap.bind(VCT_TEX_SHADOW_MAP);
+    shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
+    plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     slots.texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(accumulate_);
     // The last frame fetched the faces.

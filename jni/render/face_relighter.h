@@ -21,6 +21,7 @@ class FaceRelighter {
     MaterialPrograms accumulate_;
     gl::Program resolve_;
     FaceProjection projection_;
+    gl::PlainSampler plainDepth_;  // the shadow map for shared/shadow.glsl
 };
 
 }  // namespace vct

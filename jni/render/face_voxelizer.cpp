@@ -58,7 +58,8 @@ void FaceVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part, con
                                const gl::Texture& shadowMap, FaceVoxels& voxels) const {
     projection_.use();
     voxels.bindLists();
-    shadowMap.bind(VCT_TEX_SHADOW_MAP);
+    shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
+    plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     voxels.slots().texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(programs, part, projection_.viewport());
 }

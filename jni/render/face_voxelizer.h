@@ -48,6 +48,7 @@ class FaceVoxelizer {
     MaterialPrograms touch_, accumulate_;
     gl::Program resolve_;
     FaceProjection projection_;
+    gl::PlainSampler plainDepth_;  // the shadow map for shared/shadow.glsl
 };
 
 }  // namespace vct

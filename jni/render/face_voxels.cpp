@@ -9,6 +9,22 @@
 
 namespace vct {
 
+namespace {
+
+double areaWorld(const Mesh& mesh, const Instance& instance) {
+    const glm::dmat3 linear(instance.worldFromObject);
+    double area = 0.0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a = mesh.vertices[mesh.indices[i]].position;
+        const glm::dvec3 ab = glm::dvec3(mesh.vertices[mesh.indices[i + 1]].position) - a;
+        const glm::dvec3 ac = glm::dvec3(mesh.vertices[mesh.indices[i + 2]].position) - a;
+        area += 0.5 * glm::length(glm::cross(linear * ab, linear * ac));
+    }
+    return area;
+}
+
+}  // namespace
+
 float faceSumUnits(std::size_t triangles, int samples) {
     // Each fragment may be rounded up by half a unit; a single one is at most the whole face, which is not.
     const std::size_t rounding = static_cast<std::size_t>(samples) * samples / 2;
@@ -17,17 +33,24 @@ float faceSumUnits(std::size_t triangles, int samples) {
 }
 
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance) {
+    // What all emitters send, and what all surfaces absorb of it.
+    double sent = 0.0, absorbed = 0.0;
     float brightest = 0.0F;
     for (const Instance& instance : scene.instances) {
-        const glm::vec3& emissive = scene.materials[scene.meshes[instance.mesh].material].emissive;
-        brightest = std::max({brightest, emissive.r, emissive.g, emissive.b});
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const Material& material = scene.materials[mesh.material];
+        const float emission = std::max({material.emissive.r, material.emissive.g, material.emissive.b});
+        const float albedo = std::max({material.baseColor.r, material.baseColor.g, material.baseColor.b});
+        brightest = std::max(brightest, emission);
+        const double area = areaWorld(mesh, instance);
+        sent += area * emission;
+        absorbed += area * (1.0 - std::min(albedo, 0.95F));
     }
     const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});
-    // Five bounces in a white room, but only where nothing else lights it: every step of 8 bits grows with
-    // the range.
-    const float emission = light.intensity > 0.0F ? brightest : 5.0F * brightest;
+    const float circulating = absorbed > 0.0 ? static_cast<float>(sent / absorbed) : 0.0F;
     const float range =
-        std::max(light.intensity > 0.0F ? 2.0F : 0.0F, (emission + sky) / radianceUnit(light));
+        std::max(light.intensity > 0.0F ? 2.0F : 0.0F,
+                 (brightest + std::min(circulating, 20.0F * brightest) + sky) / radianceUnit(light));
     return range > 0.0F ? range : 1.0F;
 }
 
@@ -102,8 +125,7 @@ void FaceVoxels::bindLists() const {
 }
 
 void FaceVoxels::bindLevel(int unit, int level) const {
-    gl::BindImageTexture(static_cast<GLuint>(unit), faces_.name(), level, GL_TRUE, 0, GL_WRITE_ONLY,
-                         GL_RGBA8);
+    faces_.bindImage(unit, level, GL_WRITE_ONLY);
 }
 
 }  // namespace vct

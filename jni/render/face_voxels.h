@@ -13,8 +13,8 @@ namespace vct {
 float faceSumUnits(std::size_t triangles, int samples = 1);
 
 // The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
-// and by bounces, what emits, and the sky (scene's unit), than which nothing that it lights is brighter. What
-// is brighter still is cut off. Above 0, also in the dark.
+// and by bounces, or the brightest emitter and what goes round of the light of all of them, as in a closed
+// room, and the sky (scene's unit). What is brighter still is cut off. Above 0, also in the dark.
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance);
 
 // Room for a count of voxels that changes: so much more that it rarely grows again.

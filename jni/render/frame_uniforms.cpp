@@ -53,7 +53,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
 
     shared::FrameUniforms frame{};
     frame.clipFromVolume = glm::mat4(clipFromVolume);
-    frame.volumeFromClip = glm::mat4(glm::inverse(clipFromVolume));
+    // Of a pixel's centre, as gl_FragCoord has it, and the depth buffer's depth.
+    const glm::dmat4 clipFromWindow =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
+        glm::scale(glm::dmat4(1.0), 2.0 / glm::dvec3(settings.size.x, settings.size.y, 1.0));
+    frame.volumeFromWindow = glm::mat4(glm::inverse(clipFromVolume) * clipFromWindow);
     const glm::dmat4 shadowFromVolume =
         shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
     frame.shadowFromVolume = glm::mat4(shadowFromVolume);

@@ -18,14 +18,14 @@ PartialFaces::PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& sce
              [=](unsigned features) { return stillFaceVoxelizerProgram(features, voxelization); }) {}
 
 void PartialFaces::voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                            const FaceBounces* bounces, FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper,
-                            FaceVoxels& voxels) {
+                            FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper, FaceVoxels& voxels) {
+    keptFaces_ = stillFaces_;
     if (!stillEntries_) {
+        keptFaces_ = 0;
         learn(scene, shadowMap, voxelizer, mipmapper, voxels);
         changed = nullptr;
     }
     const gl::DebugGroup group("voxelize");
-    if (changed != nullptr && bounces != nullptr) bounces->restoreDirect(voxels);
     replaceMoving(scene, changed, voxelizer, voxels);
     const BlockMask mask = changed != nullptr ? *changed : BlockMask::all();
     voxelizer.accumulate(scene, {Of::still, &mask}, still_, shadowMap, voxels);
@@ -54,6 +54,7 @@ void PartialFaces::learn(const GpuScene& scene, const gl::Texture& shadowMap, Fa
         lists.push_back({voxels.readFaceList(level), voxels.grid() >> level, shared::unpackFaceVoxel});
     stillCommands_ = voxels.slots().copyCommands("static voxel commands");
     lastCommands_ = voxels.slots().readCommands();
+    stillFaces_ = lastCommands_[0].faceCount;
     stillEntries_.emplace("static voxels and faces", std::move(lists));
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "render/block_lists.h"
-#include "render/face_bounces.h"
+#include "render/face_mipmapper.h"
 #include "render/face_voxelizer.h"
 
 namespace vct {
@@ -15,14 +15,16 @@ class PartialFaces {
     PartialFaces(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization);
 
     // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
-    // them. What moves must have been in `changed` before, and must be in it now. `bounces`: what has added
-    // to their light since; may be null.
+    // them. What moves must have been in `changed` before, and must be in it now.
     void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                  const FaceBounces* bounces, FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper,
-                  FaceVoxels& voxels);
+                  FaceVoxelizer& voxelizer, FaceMipmapper& mipmapper, FaceVoxels& voxels);
     // The coarser levels of that. False where there were more voxels than there is room for: to be made again
     // from the start.
     bool mipmap(FaceVoxels& voxels);
+
+    // Of the base level's list of faces: those of the static geometry, which keep their places; 0 where they
+    // were learnt in the last voxelize().
+    std::uint32_t keptFaces() const { return keptFaces_; }
 
     std::vector<const gl::Buffer*> buffers() const;
 
@@ -37,6 +39,7 @@ class PartialFaces {
     MaterialPrograms still_;
     // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
     std::optional<BlockLists> stillEntries_;
+    std::uint32_t stillFaces_ = 0, keptFaces_ = 0;
     gl::Buffer stillCommands_;                         // those of the static geometry alone
     std::vector<shared::LevelCommands> lastCommands_;  // those of the last frame
 };

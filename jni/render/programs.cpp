@@ -9,10 +9,11 @@ namespace vct {
 
 namespace {
 
-// The features in `features & used`, as defines. A pass that does not read a feature is not forked by it.
-std::vector<std::string> featureDefines(unsigned features, unsigned used) {
+// The features in `features & used`, as defines, and others. A pass that does not read a feature is not
+// forked by it.
+std::vector<std::string> featureDefines(unsigned features, unsigned used,
+                                        std::vector<std::string> defines = {}) {
     features &= used;
-    std::vector<std::string> defines;
     if (features & featureBaseColorTexture) defines.push_back("VCT_BASE_COLOR_TEXTURE");
     if (features & featureAlphaMask) defines.push_back("VCT_ALPHA_MASK");
     if (features & featureEmissive) defines.push_back("VCT_EMISSIVE");
@@ -27,17 +28,15 @@ std::string number(float value) {
     return text;
 }
 
-std::vector<std::string> gatherDefines(const GatherSettings& g, int finestLevel = 0) {
-    return {"VCT_GATHER_CONES " + std::to_string(g.cones),
+std::vector<std::string> gatherDefines(const GatherSettings& g) {
+    return {"VCT_GATHER_DIRECTIONS " + std::to_string(g.directions),
             "VCT_GATHER_START " + number(g.startOffset),
             "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
             "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
             "VCT_GATHER_STEP " + number(g.step),
             "VCT_GATHER_HEIGHT " + number(g.height),
             "VCT_GATHER_EXTINCTION " + number(g.extinction),
-            "VCT_GATHER_THRESHOLD " + number(g.threshold),
-            "VCT_GATHER_SCALE " + std::to_string(g.scale),
-            "VCT_GATHER_FINEST_LEVEL " + std::to_string(finestLevel)};
+            "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }
 
 // `name`: also the fragment shader's.
@@ -102,9 +101,7 @@ gl::ProgramDescription voxelizerProgram(unsigned features, Voxelization voxeliza
 }
 
 gl::ProgramDescription stillVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    std::vector<std::string> defines = featureDefines(features, ~0U);
-    defines.emplace_back("VCT_STILL");
-    return voxelizing("voxelizer", std::move(defines), voxelization);
+    return voxelizing("voxelizer", featureDefines(features, ~0U, {"VCT_STILL"}), voxelization);
 }
 
 gl::ProgramDescription partialClearProgram() {
@@ -138,9 +135,7 @@ gl::ProgramDescription faceResolveProgram() {
 }
 
 gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
-    std::vector<std::string> defines = featureDefines(features, ~0U);
-    defines.emplace_back("VCT_RELIGHT");
-    return voxelizing("voxelizer", std::move(defines), voxelization);
+    return voxelizing("voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT"}), voxelization);
 }
 
 gl::ProgramDescription relightMipmapperProgram() {
@@ -152,23 +147,15 @@ gl::ProgramDescription faceDarkenProgram() {
 }
 
 gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization) {
-    std::vector<std::string> defines = featureDefines(features, ~0U);
-    defines.emplace_back("VCT_RELIGHT");
-    return voxelizing("face_voxelizer", std::move(defines), voxelization);
+    return voxelizing("face_voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT"}), voxelization);
 }
 
 gl::ProgramDescription faceRelightResolveProgram() {
     return {"face_resolve of a light", {"face_resolve.comp"}, {"VCT_RELIGHT"}};
 }
 
-gl::ProgramDescription faceRelightPatchesProgram() {
-    return {"face_patches of a light", {"face_patches.comp"}, {"VCT_RELIGHT"}};
-}
-
 gl::ProgramDescription stillFaceVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    std::vector<std::string> defines = featureDefines(features, ~0U);
-    defines.emplace_back("VCT_STILL");
-    return voxelizing("face_voxelizer", std::move(defines), voxelization);
+    return voxelizing("face_voxelizer", featureDefines(features, ~0U, {"VCT_STILL"}), voxelization);
 }
 
 gl::ProgramDescription stillFaceResolveProgram() {
@@ -203,47 +190,15 @@ gl::ProgramDescription faceClearBaseProgram() {
     return {"face_clear_base", {"face_clear_base.comp"}, {}};
 }
 
-int patchLevel(int grid) {
-    return static_cast<int>(std::log2(grid)) - 5;
+gl::ProgramDescription lightProgram(const std::string& name) {
+    return {name, {name + ".comp"}, {}};
 }
 
-gl::ProgramDescription facePatchesProgram() {
-    return {"face_patches", {"face_patches.comp"}, {}};
-}
-
-gl::ProgramDescription faceAlbedosProgram(int grid) {
-    return {"face_albedos", {"face_albedos.comp"}, {"VCT_PATCH_LEVEL " + std::to_string(patchLevel(grid))}};
-}
-
-gl::ProgramDescription faceBounceGatherProgram(int grid) {
-    GatherSettings bounces;
-    // What cones lose through gaps, every bounce loses again: a closed room gets 15 % darker by it.
-    bounces.extinction = 1.3F;
-    // The blocks of any grid are those of 64^3.
-    const auto scale = static_cast<float>(grid) / 64.0F;
-    bounces.startOffset *= scale;
-    bounces.firstSample *= scale;
-    return {"face_bounce_gather", {"face_bounce_gather.comp"}, gatherDefines(bounces, patchLevel(grid))};
-}
-
-gl::ProgramDescription faceBouncePatchesProgram() {
-    return {"face_bounce_patches", {"face_bounce_patches.comp"}, {}};
-}
-
-gl::ProgramDescription faceBounceProgram(int grid) {
-    return {"face_bounce", {"face_bounce.comp"}, {"VCT_PATCH_LEVEL " + std::to_string(patchLevel(grid))}};
-}
-
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of) {
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of) {
     std::vector<std::string> defines = gatherDefines(settings);
+    defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
     if (of == GatherOf::occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
-    return {of == GatherOf::occlusion ? "gather occlusion" : "gather",
-            {"full_screen.vert", "gather.frag"},
-            defines};
-}
-
-gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings) {
-    return {"gather_filter", {"full_screen.vert", "gather_filter.frag"}, gatherDefines(settings)};
+    return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance", {"irradiance.comp"}, defines};
 }
 
 gl::ProgramDescription coneTracerProgram(int mode, ExtraTargets targets, const Settings& settings) {
@@ -258,12 +213,10 @@ gl::ProgramDescription coneTracerProgram(int mode, ExtraTargets targets, const S
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
     }
     const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
-    if (gathers && settings.voxels == Voxels::faces) {
-        defines.emplace_back("VCT_GATHERED");
-        const bool occlusion = mode == VCT_MODE_AO || mode == VCT_VIEW_AO;
-        for (const std::string& define : gatherDefines(occlusion ? settings.occlusion : settings.gather))
+    if (gathers && settings.voxels == Voxels::faces) defines.emplace_back("VCT_RECEIVED");
+    if (targets.gloss && reflects)
+        for (const std::string& define : gatherDefines(settings.gather))
             defines.push_back(define);
-    }
     return {"cone_tracer " + std::to_string(mode), {"full_screen.vert", "cone_tracer.frag"}, defines};
 }
 
@@ -296,8 +249,11 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  faceClearBaseProgram(),
                                                  faceMipmapperProgram(),
                                                  faceClearProgram(),
-                                                 facePatchesProgram(),
-                                                 faceBouncePatchesProgram(),
+                                                 lightProgram("light_inherit"),
+                                                 lightProgram("light_clear"),
+                                                 lightProgram("light_blocks"),
+                                                 lightProgram("light_bricks"),
+                                                 lightProgram("light_shine"),
                                                  partialClearProgram(),
                                                  partialMipmapperProgram(),
                                                  stillFaceResolveProgram(),
@@ -306,8 +262,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  partialFaceClearBaseProgram(),
                                                  faceDarkenProgram(),
                                                  relightMipmapperProgram(),
-                                                 faceRelightResolveProgram(),
-                                                 faceRelightPatchesProgram()};
+                                                 faceRelightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
@@ -336,13 +291,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
                     if (faces || !gloss)
                         programs.push_back(coneTracerProgram(mode, {emissive, gloss}, settings));
         if (settings.voxels != Voxels::faces) continue;
-        programs.push_back(gatherProgram(settings.gather, GatherOf::light));
-        programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion));
-        for (const GatherSettings& gather : {settings.gather, settings.occlusion})
-            programs.push_back(gatherFilterProgram(gather));
-        programs.push_back(faceAlbedosProgram(settings.grid));
-        programs.push_back(faceBounceGatherProgram(settings.grid));
-        programs.push_back(faceBounceProgram(settings.grid));
+        programs.push_back(irradianceProgram(settings.gather, GatherOf::light));
+        programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion));
     }
     for (int stage = VCT_STAGE_SHADOW_MAP; stage <= VCT_STAGE_EMISSIVE; ++stage)
         programs.push_back(stageViewProgram(stage));
@@ -380,17 +330,16 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         add(Step::voxelize, faceResolveProgram());
         add(Step::mipmap, faceLevelsProgram());
         const bool occlusion = mode == Mode::ao;
-        if (settings.bounces > 0 && !occlusion) {
-            add(Step::bounces, facePatchesProgram());
-            add(Step::bounces, faceAlbedosProgram(settings.grid));
-            add(Step::bounces, faceBounceGatherProgram(settings.grid));
-            add(Step::bounces, faceBouncePatchesProgram());
-            add(Step::bounces, faceBounceProgram(settings.grid));
-            add(Step::bounces, faceMipmapperProgram());
+        add(Step::irradiance, lightProgram("light_inherit"));
+        add(Step::irradiance, lightProgram("light_clear"));
+        add(Step::irradiance, lightProgram("light_bricks"));
+        if (!occlusion) {
+            add(Step::irradiance, lightProgram("light_shine"));
+            add(Step::irradiance, faceMipmapperProgram());
         }
-        const GatherSettings& gather = occlusion ? settings.occlusion : settings.gather;
-        add(Step::trace, gatherProgram(gather, occlusion ? GatherOf::occlusion : GatherOf::light));
-        add(Step::trace, gatherFilterProgram(gather));
+        add(Step::irradiance, irradianceProgram(occlusion ? settings.occlusion : settings.gather,
+                                                occlusion ? GatherOf::occlusion : GatherOf::light));
+        add(Step::irradiance, lightProgram("light_blocks"));
     } else if (voxels) {
         add(Step::voxelize, sparseClearProgram());
         for (unsigned f : needs.materialFeatures)

@@ -36,13 +36,12 @@ gl::ProgramDescription sparseClearProgram();
 gl::ProgramDescription faceTouchProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceResolveProgram();
-// Where only the light changed: render/word_relighter.h, face_relighter.h, and the bounces.
+// Where only the light changed: render/word_relighter.h, face_relighter.h.
 gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription relightMipmapperProgram();
 gl::ProgramDescription faceDarkenProgram();
 gl::ProgramDescription faceRelightProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription faceRelightResolveProgram();
-gl::ProgramDescription faceRelightPatchesProgram();
 // Of the static geometry of a scene where something moves, and of a part: render/partial_faces.h.
 gl::ProgramDescription stillFaceVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription stillFaceResolveProgram();
@@ -53,16 +52,10 @@ gl::ProgramDescription faceLevelsProgram();  // and the next level's lists
 gl::ProgramDescription faceMipmapperProgram();
 gl::ProgramDescription faceClearProgram();
 gl::ProgramDescription faceClearBaseProgram();
-// `pixels`: the gather's settings, from which those of the bounces follow.
-gl::ProgramDescription facePatchesProgram();
-gl::ProgramDescription faceAlbedosProgram(int grid);
-gl::ProgramDescription faceBounceGatherProgram(int grid);
-gl::ProgramDescription faceBouncePatchesProgram();
-gl::ProgramDescription faceBounceProgram(int grid);
-// The level whose blocks gather for bounces: 32^3.
-int patchLevel(int grid);
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of);
-gl::ProgramDescription gatherFilterProgram(const GatherSettings& settings);
+// Light that the faces receive: render/irradiance.h. `name`: light_inherit, light_clear, light_bricks or
+// light_shine.
+gl::ProgramDescription lightProgram(const std::string& name);
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.
 gl::ProgramDescription coneTracerProgram(int mode, ExtraTargets targets, const Settings& settings);
 gl::ProgramDescription voxelViewProgram();

@@ -20,11 +20,17 @@ const Settings& validated(const Settings& settings) {
     return settings;
 }
 
-bool needsShadowMap(Mode mode) {
-    return mode != Mode::phong;
+bool needsShadowMap(int modeOrView) {
+    return modeOrView != VCT_MODE_PHONG;
 }
-bool needsVoxels(Mode mode) {
-    return mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
+bool needsVoxels(int modeOrView) {
+    return modeOrView >= VCT_MODE_AO;
+}
+bool isOcclusion(int modeOrView) {
+    return modeOrView == VCT_MODE_AO || modeOrView == VCT_VIEW_AO;
+}
+bool isIndirectLight(int modeOrView) {
+    return needsVoxels(modeOrView) && !isOcclusion(modeOrView) && modeOrView != VCT_VIEW_CONE_SHADOW;
 }
 
 }  // namespace
@@ -55,60 +61,66 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
         capabilities.require("GL_EXT_geometry_shader", "--voxelization sorted-axes gives the same voxels");
-    if (scene_.moves() && settings.voxels == Voxels::faces) {
+    if (scene_.moves() && settings.voxels == Voxels::faces)
         capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 8", "--preset thesis does without");
-        if (settings.bounces > 0) capabilities.require("GL_EXT_copy_image", "--bounces 0 does without it");
-    }
     gl::checkErrors("setting up the renderer");
 }
 
 void Renderer::frame(Mode mode, const Camera& camera) {
-    // Occlusion asks for no light.
-    draw(mode, camera, mode == Mode::ao ? 0 : settings_.bounces);
+    draw(static_cast<int>(mode), camera, 1);
 }
 
-void Renderer::draw(Mode mode, const Camera& camera, int bounces) {
+void Renderer::still(Mode mode, const Camera& camera) {
+    draw(static_cast<int>(mode), camera, settings_.lightFrames);
+}
+
+void Renderer::draw(int modeOrView, const Camera& camera, int lightSteps, bool allBounces) {
     timer_.beginFrame();
     // Given back at the end: where something throws, nothing counts as made.
     Made made = std::exchange(made_, {});
     // Sorting triangles by their axis takes the longest of it.
     if (nextPose_) timer_.timeOnCpu(Step::voxelize, [&] { scene_.setPose(*nextPose_); });
     nextPose_.reset();
-    if (settings_.revoxelize) made = {};
     const Lit lit{scene_.placements(), light_.towardsLight};
+    const bool makeVoxels = settings_.revoxelize || made.voxels != lit;
     uploadFrameUniforms(camera);
-    ShadowMap* const shadowPass = needsShadowMap(mode) ? &shadowMap() : nullptr;
-    const bool words = needsVoxels(mode) && settings_.voxels == Voxels::words;
-    const bool faces = needsVoxels(mode) && settings_.voxels == Voxels::faces;
-    WordPasses* const wordPass = words ? &wordPasses() : nullptr;
-    FacePasses* const facePass = faces ? &facePasses() : nullptr;
+    ShadowMap* const shadowPass = needsShadowMap(modeOrView) ? &shadowMap() : nullptr;
+    const bool voxels = needsVoxels(modeOrView);
+    WordPasses* const wordPass = voxels && settings_.voxels == Voxels::words ? &wordPasses() : nullptr;
+    FacePasses* const facePass = voxels && settings_.voxels == Voxels::faces ? &facePasses() : nullptr;
 
     const gl::Texture* const shadow = shadowPass ? &shadowPass->texture() : nullptr;
-    if (shadowPass && made.shadowMap != lit) {
+    if (shadowPass && (settings_.revoxelize || made.shadowMap != lit)) {
         timer_.time(Step::shadowMap, [&] { shadowPass->draw(scene_); });
         made.shadowMap = lit;
     }
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
-    const bool makeVoxels = made.voxels != lit || made.bounces != bounces;
     ConeTracer::Light light;
     if (wordPass) {
-        if (makeVoxels) makeWords(made.voxels);
+        if (makeVoxels) makeWords(settings_.revoxelize ? std::nullopt : made.voxels);
         light.voxels = &wordPass->pyramid.texture();
     }
     if (facePass) {
-        FaceVoxels& voxels = facePass->voxels;
-        if (makeVoxels) makeFaces(made, bounces);
-        light.faces = &voxels.faces();
-        light.gather =
-            timer_.time(Step::trace, [&] { return gather(static_cast<int>(mode)).draw(surface, voxels); });
+        if (makeVoxels) makeFaces(made.voxels, lit);
+        light.faces = &facePass->voxels.faces();
     }
-    if (words || faces) {
-        made.voxels = lit;
-        made.bounces = bounces;
+    if (facePass && (isOcclusion(modeOrView) || isIndirectLight(modeOrView))) {
+        Irradiance& received = irradiance(modeOrView);
+        if (!isOcclusion(modeOrView)) {
+            if (made.allBounces != allBounces) received.forget();
+            made.allBounces = allBounces;
+        }
+        timer_.time(Step::irradiance, [&] {
+            for (int i = 0; i < lightSteps && !received.settled(); ++i)
+                received.step(facePass->voxels, facePass->mipmapper, allBounces);
+        });
+        light.irradiance = received.irradiance();
+        light.bricks = received.bricks();
     }
-    timer_.time(Step::trace, [&] { coneTracer_.draw(static_cast<int>(mode), surface, shadow, light); });
+    if (voxels) made.voxels = lit;
+    timer_.time(Step::trace, [&] { coneTracer_.draw(modeOrView, surface, shadow, light); });
     timer_.endFrame();
-    gl::checkErrors(std::string("frame, mode ") + modeName(mode));
+    gl::checkErrors("frame, mode or view " + std::to_string(modeOrView));
     made_ = made;
 }
 
@@ -136,51 +148,49 @@ void Renderer::makeWords(const std::optional<Lit>& before) {
     timer_.time(Step::mipmap, [&] { passes.partial->mipmap(passes.pyramid); });
 }
 
-// Likewise, with `bounces`.
-void Renderer::makeFaces(const Made& before, int bounces) {
+// Of the present pose and light, `now`; `before`: those of the faces that there are.
+void Renderer::makeFaces(const std::optional<Lit>& before, const Lit& now) {
     FacePasses& passes = facePasses();
     FaceVoxels& voxels = passes.voxels;
     const gl::Texture& shadow = shadowMap().texture();
-    FaceBounces* const bouncePass = bounces > 0 ? &faceBounces() : nullptr;
-    const bool sameSurfaces = before.voxels && before.voxels->placements == scene_.placements();
-    if (sameSurfaces && !passes.relighter)
-        passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
-                                 settings_.voxelSamples);
-    if (sameSurfaces) {
+    Irradiance::Change change{std::nullopt, before != now};
+    if (before && before->placements == now.placements && !settings_.revoxelize) {
+        if (!passes.relighter)
+            passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
+                                     settings_.voxelSamples);
         timer_.time(Step::voxelize, [&] { passes.relighter->run(scene_, shadow, voxels); });
-        timer_.time(Step::mipmap, [&] { passes.mipmapper.update(voxels, 1); });
+        timer_.time(Step::mipmap, [&] { passes.mipmapper.update(voxels, 0); });
     } else if (!passes.partial) {
         timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, voxels); });
         timer_.time(Step::mipmap, [&] { passes.mipmapper.makeLevels(voxels); });
+        change.keptFaces = 0U;
     } else {
-        std::optional<BlockMask> changed;
         bool room = false;
         while (!room) {
             timer_.time(Step::voxelize, [&] {
-                if (before.bounces == bounces) changed = changedSince(before.voxels);
-                passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, bouncePass,
-                                         passes.voxelizer, passes.mipmapper, voxels);
+                const std::optional<BlockMask> changed =
+                    settings_.revoxelize ? std::nullopt : changedSince(before);
+                passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
+                                         passes.mipmapper, voxels);
             });
             timer_.time(Step::mipmap, [&] { room = passes.partial->mipmap(voxels); });
+            change.keptFaces = std::min(change.keptFaces.value_or(VCT_NO_ENTRY), passes.partial->keptFaces());
         }
     }
-    timer_.time(Step::bounces, [&] {
-        if (!bouncePass) return;
-        if (sameSurfaces && before.bounces > 0)
-            bouncePass->runAgain(shaders_, bounces, voxels, passes.mipmapper);
-        else
-            bouncePass->run(bounces, voxels, passes.mipmapper);
-    });
+    for (std::optional<Irradiance>* irradiance : {&passes.light, &passes.occlusion})
+        if (*irradiance) (*irradiance)->note(change);
 }
 
 // Which blocks what moves can have changed since; nothing where that is not known, or they can all have.
 std::optional<BlockMask> Renderer::changedSince(const std::optional<Lit>& before) const {
     if (!before || before->towardsLight != light_.towardsLight) return {};
     const double diagonal = glm::length(boundsWorld_.max - boundsWorld_.min);
-    // The filter reads the texels around a point: two would do.
-    const double margin = 4.0 * diagonal / settings_.shadowMapSize / volume_.side;
+    const double texel = diagonal / settings_.shadowMapSize / volume_.side;
+    // The filter reads three texels to each side of a point at most. Those of faces are compared with the
+    // surface's plane where they are, which may rise by 64 times as much (shaders/shared/shadow.glsl).
+    const double above = settings_.voxels == Voxels::faces ? 3.0 * 64.0 * texel : 0.0;
     return changedBlocks(before->placements, scene_.placements(),
-                         {light_.towardsLight, margin, scene_.stillBox()}, 1.0 / settings_.grid);
+                         {light_.towardsLight, 4.0 * texel, above, scene_.stillBox()}, 1.0 / settings_.grid);
 }
 
 void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
@@ -231,26 +241,20 @@ Renderer::FacePasses& Renderer::facePasses() {
             {},
             {},
             {},
-            {},
             {}});
         if (scene_.moves()) facePasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
     }
     return *facePasses_;
 }
 
-FaceBounces& Renderer::faceBounces() {
+Irradiance& Renderer::irradiance(int modeOrView) {
     FacePasses& passes = facePasses();
-    if (!passes.bounces) passes.bounces.emplace(shaders_, settings_.grid, scene_.moves());
-    return *passes.bounces;
-}
-
-Gather& Renderer::gather(int modeOrView) {
-    FacePasses& passes = facePasses();
-    const bool occlusion = modeOrView == VCT_MODE_AO || modeOrView == VCT_VIEW_AO;
-    std::optional<Gather>& pass = occlusion ? passes.occlusion : passes.light;
+    const bool occlusion = isOcclusion(modeOrView);
+    std::optional<Irradiance>& pass = occlusion ? passes.occlusion : passes.light;
     if (!pass)
         pass.emplace(shaders_, occlusion ? settings_.occlusion : settings_.gather,
-                     occlusion ? GatherOf::occlusion : GatherOf::light, settings_.size);
+                     occlusion ? GatherOf::occlusion : GatherOf::light, settings_.lightFrames,
+                     scene_.moves());
     return *pass;
 }
 
@@ -274,40 +278,28 @@ Image Renderer::radiance() const {
     return readImage(coneTracer_.texture(), radianceUnit(light_));
 }
 
-Image Renderer::tracedView(int view) {
-    const GBuffer::Targets surface = gBuffer_.targets();
-    ConeTracer::Light light;
-    if (settings_.voxels == Voxels::words)
-        light.voxels = &wordPasses().pyramid.texture();
-    else {
-        light.faces = &facePasses().voxels.faces();
-        light.gather = gather(view).draw(surface, facePasses().voxels);
-    }
-    return readImage(coneTracer_.draw(view, surface, &shadowMap().texture(), light));
+Image Renderer::view(int view, const Camera& camera, bool allBounces) {
+    draw(view, camera, settings_.lightFrames, allBounces);
+    return readImage(coneTracer_.texture());
 }
 
 std::vector<Renderer::Stage> Renderer::lightParts(const Camera& camera) {
-    draw(Mode::giConeShadow, camera, 0);
-    Image indirect = tracedView(VCT_VIEW_INDIRECT);
-    for (glm::vec3& p : indirect.pixels)
-        p *= radianceUnit(light_);
-    std::vector<Stage> parts;
-    parts.push_back({"ambient_occlusion", tracedView(VCT_VIEW_AO), true});
-    parts.push_back({"indirect_light", std::move(indirect), true});
-    parts.push_back({"cone_shadow", tracedView(VCT_VIEW_CONE_SHADOW), true});
-    if (gBuffer_.targets().gloss != nullptr) {
-        draw(Mode::giConeShadow, camera, settings_.bounces);
-        Image specular = tracedView(VCT_VIEW_SPECULAR);
-        for (glm::vec3& p : specular.pixels)
+    const auto inUnits = [this](Image image) {
+        for (glm::vec3& p : image.pixels)
             p *= radianceUnit(light_);
-        parts.push_back({"specular_light", std::move(specular), true});
-    }
-    gl::checkErrors("light parts");
+        return image;
+    };
+    std::vector<Stage> parts;
+    parts.push_back({"ambient_occlusion", view(VCT_VIEW_AO, camera, true), true});
+    parts.push_back({"indirect_light", inUnits(view(VCT_VIEW_INDIRECT, camera, false)), true});
+    parts.push_back({"cone_shadow", view(VCT_VIEW_CONE_SHADOW, camera, true), true});
+    if (gBuffer_.targets().gloss != nullptr)
+        parts.push_back({"specular_light", inUnits(view(VCT_VIEW_SPECULAR, camera, true)), true});
     return parts;
 }
 
 std::vector<Renderer::Stage> Renderer::stages(const Camera& camera) {
-    frame(Mode::giConeShadow, camera);
+    still(Mode::giConeShadow, camera);
     const GBuffer::Targets surface = gBuffer_.targets();
     std::vector<Stage> stages;
 
@@ -384,14 +376,12 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         if (facePasses_->partial)
             for (const gl::Buffer* buffer : facePasses_->partial->buffers())
                 add(*buffer);
-        if (facePasses_->bounces) {
-            add(facePasses_->bounces->patches());
-            if (facePasses_->bounces->direct() != nullptr) add(*facePasses_->bounces->direct());
+        for (const std::optional<Irradiance>* irradiance : {&facePasses_->light, &facePasses_->occlusion}) {
+            if (!*irradiance) continue;
+            add((*irradiance)->received());
+            for (const gl::Texture* texture : (*irradiance)->textures())
+                add(*texture);
         }
-        for (const std::optional<Gather>* gather : {&facePasses_->light, &facePasses_->occlusion})
-            if (*gather)
-                for (const gl::Texture* texture : (*gather)->textures())
-                    add(*texture);
     }
     add(coneTracer_.texture());
     return resources;

@@ -9,11 +9,11 @@
 #include "gl/program.h"
 #include "image/image.h"
 #include "render/cone_tracer.h"
-#include "render/face_bounces.h"
 #include "render/face_relighter.h"
 #include "render/face_voxelizer.h"
 #include "render/g_buffer.h"
 #include "render/gpu_scene.h"
+#include "render/irradiance.h"
 #include "render/mipmapper.h"
 #include "render/partial_faces.h"
 #include "render/partial_voxels.h"
@@ -36,9 +36,12 @@ class Renderer {
              const gl::Capabilities& capabilities, gl::ReadShader readShader);
 
     // Draws one frame. While neither light nor pose changes, shadow map and voxels stay as they are; where
-    // only the light does, voxels are lit anew. With Settings::revoxelize everything is made. Throws
-    // vct::Error on any GL error; the next frame then makes everything anew.
+    // only the light does, voxels are lit anew. What the surfaces receive comes one step nearer to its final
+    // value, and stands still Settings::lightFrames frames after the last change. With Settings::revoxelize
+    // everything is made. Throws vct::Error on any GL error; the next frame then makes everything anew.
     void frame(Mode mode, const Camera& camera);
+    // Likewise, when all those steps are done: a still picture.
+    void still(Mode mode, const Camera& camera);
 
     // Of frames to come: where what moves is. What the pose does to cameras and lights, posed() says.
     void setPose(const Pose& pose) { nextPose_ = pose; }
@@ -59,8 +62,8 @@ class Renderer {
         Image image;       // linear RGB, scaled for the eye
         bool hasUnits;     // false: made for the eye only, no use as data
     };
-    // What the cones saw, each alone, drawn anew from `camera`: ambient_occlusion, indirect_light (of one
-    // bounce, whatever the settings), cone_shadow.
+    // What the cones saw, each alone, drawn anew from `camera` when the light stands still:
+    // ambient_occlusion, indirect_light (of one bounce), cone_shadow.
     std::vector<Stage> lightParts(const Camera& camera);
     // Every intermediate, the light parts among them, drawn anew from `camera`.
     std::vector<Stage> stages(const Camera& camera);
@@ -81,6 +84,14 @@ class Renderer {
     VoxelPyramid* voxels() { return wordPasses_ ? &wordPasses_->pyramid : nullptr; }
     FaceVoxels* faceVoxels() { return facePasses_ ? &facePasses_->voxels : nullptr; }
 
+    // Null until a mode needed what the faces receive.
+    const Irradiance* received(GatherOf of) const {
+        if (!facePasses_) return nullptr;
+        const std::optional<Irradiance>& pass =
+            of == GatherOf::light ? facePasses_->light : facePasses_->occlusion;
+        return pass ? &*pass : nullptr;
+    }
+
   private:
     struct WordPasses {
         VoxelPyramid pyramid;
@@ -95,8 +106,7 @@ class Renderer {
         FaceMipmapper mipmapper;
         std::optional<PartialFaces> partial;  // where something moves
         std::optional<FaceRelighter> relighter;
-        std::optional<FaceBounces> bounces;
-        std::optional<Gather> light, occlusion;
+        std::optional<Irradiance> light, occlusion;
     };
     // What shadow map and voxels follow from: where what moves is, and the light.
     struct Lit {
@@ -111,20 +121,20 @@ class Renderer {
     // Of what the last ones were made; nothing: they were not.
     struct Made {
         std::optional<Lit> shadowMap, voxels;
-        int bounces = 0;  // in the voxels
+        bool allBounces = true;  // in the received light
     };
-    void draw(Mode mode, const Camera& camera, int bounces);
+    // `lightSteps`: of the received light, at most. `allBounces`: or the first one alone.
+    void draw(int modeOrView, const Camera& camera, int lightSteps, bool allBounces = true);
     ShadowMap& shadowMap();
     WordPasses& wordPasses();
     FacePasses& facePasses();
-    FaceBounces& faceBounces();
-    Gather& gather(int modeOrView);
+    Irradiance& irradiance(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
     void makeWords(const std::optional<Lit>& before);
-    void makeFaces(const Made& before, int bounces);
+    void makeFaces(const std::optional<Lit>& before, const Lit& now);
     std::optional<BlockMask> changedSince(const std::optional<Lit>& before) const;
-    Image tracedView(int view);
+    Image view(int view, const Camera& camera, bool allBounces);
 
     Settings settings_;
     bool texturesInMainMemory_;

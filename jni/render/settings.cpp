@@ -1,12 +1,9 @@
 #include "render/settings.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include "core/error.h"
-#include "core/number_text.h"
 
 namespace vct {
 
@@ -126,25 +123,25 @@ Settings presetSettings(const std::string& name) {
     settings.voxels = Voxels::faces;
     settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
-    settings.bounces = 2;
     settings.specular = Specular::cone;
     settings.shadowMapSize = 1024;
     settings.occlusion.startOffset = 0.5F;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.gather.scale = 6;
         return settings;
     }
     if (name == "quality") {
         settings.grid = 128;
         settings.gridRange = {128, 256};
+        settings.gather.directions = 128;
         settings.gather.cones = 16;
         settings.gather.startOffset = 0.5F;
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
         settings.gather.height = 0.3F;
         settings.gather.threshold = 0.12F;
+        settings.occlusion.directions = 128;
         settings.occlusion.cones = 16;
         settings.occlusion.step = 1.0F;
         settings.occlusion.height = 0.4F;
@@ -158,63 +155,6 @@ std::string presetList() {
     for (const std::string& preset : presetNames())
         names += (names.empty() ? "" : ", ") + preset;
     return names;
-}
-
-namespace {
-
-struct GatherPart {
-    const char* name;
-    const char* what;
-    float GatherSettings::*value;  // null where it is a whole number
-    int GatherSettings::*number;
-    float smallest, largest;
-};
-
-const std::vector<GatherPart>& allGatherParts() {
-    using G = GatherSettings;
-    static const std::vector<GatherPart> parts{
-        {"cones", "cones over the hemisphere", nullptr, &G::cones, 2, 64},
-        {"start", "offset along the normal, voxels", &G::startOffset, nullptr, 0, 16},
-        {"first", "first sample along the cone, voxels", &G::firstSample, nullptr, 0.25F, 16},
-        {"own", "height in footprints up to which a slanted surface's own faces are not met", &G::ownSurface,
-         nullptr, 0, 16},
-        {"step", "between samples, in footprints", &G::step, nullptr, 0.1F, 4},
-        {"height", "largest footprint, of the height above the plane", &G::height, nullptr, 0.05F, 100},
-        {"extinction", "scales a sample's opacity", &G::extinction, nullptr, 0.1F, 4},
-        {"threshold", "transmittance at which a cone ends", &G::threshold, nullptr, 0.001F, 0.9F},
-        {"scale", "every how many pixels light is gathered", nullptr, &G::scale, 1, 8},
-    };
-    return parts;
-}
-
-}  // namespace
-
-void changeGather(GatherSettings& gather, const std::string& nameIsValue) {
-    const std::size_t equals = nameIsValue.find('=');
-    const std::string name = nameIsValue.substr(0, equals);
-    for (const GatherPart& part : allGatherParts()) {
-        if (name != part.name || equals == std::string::npos) continue;
-        const std::string text = nameIsValue.substr(equals + 1);
-        char* end = nullptr;
-        const float value = std::strtof(text.c_str(), &end);
-        const bool whole = part.number == nullptr || value == std::floor(value);
-        if (text.empty() || *end != '\0' || !(value >= part.smallest && value <= part.largest) || !whole)
-            throw Error("--gather " + nameIsValue + ": expected a " + (part.number ? "whole " : "") +
-                        "number from " + numberText(part.smallest) + " to " + numberText(part.largest));
-        if (part.number != nullptr)
-            gather.*part.number = static_cast<int>(value);
-        else
-            gather.*part.value = value;
-        return;
-    }
-    throw Error("--gather '" + nameIsValue + "': expected NAME=VALUE, the names are:\n" + gatherParts());
-}
-
-std::string gatherParts() {
-    std::string text;
-    for (const GatherPart& part : allGatherParts())
-        text += std::string(text.empty() ? "" : "\n") + part.name + ": " + part.what;
-    return text;
 }
 
 void validate(const Settings& settings) {
@@ -234,9 +174,8 @@ void validate(const Settings& settings) {
     require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
                 settings.filterTaps <= 64,
             "--blocker-taps and --filter-taps must be between 1 and 64");
-    require(settings.bounces >= 0 && settings.bounces <= 100, "--bounces must be between 0 and 100");
-    require(settings.voxels == Voxels::faces || settings.bounces == 0,
-            "--bounces: the preset thesis has one; use another preset");
+    require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
+            "--light-frames must be between 1 and 1000");
     require(settings.voxels == Voxels::words || settings.shadow == Shadow::softMap,
             "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.voxels == Voxels::faces || settings.specular == Specular::none,

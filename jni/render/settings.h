@@ -76,9 +76,10 @@ enum class GatherOf { light, occlusion };
 // A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
 // in docs/levers.md.
 struct GatherSettings {
-    int cones = 3;              // over the hemisphere; 16 such sets together are a Hammersley set
-    float startOffset = 0.75F;  // along the normal
-    float firstSample = 0.5F;   // along the cone
+    int directions = 64;  // that each face looks into by and by, a power of two
+    int cones = 8;        // of each face in a frame in which nothing changed, until its light stands still
+    float startOffset = 0.5F;  // along the normal
+    float firstSample = 0.5F;  // along the cone
     // Height above the surface's plane, in footprints, up to which its own faces, which look against the cone
     // where the surface is slanted, are not met. They are within half a texel of it, filtered by one more.
     float ownSurface = 1.5F;
@@ -86,8 +87,11 @@ struct GatherSettings {
     float height = 0.5F;       // largest footprint, of the sample's height above the surface's plane
     float extinction = 1.05F;  // scales the opacity of a sample
     float threshold = 0.15F;   // a cone with less transmittance left is done
-    int scale = 2;             // every how many pixels, in x and y, light is gathered
 };
+
+// What a face received in k steps is a mean in which each step's share is this over (k + this): 1 would be
+// the plain mean, which never forgets the first steps, that knew no bounces.
+constexpr float irradianceForgetting = 6.0F;
 
 // The grids among which one is chosen by the scene (grid_choice.h), both included.
 struct GridRange {
@@ -101,10 +105,9 @@ struct Settings {
     Voxelization voxelization = Voxelization::geometryShader;
     int voxelSamples = 1;                  // of the triangles, along each side of a voxel
     Specular specular = Specular::none;    // of modes 4 and 5, where voxels are faces
-    int bounces = 0;                       // beyond the first, where voxels are faces; from 2 on also
-                                           // an estimate of all that would follow
     GatherSettings gather;                 // of diffuse light, where voxels are faces
     GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
+    int lightFrames = 16;                  // after a change, until the received light stands still
     int grid = 256;                        // voxels along a side of the volume, one of allGrids()
     GridRange gridRange;                   // for a grid that follows from the scene
     glm::ivec2 size{400, 400};             // pixels
@@ -128,10 +131,6 @@ const std::vector<std::string>& presetNames();
 std::string presetList();  // with commas
 // Throws vct::Error listing the presets.
 Settings presetSettings(const std::string& name);
-
-// "cones=4": throws vct::Error listing the names.
-void changeGather(GatherSettings& gather, const std::string& nameIsValue);
-std::string gatherParts();  // a line each, name and meaning
 
 // Throws vct::Error where a value is outside what the pipeline can do.
 void validate(const Settings& settings);

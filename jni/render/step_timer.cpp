@@ -29,8 +29,8 @@ const char* stepName(Step step) {
             return "voxelize";
         case Step::mipmap:
             return "mipmap";
-        case Step::bounces:
-            return "bounces";
+        case Step::irradiance:
+            return "irradiance";
         case Step::trace:
             return "trace";
     }

@@ -11,10 +11,11 @@
 
 namespace vct {
 
-// The columns of the thesis's table 5.3: CS, RT, V, M, Tr; and before the last the bounces, which it has not.
-enum class Step { shadowMap, renderData, voxelize, mipmap, bounces, trace };
+// The columns of the thesis's table 5.3: CS, RT, V, M, Tr; and before the last the irradiance, which it has
+// not.
+enum class Step { shadowMap, renderData, voxelize, mipmap, irradiance, trace };
 constexpr int stepCount = 6;
-// "shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace"
+// "shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace"
 const char* stepName(Step step);
 
 // Milliseconds of every timed frame.

@@ -1,5 +1,5 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
-// the settings (jni/render/settings.h: Gather), as VCT_GATHER_*. VCT_CONE_TRIPS: what counts their steps.
+// the settings (jni/render/settings.h: GatherSettings), as VCT_GATHER_*. VCT_CONE_TRIPS: what counts their steps.
 #include "shared/blocks.glsl"
 #include "shared/face_voxels.glsl"
 #include "shared/orthonormal.glsl"
@@ -8,53 +8,33 @@
 
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 
-// A direction, and what sampling along it needs: each axis's share, and the side of the faces that look against it.
-struct Ray {
-    vec3 direction;
-    mediump vec3 share;
-    mediump vec3 side;  // in texture coordinates
-};
-
-Ray rayAlong(vec3 direction) {
-    return Ray(direction, abs(direction), mix(vec3(0.0), vec3(0.5), greaterThan(direction, vec3(0.0))));
-}
-
 // Of the volume in the texture: each block of faces is one.
 const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
-// Radiance (premultiplied) and coverage that the ray meets around a position (volume space) at a whole mip level;
-// coverage up to 1.73, where it meets three faces of a corner. Each face covers its projection, the ray's share of its
-// axis; but shines by the square of that, as an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what
-// a ray meets at a slant may be the far side of something round, lit where the ray cannot see.
-mediump vec4 sampleFaces(vec3 position, Ray ray, float level) {
+// Radiance (premultiplied) and coverage that a ray meets around a position (volume space) at a whole mip level: of the
+// faces that look against its direction; `share`: that of each axis in it. Coverage up to 1.73, where it meets three faces
+// of a corner. Each face covers its projection, the ray's share of its axis; but shines by the square of that, as an ambient
+// cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what a ray meets at a slant may be the far side of something
+// round, lit where the ray cannot see.
+mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, float level) {
     // No texel of the next block may leak in.
     float margin = 0.5 * exp2(level) / float(frame.grid.x);
     vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
-    mediump vec4 x = textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
-    mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
-    mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
-    mediump vec3 square = HALF(ray.share * ray.share);
+    vec3 side = mix(vec3(0.0), vec3(blockSize.y), greaterThan(direction, vec3(0.0)));
+    mediump vec4 x = textureLod(faces, p + vec3(0.0, side.x, 0.0), level);
+    mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, side.y, 0.0), level);
+    mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, side.z, 0.0), level);
+    mediump vec3 square = HALF(share * share);
     mediump vec4 shining = HALF(square.x * x + square.y * y + square.z * z);
-    mediump float coverage = HALF(dot(ray.share, vec3(x.a, y.a, z.a)));
+    mediump float coverage = HALF(dot(share, vec3(x.a, y.a, z.a)));
     return HALF(vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage));
-}
-
-// Cone i of the set around a normal along +y, with its cosine in y. `rotation`, 0 to 15, is one of 16 sets that
-// together are a Hammersley set of the hemisphere, weighted by the cosine: 16 equal turns, each at another height
-// within the cone's ring. Along a set: equal weights that contain the cosine, the golden angle from one to the next.
-vec3 gatherCone(int i, int rotation) {
-    int height = ((rotation & 1) << 3) | ((rotation & 2) << 1) | ((rotation & 4) >> 1) | (rotation >> 3);
-    float fraction = (float(i) + (float(height) + 0.5) / 16.0) / float(VCT_GATHER_CONES);
-    float phi = 6.2831853 * (0.381966 * float(i) + float(rotation) / 16.0);
-    return vec3(sqrt(fraction) * cos(phi), sqrt(1.0 - fraction), sqrt(fraction) * sin(phi));
 }
 
 struct ConeResult {
     mediump vec3 radiance;        // relative to E/pi
     mediump float transmittance;  // what is left
+    mediump float nearness;       // 1 / distance of what it met, in voxels, and 0 of what is left
 };
-
-const float finestFootprint = exp2(float(VCT_GATHER_FINEST_LEVEL));
 
 // Of a sample: those of neighbours are a step apart, and overlap or gap by as much.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
@@ -62,12 +42,7 @@ const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 // One cone from a point near a surface with that normal. Samples beyond `reach` are not taken. Lengths in voxels.
 ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
     float grid = float(frame.grid.x);
-    Ray ray = rayAlong(direction);
-    ConeResult result = ConeResult(vec3(0.0), 1.0);
-    // Faces are one-sided along the axes only. Those of the ray's own surface look to its normal's side of each axis;
-    // where the ray goes against that, near the surface, it would meet them.
-    Ray nearRay = ray;
-    nearRay.share *= step(0.0, direction * normal);
+    ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
     float rise = dot(direction, normal);
     // Where it leaves the volume (in the far corner's or the near one's planes).
@@ -79,13 +54,17 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
         // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
         // footprint.
         float height = VCT_GATHER_START + distance * rise;
-        float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), float(VCT_GATHER_FINEST_LEVEL));
-        bool near = height < VCT_GATHER_OWN_SURFACE * exp2(level);
-        mediump vec4 met = sampleFaces((start + direction * distance) / grid, near ? nearRay : ray, level);
+        float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), 0.0);
+        // Faces are one-sided along the axes only. Those of the ray's own surface look to its normal's side of each axis;
+        // where the ray goes against that, near the surface, it would meet them.
+        bvec3 own = lessThan(direction * normal, vec3(height < VCT_GATHER_OWN_SURFACE * exp2(level) ? 0.0 : -1.0));
+        mediump vec3 share = HALF(mix(abs(direction), vec3(0.0), own));
+        mediump vec4 met = sampleFaces((start + direction * distance) / grid, direction, share, level);
         // Added, and cut off at what is left: multiplied transmittances let too much through.
         mediump float taken = HALF(min(sampleOpacity * min(met.a, 1.0), result.transmittance));
         result.radiance = HALF(result.radiance + met.rgb * (taken / max(met.a, 1e-4)));
         result.transmittance = HALF(result.transmittance - taken);
+        result.nearness = HALF(result.nearness + taken / distance);
         if (result.transmittance < VCT_GATHER_THRESHOLD) break;
         distance += VCT_GATHER_STEP * exp2(level);
     }

@@ -35,20 +35,20 @@ vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
 }
 
 // Where a ray meets the faces of a corner, it is covered once.
-mediump vec4 sampleCovered(vec3 position, Ray ray, float level) {
-    mediump vec4 value = sampleFaces(position, ray, level);
+mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
+    mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
     return HALF(value / max(value.a, 1.0));
 }
 
 // Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
 // then a wall's coverage sums to 1 over the samples that pass it. Lengths in voxels.
-mediump vec4 sampleBetween(vec3 position, Ray ray, float footprint, float stride) {
+mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float stride) {
     float level = floor(log2(footprint));
     float texel = exp2(level);
     float part = footprint / texel - 1.0;
-    mediump vec4 value = HALF(sampleCovered(position, ray, level) * (stride / texel));
+    mediump vec4 value = HALF(sampleCovered(position, direction, level) * (stride / texel));
     if (part > 0.0)
-        value = HALF(mix(value, sampleCovered(position, ray, level + 1.0) * (0.5 * stride / texel), part));
+        value = HALF(mix(value, sampleCovered(position, direction, level + 1.0) * (0.5 * stride / texel), part));
     return value;
 }
 
@@ -56,7 +56,6 @@ mediump vec4 sampleBetween(vec3 position, Ray ray, float footprint, float stride
 // show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
     float voxel = 1.0 / float(frame.grid.x);
-    Ray ray = rayAlong(direction);
     mediump vec3 radiance = vec3(0.0);
     mediump float transmittance = 1.0;
     vec3 own = max(-direction * normal, 0.0);
@@ -70,7 +69,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         float height = VCT_GATHER_START + distance * dot(direction, normal);
         float footprint = max(1.0, min(2.0 * distance * tangent, height));
         float stride = VCT_GATHER_STEP * footprint;
-        mediump vec4 value = sampleBetween(p, ray, footprint, stride);
+        mediump vec4 value = sampleBetween(p, direction, footprint, stride);
         mediump float share = HALF(min(1.0, transmittance / max(value.a, 1e-4)));
         radiance = HALF(radiance + value.rgb * share);
         transmittance = HALF(transmittance - value.a * share);

@@ -9,6 +9,7 @@
 #define VCT_FUNCTION inline
 namespace vct::shared {
 using uint = std::uint32_t;
+using glm::ivec3;
 using glm::ivec4;
 using glm::mat4;
 using glm::uvec3;
@@ -39,12 +40,13 @@ using glm::vec4;
 #define VCT_UBO_FRAME 0
 #define VCT_UBO_DRAW 1
 #define VCT_UBO_CHANGED_BLOCKS 2
+#define VCT_UBO_LIGHT 3
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACE_SUMS 2
-#define VCT_SSBO_FACE_PATCHES 3
+#define VCT_SSBO_RECEIVED 3
 #define VCT_SSBO_STILL_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
 #define VCT_SSBO_TRIPS 4
 
@@ -62,7 +64,7 @@ using glm::vec4;
 #define VCT_TRIPS_SHADOW_STEP 10
 #define VCT_TRIPS_BLOCKER_TAP 11
 #define VCT_TRIPS_FILTER_TAP 12
-#define VCT_TRIPS_GATHERED_CORNER 13
+#define VCT_TRIPS_RECEIVED_AXIS 13
 #define VCT_TRIPS_FACE_TOUCH 14
 #define VCT_TRIPS_FACE_VOXELIZER 15
 #define VCT_TRIPS_FACE_VOXELIZER_AXIS 16
@@ -78,30 +80,27 @@ using glm::vec4;
 #define VCT_TRIPS_FACE_CLEAR_BASE 26
 #define VCT_TRIPS_FACE_CLEAR_BASE_VOXEL 27
 #define VCT_TRIPS_FACE_CLEAR_BASE_FACE 28
-#define VCT_TRIPS_FACE_PATCHES 29
-#define VCT_TRIPS_FACE_PATCHES_PATCH 30
-#define VCT_TRIPS_FACE_ALBEDOS 31
-#define VCT_TRIPS_FACE_ALBEDOS_FACE 32
-#define VCT_TRIPS_BOUNCE_GATHER 33
-#define VCT_TRIPS_BOUNCE_GATHER_PATCH 34
-#define VCT_TRIPS_BOUNCE_GATHER_CONE 35
-#define VCT_TRIPS_BOUNCE_GATHER_STEP 36
-#define VCT_TRIPS_BOUNCE_PATCHES 37
-#define VCT_TRIPS_BOUNCE_PATCHES_PATCH 38
-#define VCT_TRIPS_BOUNCE 39
-#define VCT_TRIPS_BOUNCE_FACE 40
-#define VCT_TRIPS_GATHER 41
-#define VCT_TRIPS_GATHER_SEARCH 42
-#define VCT_TRIPS_GATHER_CONE 43
-#define VCT_TRIPS_GATHER_STEP 44
-#define VCT_TRIPS_GATHER_FILTER 45
-#define VCT_TRIPS_GATHER_FILTER_SEARCH 46
-#define VCT_TRIPS_GATHER_FILTER_NEIGHBOUR 47
-#define VCT_TRIPS_SPECULAR_STEP 48
-#define VCT_TRIPS_FACE_DARKEN 49
-#define VCT_TRIPS_FACE_DARKEN_VOXEL 50
-#define VCT_TRIPS_FACE_DARKEN_FACE 51
-#define VCT_TRIPS_COUNT 52
+#define VCT_TRIPS_LIGHT_INHERIT 29
+#define VCT_TRIPS_LIGHT_INHERIT_FACE 30
+#define VCT_TRIPS_LIGHT_CLEAR 31
+#define VCT_TRIPS_LIGHT_BRICKS 32
+#define VCT_TRIPS_LIGHT_BRICKS_FACE 33
+#define VCT_TRIPS_LIGHT_SHINE 34
+#define VCT_TRIPS_LIGHT_SHINE_FACE 35
+#define VCT_TRIPS_IRRADIANCE 36
+#define VCT_TRIPS_IRRADIANCE_FACE 37
+#define VCT_TRIPS_IRRADIANCE_CONE 38
+#define VCT_TRIPS_IRRADIANCE_STEP 39
+#define VCT_TRIPS_IRRADIANCE_BRICK 40
+#define VCT_TRIPS_SPECULAR_STEP 41
+#define VCT_TRIPS_FACE_DARKEN 42
+#define VCT_TRIPS_FACE_DARKEN_VOXEL 43
+#define VCT_TRIPS_FACE_DARKEN_FACE 44
+#define VCT_TRIPS_RECEIVED_NEARBY 45
+#define VCT_TRIPS_LIGHT_BLOCKS 46
+#define VCT_TRIPS_LIGHT_CLEAR_TEXEL 47
+#define VCT_TRIPS_LIGHT_CLEAR_PLACE 48
+#define VCT_TRIPS_COUNT 49
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -114,9 +113,10 @@ using glm::vec4;
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
 #define VCT_TEX_FACES 9
-#define VCT_TEX_GATHER 10
-#define VCT_TEX_GATHER_SURFACE 11
+#define VCT_TEX_IRRADIANCE 10  // shared/received.glsl: the bricks, and where each is
+#define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
+#define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -124,6 +124,9 @@ using glm::vec4;
 #define VCT_IMAGE_FACES 2
 #define VCT_IMAGE_EMPTIED_VOXELS 0  // ES 3.1 guarantees four units, and no pass needs both
 #define VCT_IMAGE_EMPTIED_FACES 3
+#define VCT_IMAGE_IRRADIANCE 2  // likewise
+#define VCT_IMAGE_BRICKS 3
+#define VCT_IMAGE_BLOCK_LIGHT 2
 
 // Vertex attributes.
 #define VCT_ATTRIBUTE_POSITION 0
@@ -133,10 +136,10 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which bounce it is, counted from 1; what a pass over a part of the voxels
-// visits (shared/commands.glsl), and what it empties (shared/moving_faces.glsl).
+// the triangles of a draw call are voxelized; which time light is stored (shared/face_voxels.glsl); what a pass over a part of the voxels visits (shared/commands.glsl), and
+// what it empties (shared/moving_faces.glsl).
 #define VCT_UNIFORM_LEVEL 0
-#define VCT_UNIFORM_BOUNCE 1
+#define VCT_UNIFORM_WHICH 1
 #define VCT_UNIFORM_FIRST 1
 #define VCT_UNIFORM_END 2
 #define VCT_UNIFORM_MOVING 3
@@ -148,18 +151,23 @@ using glm::vec4;
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
 #define VCT_BLOCKS 32      // along each side of the volume: what a frame may make anew alone
-// Directional coverage voxels while voxelizing: per face coverage, radiance, albedo; per voxel which faces, and the six.
-#define VCT_FACE_SUM_WORDS 5u
-#define VCT_SLOT_WORDS 31u
+// Directional coverage voxels while voxelizing: per face coverage, radiance, albedo, plane; per voxel which faces, and
+// the six.
+#define VCT_FACE_SUM_WORDS 6u
+#define VCT_SLOT_WORDS 37u
 // The image of occupied voxels, above the base level: a bit for each face that is not empty, and above them the
 // place in the list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Bounces, per face of a block: VCT_PATCH_* of shared/face_patches.glsl.
-#define VCT_PATCH_WORDS 11u
-#define VCT_PATCH_ENERGIES 9u
-#define VCT_PATCH_PLACES 9u
-#define VCT_PATCH_HEADER 10u
+// Received light (shared/received.glsl): sums over all faces, per frame in turn; and a brick of texels for each face that
+// is not empty of the level whose voxels are blocks of 4^3, with a texel more on each side for the filter.
+#define VCT_LIGHT_SUMS 16u
+#define VCT_LIGHT_HEADER 48u  // words: three such frames
+#define VCT_BRICK_LEVEL 2
+#define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
+#define VCT_BRICK_TEXELS 6
+#define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
+#define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
 
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
@@ -167,7 +175,7 @@ using glm::vec4;
 // (E: irradiance of a surface that faces the light), so that 8 bits serve any light.
 struct FrameUniforms {
     mat4 clipFromVolume;
-    mat4 volumeFromClip;
+    mat4 volumeFromWindow;  // pixels, and depth as the depth buffer has it
     mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
     vec4 eye;               // xyz: volume space
     vec4 towardsLight;      // xyz: unit length
@@ -178,6 +186,26 @@ struct FrameUniforms {
     vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl), y: the radiance that
                             // is stored as 1, relative to E/pi, z: largest share of the light that a bounce passes on
     ivec4 grid;             // x: voxels along a side, y: last mip level
+};
+
+// One step of the received light towards its final value (jni/render/irradiance.h).
+struct LightStep {
+    uint frame;          // counts steps
+    uint direction;      // the first of the set that this step looks into
+    uint cones;          // how many
+    uint conesOfNew;     // of a face that has received nothing yet
+    uint firstNew;       // of the base level's list of faces: from there on faces have no memory of their own
+    uint beginsRound;    // 1 where this step is the first of a round
+    uint bricksAlong;    // of the texture of bricks, along x and y
+    float shareInRound;  // of a step; 0 outside of rounds
+    float memory;        // most steps that a face's mean remembers
+    float inherited;     // steps that a new face counts as having seen when it finds light where it is
+    float towardsBalance;  // the share of the way to the balance of all faces' light that a step makes good
+    float reflected;     // gain of what faces send on, or 0 for the first bounce alone
+    float amplitude;     // the share that the step before had in the means
+    float sumUnits;      // fixed point of the sums
+    uint blockSums;      // word of the received light where the blocks' sums begin
+    float smoothing;     // how much of a face's light may be its block's, 0..1
 };
 
 struct DrawUniforms {
@@ -228,6 +256,14 @@ VCT_FUNCTION uvec3 unpackFaceVoxel(uint entry) {
 }
 VCT_FUNCTION uint unpackFace(uint entry) {
     return entry >> 27;
+}
+
+// Where a brick of received light lies in their texture, in bricks: a mark that it is one, and 10 bits each.
+VCT_FUNCTION uint packBrick(uvec3 brick) {
+    return 0x80000000u | (brick.x << 20) | (brick.y << 10) | brick.z;
+}
+VCT_FUNCTION ivec3 unpackBrick(uint word) {
+    return ivec3(int((word >> 20) & 0x3FFu), int((word >> 10) & 0x3FFu), int(word & 0x3FFu));
 }
 
 // The voxel word (thesis figure 4.3), high to low: light counter 4 bits, count 4, R 8, G 8, B 8. Light comes

@@ -17,18 +17,71 @@ float shadowMapLight(vec3 positionVolume, float cosTheta) {
     return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
 }
 
-// The same where the receiver's plane is known: the bias is what the plane rises over the texels that the filter reads,
-// and no more. Along the creases of a room the bias above lets the sun in, as wide as itself.
-float shadowMapLightOn(vec3 positionVolume, vec3 normal) {
-    const float steepest = 64.0;      // depth per length across the map
-    const float roundingBias = 1e-4;  // as above
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+// The same where the receiver's plane is known. A bias lifts the receiver over what touches it: along the creases of a room
+// whose walls have no thickness the sun would shine in, as wide as the bias and as a texel, beyond whose half there is no
+// wall any more. So each of the filter's four texels is compared with the plane where the texel is, and is nearer than the
+// surface, farther, or the surface itself. Texels that are farther look past the surface's border, and know nothing of it.
+layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D shadowDepth;  // the same map, not compared
+
+// A surface may be off its plane by this share of a texel, and of what the plane rises from a texel to its diagonal
+// neighbour: corners are rounded to the rasterizer's grid. A curved one is drawn flat, has the normals of a round one and
+// needs more; on flat walls as much would take what touches them for the wall.
+const float flatSlack = 0.25;
+const float curvedSlack = 1.0;
+const float depthRounding = 2e-5;  // of the depth range; a position from a G-buffer, in floats
+
+// What the receiver's plane gains in depth per texel.
+vec2 shadowSlope(vec3 normal) {
     // Rows of the matrix are the map's axes, each over its length: normals go by the inverse transpose.
     mat3 axes = transpose(mat3(frame.shadowFromVolume));
     vec3 plane = vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
                       dot(axes[2], normal) / dot(axes[2], axes[2]));
-    vec2 slope = min(abs(plane.xy / plane.z), steepest);
-    float bias = dot(slope, 1.0 / vec2(textureSize(shadowMap, 0))) + roundingBias;
+    const float steepest = 64.0;  // depth per length across the map: the light less than a degree above the surface
+    return clamp(-plane.xy / plane.z, -steepest, steepest) / vec2(textureSize(shadowDepth, 0));
+}
+
+// Which it is. Across a crease normals jump, a component of them by 0.8 where it is one of 90 degrees; the least change is
+// that of their 16 bits.
+float shadowSlack(vec3 normal) {
+    vec3 change = fwidth(normal);
+    float most = max(max(change.x, change.y), change.z);
+    return most > 2e-4 && most < 0.8 ? curvedSlack : flatSlack;
+}
+
+// Of a receiver in the map. -1: no part of a sun is seen, as it is in a crease or what blocks all of the footprint is no
+// farther than `contact` (depth).
+float shadowFootprintLight(vec3 receiver, vec2 slope, float slackShare, float contact) {
+    vec2 size = vec2(textureSize(shadowDepth, 0));
+    // The depth range is no shorter than the map is wide.
+    float slack = slackShare * (abs(slope.x) + abs(slope.y) + 0.25 / size.x) + depthRounding;
+    vec2 texel = receiver.xy * size - 0.5;
+    vec2 corner = floor(texel);
+    vec2 f = texel - corner;
+    // Beginning at (0, 1), counter-clockwise, as textureGather() has them. At the corner that the four share no rounding
+    // chooses others.
+    vec4 above = textureGather(shadowDepth, (corner + 1.0) / size) - receiver.z -
+                 slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) - slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
+    if (all(lessThan(abs(above), vec4(slack)))) return 1.0;
+    vec4 blocked = vec4(lessThan(above, vec4(-slack)));
+    float blockers = dot(blocked, vec4(1.0));
+    float closest = min(min(above.x, above.y), min(above.z, above.w));
+    if (blockers == 4.0) return closest > -contact ? -1.0 : 0.0;
+
+    // A shadow's edge or the surface's. In a crease both are one: beyond the shadow there is no surface, and down the
+    // surface from its border there is no light. One texel more tells.
+    vec2 aside = blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope;
+    aside = sign(aside);
+    vec2 next = mix(floor(texel + 0.5), corner + 0.5 + 1.5 * aside, abs(aside));
+    float nextAbove = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - texel);
+    bool crease = blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
+    if (crease && min(closest, nextAbove) > -contact) return -1.0;
+    return 1.0 - mix(mix(blocked.w, blocked.z, f.x), mix(blocked.x, blocked.y, f.x), f.y);
+}
+
+float shadowMapLightOn(vec3 positionVolume, vec3 normal) {
+    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
+    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
-    return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
+    if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
+    return max(shadowFootprintLight(shadow, shadowSlope(normal), slackShare, 2.0), 0.0);
 }

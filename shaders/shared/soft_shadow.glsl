@@ -1,10 +1,9 @@
 // The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
 // directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
-// compared. Reads VCT_BLOCKER_TAPS plain depths and, where there is a blocker, VCT_FILTER_TAPS compared ones.
+// compared. Reads the hard shadow's four texels, VCT_BLOCKER_TAPS plain depths and, where there is a blocker,
+// VCT_FILTER_TAPS compared ones.
 #include "shared/shadow.glsl"
 #include "shared/trips.glsl"
-
-layout(binding = VCT_TEX_SHADOW_DEPTH) uniform sampler2D shadowDepth;  // the same map, not compared
 
 // From one sample of a Vogel disc (1979) to the next: the golden angle.
 const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
@@ -26,40 +25,77 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float sine2 = frame.cone.x * frame.cone.x;
     float tan2 = sine2 / (1.0 - sine2);
     vec3 across = mat3(frame.shadowFromVolume) * normal;
-    vec2 slope = -across.xy / across.z * tan2 / mapFromCone;
-    slope *= min(1.0, steepest * sqrt(tan2) * inversesqrt(max(dot(slope, slope), 1e-12)));
+    vec2 coneFromMap = 1.0 / mapFromCone;
+    vec2 slope = across.xy * (-tan2 / across.z) * coneFromMap;
+    float perSteepness = inversesqrt(max(dot(slope, slope), 1e-12));
+    vec2 downhill = slope * perSteepness;
+    slope *= min(1.0, steepest * sqrt(tan2) * perSteepness);
     // A comparison reads texels up to one texel away in each axis.
-    vec2 texel = 1.0 / (vec2(textureSize(shadowDepth, 0)) * mapFromCone);
-    float depth = receiver.z - dot(abs(slope), texel) - roundingBias;
+    float size = float(textureSize(shadowDepth, 0).x);  // the map is a square
+    float texelOfMap = 1.0 / size;
+    vec2 texel = texelOfMap * coneFromMap;
+    float rise = dot(abs(slope), texel);
+    float bias = rise + roundingBias;
+
+    // A point of the receiver's plane as the map sees it, and its steps along the two axes across the light.
+    vec3 onPlane = vec3(receiver.xy, receiver.z - bias);
+    vec3 stepX = vec3(mapFromCone.x, 0.0, slope.x);
+    vec3 stepY = vec3(0.0, mapFromCone.y, slope.y);
+
+    // The four texels around the receiver, each against the plane where the texel is, as in shadow.glsl. In a crease what
+    // blocks touches the receiver: the bias lifts the taps over it, and past the surface's border they see the outside.
+    vec2 rising = slope * texel;
+    vec2 place = receiver.xy * size - 0.5;
+    vec2 f = fract(place);
+    vec4 above = textureGather(shadowDepth, (place - f + 1.0) * texelOfMap) - (receiver.z - dot(rising, f)) -
+                 vec4(rising.y, rising.x + rising.y, rising.x, 0.0);
+    float closest = min(min(above.x, above.y), min(above.z, above.w));
+    float farthest = max(max(above.x, above.y), max(above.z, above.w));
+    // What is farther away has a penumbra wider than a texel's radius, and is no matter of the crease.
+    bool touching = closest > -texel.x;
+    if (touching && farthest < -bias) return 0.0;
+    // Past the surface's border, or all four so little nearer that the bias would hide it. The wall that shades a crease
+    // is seen where the surface's normal points, which is down its slope: the taps go there, as far as a tap's filter
+    // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
+    // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
+    const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
+    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
+    const float aside = 2.0;          // in texels
+    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+        onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
     // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
     // receiver are within the cone near its axis only.
+    float toNearPlane = max(receiver.z, 1e-6);
+    stepX *= toNearPlane;
+    stepY *= toNearPlane;
     float blockers = 0.0;
-    float nearer = 0.0;
+    float nearer = 0.0;  // as shares of the way to the near plane
     vec2 direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_BLOCKER_TAPS; ++i) {
         TRIP(VCT_TRIPS_BLOCKER_TAP);
-        float radius = receiver.z * float(i) / float(max(VCT_BLOCKER_TAPS - 1, 1));
+        float radius = float(i) / float(max(VCT_BLOCKER_TAPS - 1, 1));
         vec2 offset = radius * direction;
-        float blocker = textureLod(shadowDepth, receiver.xy + mapFromCone * offset, 0.0).r;
-        if (blocker < depth + dot(slope, offset)) {
-            // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
-            float distance = max(receiver.z - blocker, 0.0);
-            float within = min(distance / max(radius, 1e-6), 1.0);
-            blockers += within * within;
-            nearer += within * within * distance;
-        }
+        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
+        float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
+        float distance = (receiver.z - blocker) / toNearPlane;
+        // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
+        float within = blocker < at.z ? clamp(distance / max(radius, 1e-6), 0.0, 1.0) : 0.0;
+        blockers += within * within;
+        nearer += within * within * distance;
         direction = goldenTurn * direction;
     }
     if (blockers == 0.0) return 1.0;
 
     float penumbra = nearer / blockers;
+    stepX *= penumbra;
+    stepY *= penumbra;
     float light = 0.0;
     direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
         TRIP(VCT_TRIPS_FILTER_TAP);
-        vec2 offset = penumbra * sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS)) * direction;
-        light += textureLod(shadowMap, vec3(receiver.xy + mapFromCone * offset, depth + dot(slope, offset)), 0.0);
+        vec2 offset = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS)) * direction;
+        light += textureLod(shadowMap, onPlane + stepX * offset.x + stepY * offset.y, 0.0);
         direction = goldenTurn * direction;
     }
     return light / float(VCT_FILTER_TAPS);

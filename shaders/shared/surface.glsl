@@ -9,10 +9,9 @@ float surfaceDepth(ivec2 pixel) {
     return texelFetch(depthTarget, pixel, 0).r;
 }
 
-// Volume space.
-vec3 surfacePosition(ivec2 pixel, float depth) {
-    vec2 ndc = (vec2(pixel) + 0.5) / vec2(textureSize(depthTarget, 0)) * 2.0 - 1.0;
-    vec4 p = frame.volumeFromClip * vec4(ndc, depth * 2.0 - 1.0, 1.0);
+// Volume space. `window`: gl_FragCoord's.
+vec3 surfacePosition(vec2 window, float depth) {
+    vec4 p = frame.volumeFromWindow * vec4(window, depth, 1.0);
     return p.xyz / p.w;
 }
 

@@ -109,8 +109,8 @@ TEST(Bench, ComparesPresetsAtTheirOwnGrids) {
                     << mode << " " << step;
             }
         }
-    // The thesis has no bounces: nothing to divide.
-    EXPECT_TRUE(ratios.at("modes").at("gi").at("bounces").is_null());
+    // The thesis's faces receive nothing: nothing to divide.
+    EXPECT_TRUE(ratios.at("modes").at("gi").at("irradiance").is_null());
     const json& steps = thesis.at("modes").at("gi");
     EXPECT_GE(steps.at("voxelize_mipmap").at("median").get<double>() + 0.001,
               steps.at("voxelize").at("min").get<double>());

@@ -16,8 +16,7 @@ namespace {
 struct MadeUpDriver {
     std::string version = "OpenGL ES 3.1 made up";
     std::vector<std::string> extensions = {"GL_OES_shader_image_atomic", "GL_EXT_geometry_shader",
-                                           "GL_EXT_copy_image", "GL_EXT_color_buffer_half_float",
-                                           "GL_KHR_debug"};
+                                           "GL_EXT_color_buffer_half_float", "GL_KHR_debug"};
     bool essl310 = true, essl320 = false;
     std::map<GLenum, GLint> limits = {
         {GL_MAX_FRAGMENT_IMAGE_UNIFORMS, 1},

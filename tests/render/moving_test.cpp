@@ -32,7 +32,32 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
 }
 
-// Occlusion needs voxels without bounces; no shadow needs none.
+// Of modes that light no face with what it received, the radiance of every level's faces too.
+TEST_P(Moving, EveryFramesDirectLightIsThatOfAFreshRenderer) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
+        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+    EXPECT_FALSE(gridOf(stage.renderer()).received);
+}
+
+// What is received stays from pose to pose, and comes to what it is where nothing ever moved.
+TEST(MovingInstances, LeaveNoTraceInTheReceivedLight) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    for (const Mode mode : {Mode::gi, Mode::ao}) {
+        Stage stage(context, scene, settings);
+        for (const double seconds : {0.05, 0.35, 1.7}) {
+            stage.frameAt(seconds - 0.05, mode);
+            expectFreshLight(stage, context, scene, settings, seconds, mode);
+        }
+    }
+}
+
+// Occlusion needs voxels without received light; no shadow needs none.
 TEST_P(Moving, BetweenModesThatTakeTurns) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
@@ -47,17 +72,16 @@ TEST_P(Moving, BetweenModesThatTakeTurns) {
     expectFresh(stage, context, scene, settings, 1.5, Mode::ao);
 }
 
-// Where two levels are made anew in part, and bounces light but one of them.
+// Where two levels are made anew in part.
 TEST(MovingInstances, AtAFinerGrid) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    for (const int bounces : {0, 2}) {
+    for (const Mode mode : {Mode::ao, Mode::gi}) {
         Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
         settings.grid = 128;
-        settings.bounces = bounces;
         Stage stage(context, scene, settings);
         for (const double seconds : {0.0, 0.1, 1.7, 1.6})
-            expectFresh(stage, context, scene, settings, seconds);
+            expectFresh(stage, context, scene, settings, seconds, mode);
     }
 }
 
@@ -149,11 +173,11 @@ TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
         }
         return sum;
     };
-    expectFresh(stage, context, scene, settings, 0.0);
+    stage.stillAt(0.0);
     const double day = brightness();
     for (const double seconds : {0.9, 1.0, 2.0, 0.5})
         expectFresh(stage, context, scene, settings, seconds);
-    stage.frameAt(2.0);
+    stage.stillAt(2.0);
     // From below it shines through nothing: on the underside of the floor, which nobody sees.
     EXPECT_LT(brightness(), 0.05 * day);
 }
@@ -186,8 +210,8 @@ TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
         Scene shuffled = scene;
         shuffleTriangles(shuffled, seed);
         Stage other(context, shuffled, settings);
-        other.frameAt(1.3);
-        other.frameAt(0.7);
+        for (const double seconds : {0.0, 2.0, 0.0, 0.7})
+            other.frameAt(seconds);
         expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
         expectSamePicture(stage.renderer().radiance(), other.renderer().radiance(), "shuffled");
     }

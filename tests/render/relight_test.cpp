@@ -50,7 +50,10 @@ class Relight : public testing::TestWithParam<VoxelKind> {
         // The shadow map's mode has none.
         if (fresh.faceVoxels() != nullptr || fresh.voxels() != nullptr)
             expectSameGrid(gridOf(renderer), gridOf(fresh), what);
-        EXPECT_TRUE(renderer.radiance().pixels == fresh.radiance().pixels) << what << ": other pixels";
+        // What faces received remembers the light before: irradiance_steps_test.cpp.
+        if (fresh.faceVoxels() == nullptr) {
+            EXPECT_TRUE(renderer.radiance().pixels == fresh.radiance().pixels) << what << ": other pixels";
+        }
     }
 
     Context context_;
@@ -77,7 +80,19 @@ TEST_P(Relight, EveryLightLeavesTheVoxelsAndThePictureOfAFreshRenderer) {
     renderer.setLightDirection(lights[0]);
     renderer.frame(Mode::gi, chooseCamera(scene, ""));
     const Grid other = gridOf(renderer);
-    EXPECT_FALSE(other.faces == before.faces && other.words == before.words) << "the light changes nothing";
+    EXPECT_FALSE(other.sums == before.sums && other.words == before.words) << "the light changes nothing";
+}
+
+// Of a mode that lights no face with what it received, the radiance of every level's faces too.
+TEST_P(Relight, EveryLightLeavesTheDirectLightOfAFreshRenderer) {
+    const Scene scene = loadGltf(asset("courtyard.glb"));
+    Renderer renderer = rendererOf(scene, sun);
+    renderer.frame(Mode::ao, chooseCamera(scene, ""));
+    const Grid before = gridOf(renderer);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        expectFresh(renderer, scene, lights[i], Mode::ao, "light " + std::to_string(i));
+    expectSameGrid(before, gridOf(renderer), "back again");
+    EXPECT_FALSE(before.received);
 }
 
 TEST_P(Relight, FromUnderTheHorizonNothingIsLitAndTheNextDayIsLikeTheFirst) {
@@ -86,18 +101,19 @@ TEST_P(Relight, FromUnderTheHorizonNothingIsLitAndTheNextDayIsLikeTheFirst) {
     const Scene scene = load(builder);
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = rendererOf(scene, sun);
-    renderer.frame(Mode::gi, camera);
+    renderer.still(Mode::gi, camera);
     const double day = brightness(renderer);
     renderer.setLightDirection({0.0, -1.0, 0.0});
-    renderer.frame(Mode::gi, camera);
+    renderer.still(Mode::gi, camera);
     EXPECT_GT(day, 10.0);
-    EXPECT_EQ(brightness(renderer), 0.0);
+    // In the last round some light still goes round, of which a share is left.
+    const bool words = renderer.voxels() != nullptr;
+    EXPECT_LE(brightness(renderer), words ? 0.0 : 1e-3 * day);
     renderer.setLightDirection(glm::normalize(sun));
-    renderer.frame(Mode::gi, camera);
-    EXPECT_EQ(brightness(renderer), day);
+    renderer.still(Mode::gi, camera);
+    EXPECT_NEAR(brightness(renderer), day, words ? 0.0 : 2e-3 * day);
 }
 
-// Occlusion has no bounces, so there are no patches to light again after it.
 TEST_P(Relight, AfterOtherModesAndPosesToo) {
     GltfBuilder builder = openFloor();
     const int box =

@@ -121,10 +121,8 @@ struct GatherBound {
 };
 class GatherStability : public testing::TestWithParam<GatherBound> {};
 INSTANTIATE_TEST_SUITE_P(Presets, GatherStability,
-                         testing::Values(GatherBound{"mobile", "cornell", 0.05, 0.16, 0.15, 0.19, 0.23},
-                                         GatherBound{"mobile", "courtyard", 0.14, 0.48, 0.77, 0.62, 0.82},
-                                         GatherBound{"quality", "cornell", 0.025, 0.06, 0.055, 0.09, 0.13},
-                                         GatherBound{"quality", "courtyard", 0.07, 0.27, 0.41, 0.26, 0.32}),
+                         testing::Values(GatherBound{"mobile", "cornell", 0.05, 0.18, 0.17, 0.19, 0.23},
+                                         GatherBound{"mobile", "courtyard", 0.2, 1.0, 1.3, 1.3, 1.3}),
                          [](const auto& test) {
                              return std::string(test.param.preset) + "_" + test.param.scene;
                          });

@@ -94,10 +94,14 @@ int largestDifference(const FaceLevel& a, const FaceLevel& b) {
     return largest;
 }
 
+FaceLevel readFaceLevel(const FaceVoxels& voxels, int level) {
+    return readLevel(voxels.faces(), level, voxels.grid() >> level);
+}
+
 std::vector<FaceLevel> readFaces(const FaceVoxels& voxels) {
     std::vector<FaceLevel> levels;
     for (int level = 0; level < voxels.levels(); ++level)
-        levels.push_back(readLevel(voxels.faces(), level, voxels.grid() >> level));
+        levels.push_back(readFaceLevel(voxels, level));
     return levels;
 }
 

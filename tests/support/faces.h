@@ -48,6 +48,7 @@ class FaceLevel {
 // The largest difference between two levels of one size, in 1/255.
 int largestDifference(const FaceLevel& a, const FaceLevel& b);
 
+FaceLevel readFaceLevel(const FaceVoxels& voxels, int level);
 // Every level, the finest first.
 std::vector<FaceLevel> readFaces(const FaceVoxels& voxels);
 

@@ -11,8 +11,9 @@ namespace {
 shared::FrameUniforms uniformsOf(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                                  const Volume& volume, const Camera& camera) {
     shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
-    uniforms.faces.x = faceSumUnits(scene.triangleCount());
+    uniforms.faces.x = faceSumUnits(scene.triangleCount(), settings.voxelSamples);
     uniforms.faces.y = faceRadianceRange(scene, light, settings.skyRadiance);
+    uniforms.faces.z = largestBounceShare(scene);
     return uniforms;
 }
 
@@ -28,28 +29,50 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
       shadowMap_(shaders_, scene_, settings.shadowMapSize),
       gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
-      light_(shaders_, settings.gather, GatherOf::light, settings.size),
-      occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.size),
+      mipmapper_(shaders_),
+      light_(shaders_, settings.gather, GatherOf::light, settings.lightFrames, false),
+      occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.lightFrames, false),
       coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     gBuffer_.draw(scene_);
     FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, voxels_);
-    FaceMipmapper mipmapper(shaders_);
-    mipmapper.makeLevels(voxels_);
+    mipmapper_.makeLevels(voxels_);
 }
 
 std::vector<SurfacePixel> GatheredFrame::pixels() const {
     return surfacePixels(shaders_, gBuffer_.targets(), uniforms_);
 }
 
+void GatheredFrame::step(int steps, bool allBounces) {
+    uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+    for (int i = 0; i < steps; ++i)
+        light_.step(voxels_, mipmapper_, allBounces);
+}
+
+void GatheredFrame::settle(bool allBounces) {
+    while (!light_.settled())
+        step(1, allBounces);
+}
+
+ReceivedFaces GatheredFrame::received() {
+    if (light_.irradiance() == nullptr) settle(false);
+    return readReceived(voxels_, light_.received());
+}
+
 Image GatheredFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const bool occlusion = view == VCT_VIEW_AO || view == VCT_MODE_AO;
-    const Gather::Targets gathered = (occlusion ? occlusion_ : light_).draw(gBuffer_.targets(), voxels_);
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
-                                      {nullptr, gathered, &voxels_.faces()}));
+    if (occlusion)
+        while (!occlusion_.settled())
+            occlusion_.step(voxels_, mipmapper_, true);
+    else if (light_.irradiance() == nullptr)
+        settle(view != VCT_VIEW_INDIRECT);
+    const Irradiance& received = occlusion ? occlusion_ : light_;
+    return readImage(
+        coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
+                         {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
 }
 
 }  // namespace vct::test

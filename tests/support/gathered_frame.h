@@ -1,5 +1,5 @@
-// One frame through directional coverage voxels with its passes laid open: over a volume and faces of the
-// test's choosing.
+// One frame through directional coverage voxels with its passes laid open: over a volume of the test's choosing, and with
+// what each face received.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,11 @@
 #include "render/face_voxelizer.h"
 #include "render/frame_uniforms.h"
 #include "render/g_buffer.h"
-#include "render/gather.h"
+#include "render/irradiance.h"
 #include "render/shadow_map.h"
+#include "support/cpu_face_cones.h"
 #include "support/faces.h"
+#include "support/received.h"
 #include "support/surface_pixels.h"
 
 namespace vct::test {
@@ -27,12 +29,19 @@ class GatheredFrame {
     const shared::FrameUniforms& uniforms() const { return uniforms_; }
 
     std::vector<FaceLevel> levels() const { return readFaces(voxels_); }
-    // The other levels follow on the CPU.
-    void replaceFaces(const FaceLevel& base) { writeFacePyramid(voxels_, base); }
-
     std::vector<SurfacePixel> pixels() const;
 
-    // `view`: VCT_VIEW_*, or a mode.
+    // So many steps of the received light. `allBounces`: or the first one alone.
+    void step(int steps, bool allBounces);
+    void settle(bool allBounces);
+    // Where none was made, of one bounce.
+    ReceivedFaces received();
+    std::map<std::uint32_t, FacePlane> planes() const { return readPlanes(voxels_); }
+    const gl::Texture& irradiance() const { return *light_.irradiance(); }
+    const gl::Texture& bricks() const { return *light_.bricks(); }
+
+    // `view`: VCT_VIEW_*, or a mode. Where no step was made, when the light stands still: that of one bounce in
+    // VCT_VIEW_INDIRECT, as the light parts show it.
     Image view(int view);
 
   private:
@@ -43,7 +52,8 @@ class GatheredFrame {
     ShadowMap shadowMap_;
     GBuffer gBuffer_;
     FaceVoxels voxels_;
-    Gather light_, occlusion_;
+    FaceMipmapper mipmapper_;
+    Irradiance light_, occlusion_;
     ConeTracer coneTracer_;
 };
 

@@ -9,6 +9,41 @@
 
 namespace vct::test {
 
+namespace {
+
+std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const FaceVoxels& voxels, std::uint32_t count) {
+    const std::vector<std::uint32_t> entries = readEntries(voxels.slots(), 0, count);
+    std::vector<std::uint32_t> words(entries.size() * VCT_SLOT_WORDS);
+    voxels.sums().read(words.data(), words.size() * sizeof words[0]);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
+    for (std::size_t slot = 0; slot < entries.size(); ++slot) {
+        const std::uint32_t* const first = &words[slot * VCT_SLOT_WORDS];
+        // Which faces something static fills, is marked where something moves alone.
+        const std::uint32_t glowing = *first >> (2 * VCT_FACE_MASK_BITS) & VCT_FACE_MASK;
+        std::vector<std::uint32_t>& known = sums[entries[slot]];
+        known = {*first & VCT_FACE_MASK, glowing};
+        for (std::uint32_t face = 0; face < faceCount; ++face)
+            if ((*first >> face & 1U) != 0)
+                known.insert(known.end(), first + 1 + face * VCT_FACE_SUM_WORDS,
+                             first + 1 + (face + 1) * VCT_FACE_SUM_WORDS);
+    }
+    return sums;
+}
+
+// Without the radiance of those faces that are listed: the others must be empty.
+std::vector<FaceLevel> coverageOf(const Grid& grid) {
+    std::vector<FaceLevel> faces = grid.faces;
+    for (std::size_t level = 0; level < faces.size(); ++level)
+        for (const std::uint32_t entry : grid.faceLists[level]) {
+            glm::u8vec4& face =
+                faces[level].at(glm::ivec3(shared::unpackFaceVoxel(entry)), static_cast<int>(shared::unpackFace(entry)));
+            face = {0, 0, 0, face.a};
+        }
+    return faces;
+}
+
+}  // namespace
+
 Grid gridOf(Renderer& renderer) {
     Grid grid;
     const VoxelPyramid& pyramid =
@@ -25,6 +60,8 @@ Grid gridOf(Renderer& renderer) {
             grid.faceLists.push_back(voxels->readFaceList(level));
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
+        grid.sums = sumsOf(*voxels, counts[0]);
+        grid.received = renderer.received(GatherOf::light) != nullptr;
     }
     return grid;
 }
@@ -33,8 +70,10 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     EXPECT_EQ(a.lists[0].size(), b.lists[0].size()) << what;
     EXPECT_TRUE(a.lists == b.lists) << what << ": other voxels are occupied";
     EXPECT_TRUE(a.words == b.words) << what << ": words differ";
-    EXPECT_TRUE(a.faces == b.faces) << what << ": faces differ";
     EXPECT_TRUE(a.faceLists == b.faceLists) << what << ": other faces are listed";
+    EXPECT_TRUE(a.sums == b.sums) << what << ": coverage, albedo, plane or direct light differ";
+    const bool received = a.received || b.received;
+    EXPECT_TRUE(received ? coverageOf(a) == coverageOf(b) : a.faces == b.faces) << what << ": faces differ";
 }
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what) {

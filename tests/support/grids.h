@@ -1,6 +1,7 @@
 // All that voxelization leaves behind, and whether two renderers left the same.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,13 @@ struct Grid {
     std::vector<std::vector<std::uint32_t>> words;      // of each level; of the one kind of voxels
     std::vector<FaceLevel> faces;                       // or of the other
     std::vector<std::vector<std::uint32_t>> faceLists;  // as the lists of voxels
+    // And what voxelization added up: of each listed voxel which faces are not empty, and their words.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
+    bool received = false;  // whether the faces shine with what they received, too, which no frame alone determines
 };
 Grid gridOf(Renderer& renderer);
 
-// Bit for bit; not EXPECT_EQ, which would print millions of words.
+// Bit for bit, but for received light; not EXPECT_EQ, which would print millions of words.
 void expectSameGrid(const Grid& a, const Grid& b, const std::string& what);
 
 // The grid is equal to the last bit, and each pixel's light is added up in the same order.

@@ -14,17 +14,26 @@ class Stage {
         : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
 
     void frameAt(double seconds, Mode mode = Mode::gi);
+    // When the received light stands still.
+    void stillAt(double seconds, Mode mode = Mode::gi);
     void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
     Renderer& renderer() { return renderer_; }
     std::size_t bytes() const;
 
   private:
+    Camera moveTo(double seconds);
     const Scene& scene_;
     Renderer renderer_;
 };
 
-// Draws a frame, and expects the grid and the picture of a fresh renderer of a scene that stands still there.
+// Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its picture, where that
+// does not show what faces received: they remember earlier poses.
 void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Mode mode = Mode::gi);
+
+// Likewise of what faces received, when it stands still: the difference of the two is noise of the last round of
+// directions and of 8 bits, not a trace of where things were.
+void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings, double seconds,
+                      Mode mode = Mode::gi);
 
 }  // namespace vct::test

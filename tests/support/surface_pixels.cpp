@@ -58,8 +58,8 @@ std::vector<SurfacePixel> surfacePixels(const gl::ShaderLibrary& shaders, const 
         for (int x = 0; x < depth.width; ++x) {
             const float z = depth.at(x, y).x;
             if (z == 1.0F) continue;
-            const glm::dvec2 ndc((x + 0.5) / depth.width * 2.0 - 1.0, 1.0 - (y + 0.5) / depth.height * 2.0);
-            const glm::dvec4 p = glm::dmat4(frame.volumeFromClip) * glm::dvec4(ndc, z * 2.0 - 1.0, 1.0);
+            const glm::dvec4 p =
+                glm::dmat4(frame.volumeFromWindow) * glm::dvec4(x + 0.5, depth.height - (y + 0.5), z, 1.0);
             const std::size_t fromBottom =
                 (static_cast<std::size_t>(depth.height - 1 - y) * depth.width + x) * 4;
             SurfacePixel& pixel = pixels[static_cast<std::size_t>(y) * depth.width + x];

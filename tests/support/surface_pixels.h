@@ -17,7 +17,7 @@ struct SurfacePixel {
     glm::dvec3 albedo{0.0};
 };
 
-// Row by row from the top, as in an Image. Of `frame`: volumeFromClip.
+// Row by row from the top, as in an Image. Of `frame`: volumeFromWindow.
 std::vector<SurfacePixel> surfacePixels(const gl::ShaderLibrary& shaders, const GBuffer::Targets& targets,
                                         const shared::FrameUniforms& frame);
 

@@ -47,7 +47,7 @@ def test_words_that_do_not_add_up_are_refused():
 
 
 def test_a_write_out_around_everything_is_no_loop_either():
-    fragment = stored("gather_t880", T880)["fragment"]
+    fragment = stored("write_out_t880", T880)["fragment"]
     assert [(loop.depth, loop.words["A"], loop.words["T"]) for loop in fragment.loops] == [(0, 19, 0), (1, 32, 3)]
     assert fragment.outside == {"A": 42, "LS": 1, "T": 2}
 

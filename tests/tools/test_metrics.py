@@ -49,6 +49,19 @@ def test_the_percentile_sees_two_pixels_in_a_thousand_and_not_half_of_one():
     assert metrics.compare(image, reference, flip=False)["p999"] == 0
 
 
+def test_sparks_outshine_all_that_is_near_them():
+    reference = flat(0.5)
+    reference[:, 20:] = 4.0
+    image = reference.copy()
+    image[5, 5], image[9, 9] = 1.01, 0.99  # more and less than twice 0.5
+    image[12, 18] = 4.0  # two pixels from what is as bright
+    image[12, 17] = 4.0  # three pixels
+    found = metrics.sparks(image, reference)
+    assert np.argwhere(found).tolist() == [[5, 5], [12, 17]]
+    assert metrics.compare(image, reference, flip=False)["sparks"] == 2
+    assert not metrics.sparks(flat(0.019), flat(0.0)).any() and metrics.sparks(flat(0.021), flat(0.0)).all()
+
+
 def test_a_black_reference_has_no_bias():
     assert metrics.compare(flat(0.5), flat(0.0), flip=False)["bias"] is None
 

@@ -37,11 +37,19 @@ BENCH = {"version": 1, "scene": "assets/cornell.glb", "driver": {"renderer": "a 
              {"platform": "Mobile", "source": "thesis", "values": [3.0, 40.0]}]}}}
 
 
-STEPS = {step: {"median": 2.5} for step in ("shadow_map", "render_data", "voxelize_mipmap", "bounces", "trace", "total")}
+STEPS = {step: {"median": 2.5} for step in ("shadow_map", "render_data", "voxelize_mipmap", "irradiance", "trace", "total")}
 PRESETS = {**BENCH, "presets": [{"preset": "thesis", "settings": {"grid": 256}, "bytes": 80e6, "modes": {"gi": STEPS}},
                                 {"preset": "mobile", "settings": {"grid": 64}, "bytes": 20e6, "modes": {"gi": STEPS}}],
            "ratios": [{"of": "thesis", "over": "mobile", "bytes": 4.0,
-                       "modes": {"gi": dict.fromkeys(STEPS, 12.25) | {"bounces": None}}}]}
+                       "modes": {"gi": dict.fromkeys(STEPS, 12.25) | {"irradiance": None}}}]}
+SWIM = {"rms": 0.0123, "p99": 0.0456}
+FOUND = {"steps": [{"frames": frames, "to_converged": {"relmse": 0.01 / frames, "flip": 0.1 / frames}} for frames in (1, 2, 4)],
+         "frames_until": 2}
+MOTION = {"version": 1, "size": [256, 256],
+          "swim": {"cornell": {"mobile": {**SWIM, "floor": {"rms": 0.001, "p99": 0.002}}, "quality": {"failed": "a <reason>"}}},
+          "lag": {"cornell, sun": {"mobile": {"mean": {"relmse": 0.02, "flip": 0.03}, "worst": {"flip": 0.05}}}},
+          "convergence": {"cornell": {"mobile": {"nothing": {"gi": FOUND}, "moved sun": {"gi": FOUND | {"frames_until": None}}},
+                                      "quality": {"failed": "no"}}}}
 
 
 def python(script: str, *arguments: object) -> subprocess.CompletedProcess[str]:
@@ -59,7 +67,7 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
                    "--grids", "64,128,100", "--cone-angles", "5,10", "--modes", "gi,gi-cone-shadow,ao")
     assert swept.returncode == 1, swept.stderr  # 100 is no grid.
     swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "sweep", "--presets", "mobile",
-                   "--error-scales", "2", "--modes", "gi,gi-cone-shadow,ao")
+                   "--modes", "gi,gi-cone-shadow,ao")
     assert swept.returncode == 0, swept.stderr
     swept = python("sweep.py", "--quick", "--program", PROGRAM, "--out", folder / "experiments", "--presets", "thesis",
                    "--grids", "64", "--modes", "ao", "--experiments", "none,near-start")
@@ -67,12 +75,13 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     Image.new("RGB", (8, 8), (200, 30, 30)).save(folder / "thin.png")
     (folder / "hard.json").write_text(json.dumps(HARD_CASES))
     (folder / "bench.json").write_text(json.dumps(BENCH))
+    (folder / "motion.json").write_text(json.dumps(MOTION))
     (folder / "presets.json").write_text(json.dumps(PRESETS))
     made = python("sequence.py", "--program", PROGRAM, "--out", folder / "sequence", "--frames", "3")
     assert made.returncode == 0, made.stderr
     done = python("report.py", "--sweep", folder / "sweep/sweep.json", "--presets", folder / "presets.json", "--hard-cases", folder / "hard.json", "--bench",
                   folder / "bench.json", "--experiments", folder / "experiments/sweep.json", "--sequence",
-                  folder / "sequence/sequence.json", "--out", folder / "index.html")
+                  folder / "sequence/sequence.json", "--motion", folder / "motion.json", "--out", folder / "index.html")
     assert done.returncode == 0, done.stderr
     return folder / "index.html"
 
@@ -180,7 +189,7 @@ def test_side_by_side_has_picture_reference_and_error(opened: Browser):
 
 def test_tables_voxels_and_facts_are_there(opened: Browser):
     text = opened.run("return document.body.innerText")
-    for said in ("glFinish", "Tr cones", "B bounces", "thesis / mobile", "12.3","frames 2 times", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
+    for said in ("glFinish", "Tr cones", "I irradiance", "thesis / mobile", "12.3", "the frames that were timed", "level 0", "G-buffer depth", "together", "scenes 1 to 5", "Mobile", "40.0",
                  "software driver", "reference's own noise"):
         assert said in text, said
     facts = opened.run("return document.getElementById('facts').innerText").lower()
@@ -202,11 +211,23 @@ def test_experiments_show_error_and_time_without_and_with(opened: Browser):
 
 def test_an_animation_has_its_moments_and_their_light(opened: Browser):
     captions = opened.run("return [...document.querySelectorAll('#animation-body figcaption')].map(c => c.textContent)")
-    assert captions == ["0.00 s", "1.33 s", "2.67 s"]
-    assert "the same to the last bit" in opened.run("return document.getElementById('animation-body').textContent")
+    assert [caption.split(", FLIP ")[0] for caption in captions] == ["0.00 s", "1.33 s", "2.67 s"]
+    flip = [float(caption.split(", FLIP ")[1]) for caption in captions[1:]]
+    assert all(0 < value < 0.2 for value in flip)
+    assert "the mean FLIP against the still picture" in opened.run("return document.getElementById('animation-body').textContent")
     opened.run("for (const i of document.querySelectorAll('#animation-body img')) i.loading = 'eager'")
     pictures = opened.run("return [...document.querySelectorAll('#animation-body img')].map(i => [i.src, i.naturalWidth])")
     assert len({source for source, _ in pictures}) == 6 and {width for _, width in pictures} == {400}
+
+
+def test_light_over_frames_has_its_three_tables(opened: Browser):
+    rows = opened.run("return [...document.querySelectorAll('#motion-body tr')].map(r => [...r.children].map(c => c.textContent))")
+    assert rows == [["scene", "mobile", "quality", "floor"], ["cornell", "1.2 % / 4.6 %", "failed", "0.1 % / 0.2 %"],
+                    ["scene", "mobile"], ["cornell, sun", "0.0200 / 0.0300 (0.0500)"],
+                    ["scene", "preset", "from", "1", "2", "4", "frames until"],
+                    ["cornell", "mobile", "nothing", "0.100", "0.0500", "0.0250", "2"],
+                    ["cornell", "mobile", "moved sun", "0.100", "0.0500", "0.0250", "more"]]
+    assert opened.run("return document.querySelector('#motion-body td[title]').title") == "a <reason>"
 
 
 def test_hard_cases_can_be_filtered_and_cannot_inject(opened: Browser):
@@ -252,8 +273,8 @@ def test_the_album_stays_within_its_bytes():
     assert sum(map(len, album.pictures.values())) <= 3000 and album.refused == 3
 
 
-@pytest.mark.parametrize("content, said", [("{", "cannot be read"), ('{"version": 2}', "version 2"),
-                                           ('{"version": 1, "points": []}', "no points")])
+@pytest.mark.parametrize("content, said", [("{", "cannot be read"), ('{"version": 1}', "version 1"),
+                                           ('{"version": 2, "points": []}', "no points")])
 def test_a_bad_sweep_is_one_sentence(tmp_path: Path, content: str, said: str):
     (tmp_path / "sweep.json").write_text(content)
     done = python("report.py", "--sweep", tmp_path / "sweep.json", "--out", tmp_path / "index.html")

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -73,32 +74,43 @@ def test_the_grids_of_presets_are_the_programs(tmp_path: Path):
 @needs_program
 def test_a_grid_that_the_scene_chooses_is_recorded(tmp_path: Path):
     done = sweep(tmp_path, "--scenes", "corridor", "--sizes", "8x8", "--presets", "mobile", "--grids", "auto,64",
-                 "--modes", "ao", "--error-scales", "1")
+                 "--modes", "ao")
     assert done.returncode == 0, done.stderr
     found = [(entry["settings"]["grid"], entry["grid"]) for entry in stored(tmp_path)["points"]]
     assert found == [("auto", 128), (64, 64)]
 
 
 @needs_program
-def test_more_bounces_are_judged_against_the_full_light(tmp_path: Path):
+def test_all_bounces_are_judged_against_the_full_light(tmp_path: Path):
     done = sweep(tmp_path, "--scenes", "cornell", "--sizes", "32x32", "--presets", "mobile")
     assert done.returncode == 0, done.stderr
     (entry,) = stored(tmp_path)["points"]
-    assert entry["settings"]["grid"] == 64 and entry["bounces"] > 0
+    assert entry["settings"]["grid"] == 64 and entry["light_frames"] > 0
     assert set(entry["errors"]) == {"indirect", "gi-full", "soft-full", "shadow", "ao"}
     assert 0 < entry["errors"]["soft-full"]["relmse"] < 1
 
 
 @needs_program
-def test_errors_are_of_a_larger_picture_averaged_down(tmp_path: Path):
-    done = sweep(tmp_path, *SMALL, "--modes", "ao", "--error-scales", "1,4")
+def test_errors_are_of_the_frame_that_was_timed(tmp_path: Path):
+    done = sweep(tmp_path, *SMALL, "--modes", "ao")
     assert done.returncode == 0, done.stderr
-    same, larger = stored(tmp_path)["points"]
-    pictures = [read_exr(tmp_path / entry["folder"] / "ao.exr") for entry in (same, larger)]
-    assert pictures[0].shape == pictures[1].shape == (32, 32, 3)
-    # 16 samples in a pixel have edges like the reference's.
-    assert larger["errors"]["ao"]["rmse"] < 0.8 * same["errors"]["ao"]["rmse"]
-    assert larger["modes"]["ao"]["trace"]["median"] < 8 * same["modes"]["ao"]["trace"]["median"]
+    (entry,) = stored(tmp_path)["points"]
+    alone = tmp_path / "alone"
+    subprocess.run([str(PROGRAM), "render", str(ROOT / "assets/cornell.glb"), "--out", str(alone), "--preset", "thesis",
+                    "--grid", "64", "--size", "32x32", "--mode", "ao", "--light-parts", "--revoxelize", "--timings",
+                    str(alone / "timings.json")], check=True, capture_output=True)
+    picture = read_exr(alone / "ambient_occlusion.exr")
+    truth = read_exr(ROOT / "references/cornell/ao.exr").reshape(32, 8, 32, 8, 3).mean((1, 3))
+    assert entry["errors"]["ao"]["rmse"] == pytest.approx(float(np.sqrt(np.mean((picture - truth) ** 2))), rel=1e-6)
+
+
+@needs_program
+def test_a_picture_is_never_averaged_down(tmp_path: Path):
+    done = sweep(tmp_path, *SMALL[:2], "--sizes", "512x512", "--presets", "mobile", "--modes", "ao")
+    assert done.returncode == 0, done.stderr
+    (entry,) = stored(tmp_path)["points"]
+    assert entry["modes"]["ao"]["total"]["median"] > 0
+    assert "references.py --size 512x512" in entry["errors"]["ao"]["missing"]
 
 
 def test_the_key_follows_settings_program_and_scene():
@@ -116,7 +128,7 @@ def test_times_and_errors_of_a_point(tmp_path: Path):
     assert done.returncode == 0, done.stderr
     data = stored(tmp_path)
     (entry,) = data["points"]
-    assert data["version"] == 1 and entry["status"] == "done"
+    assert data["version"] == 2 and entry["status"] == "done"
     assert entry["settings"]["grid"] == 64 and entry["settings"]["size"] == "32x32"
     for mode in ("gi", "gi-cone-shadow", "ao"):
         total = entry["modes"][mode]["total"]

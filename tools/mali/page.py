@@ -9,7 +9,7 @@ from mali.compiler import G57, T880, Gpu, Stage
 from mali.loops import match_loops
 
 PASSES = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-          "bounces": "bounces", "trace": "trace"}
+          "irradiance": "irradiance", "trace": "trace"}
 MODES = ("ao", "gi", "gi-cone-shadow")
 
 # C. Wahlén's published shaders through the same compiler, at 256^3 and 400x400: words per step, and the trips that

@@ -20,7 +20,7 @@ METRICS = (
     ("p999", "99.9 %", "99.9th percentile of the error", "The 99.9th percentile of the absolute error: leaks, fireflies."),
     ("rmse", "RMSE", "RMSE", "Root of the mean squared error."),
 )
-LABELS = {"backend": "driver", "cone_angle_deg": "cone angle", "error_scale": "samples for the error"}
+LABELS = {"backend": "driver", "cone_angle_deg": "cone angle"}
 SOFTWARE = ("llvmpipe", "softpipe", "lavapipe", "swrast")
 
 
@@ -74,15 +74,6 @@ def facts(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[tuple[st
     ]
 
 
-def larger_pictures(entries: list[dict[str, Any]]) -> list[str]:
-    scales = sorted({entry["settings"]["error_scale"] for entry in entries} - {1})
-    if not scales:
-        return []
-    return [f"Times are of pictures at the size that is given. Errors are of frames {joined(scales)} times as wide and high, "
-            "averaged down, because a pixel of the references is a mean of many samples too. Where light is gathered at "
-            "every few pixels only, the larger frame gathers more of it than the one that was timed."]
-
-
 def method(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[str]:
     drivers = joined(entry["driver"]["renderer"] for entry in entries if "driver" in entry)
     said = [
@@ -90,9 +81,10 @@ def method(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[str]:
         "CPU's steady clock; 2 frames warm up, 5 count, and the voxels are made anew in each. The times here are "
         "medians; the smallest and largest are shown where there is room. docs/timings.md says more.",
         "The references are path traced by Mitsuba 3 from the same file, camera and light (tools/references.py). "
-        "Where a picture and its reference have different sizes, the larger is averaged down to the smaller. The "
-        "reference of the soft shadow is a sun of 5 degrees: cones of other angles are judged against that one too.",
-        *larger_pictures(entries),
+        "The reference of the soft shadow is a sun of 5 degrees: cones of other angles are judged against that one too.",
+        "Errors are of the frames that were timed, with their one sample in each pixel. A pixel of a reference is the "
+        "mean of many samples, so a part of every error is the steps at edges. A reference larger than the picture is "
+        "averaged down to it.",
         "A setting that a mode does not feel is not varied for it: the cone angle changes the shadow of "
         "gi-cone-shadow alone, so the other modes are rendered at one angle.",
     ]
@@ -121,7 +113,7 @@ def sequence(path: Path | None, album: Album) -> dict[str, Any] | None:
     """The moments of tools/sequence.py; each names its two pictures in the album."""
     if path is None:
         return None
-    data = bench_file(path, "frames")
+    data = bench_file(path, "frames", 2)
     for frame in data["frames"]:
         for kind in ("picture", "indirect_light"):
             name, picture = f"sequence {frame[kind]}", path.parent / frame[kind]
@@ -129,12 +121,17 @@ def sequence(path: Path | None, album: Album) -> dict[str, Any] | None:
     return data
 
 
-def bench_file(path: Path, needs: str) -> dict[str, Any]:
+def motion(path: Path | None) -> dict[str, Any] | None:
+    """What tools/motion.py measured."""
+    return bench_file(path, "size") if path else None
+
+
+def bench_file(path: Path, needs: str, version: int = 1) -> dict[str, Any]:
     """`needs`: what the file must hold beside its version."""
     data = json.loads(path.read_text())
-    if data.get("version") != 1 or needs not in data:
+    if data.get("version") != version or needs not in data:
         raise SystemExit(f"error: {path} has version {data.get('version')}, {'with' if needs in data else 'without'} {needs}; "
-                         f"this program reads version 1 with {needs}")
+                         f"this program reads version {version} with {needs}")
     return data
 
 
@@ -158,7 +155,7 @@ def bench(path: Path | None) -> dict[str, Any] | None:
 
 def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_folder: Path, references: Path,
               hard: Path | None, tables: Path | None, beside: Path | None, moments: Path | None,
-              album: Album) -> dict[str, Any]:
+              moving: Path | None, album: Album) -> dict[str, Any]:
     """All of it; the pictures go into the album, whose part they name."""
     entries = sweep["points"]
     usual = usual_settings(entries)
@@ -174,7 +171,7 @@ def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_fo
         "measures": [{"name": m.name, "what": m.what, "mode": m.mode} for m in MEASURES],
         "points": [point(entry) for entry in entries], "pictures": pictures,
         "experiments": [point(entry) for entry in experiments], "hard": hard_rows,
-        "sequence": animation,
+        "sequence": animation, "motion": motion(moving),
         "bench": bench(tables), "presets": presets(beside), "album": album.pictures,
         "error_colours": [f"rgb({r},{g},{b})" for r, g, b in zip(colours[::3], colours[1::3], colours[2::3])],
     }

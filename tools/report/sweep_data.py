@@ -10,8 +10,8 @@ from report.pictures import Album
 from sweep.measures import MEASURES, Measure, NoReference, References, pair
 
 # "light" is what makes the light: all but the shadow map and the G-buffer, which are the same with every preset.
-LIGHT = ("voxelize", "mipmap", "bounces", "trace")
-STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "bounces", "trace", "total")
+LIGHT = ("voxelize", "mipmap", "irradiance", "trace")
+STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace", "total")
 USUAL = {"grid": 256, "cone_angle_deg": 5.0}
 
 

@@ -23,7 +23,7 @@ class Measure:
     pictures: tuple[str, ...]  # of vct render
     references: tuple[str, ...]  # kinds, of tools/references.py; "-kind" is taken off
     mode: str  # whose time it is shown with
-    one_bounce: bool = False  # says nothing of a picture that holds more than one bounce
+    one_bounce: bool = False  # says nothing of a picture that holds all bounces
     share: bool = False  # 0 to 1, not light: FLIP, of what light looks like, says nothing of it
 
 
@@ -41,6 +41,10 @@ MEASURES: tuple[Measure, ...] = (
             ("shadow",), "gi-cone-shadow", share=True),
     Measure("ao", "ambient occlusion alone, at the same distance", ("ambient_occlusion",), ("ao",), "ao", share=True),
 )
+
+
+# Presets whose modes gi and gi-cone-shadow hold the first bounce alone.
+ONE_BOUNCE = frozenset({"thesis"})
 
 
 class NoReference(Exception):
@@ -93,22 +97,25 @@ def same_grid(image: Picture, side: tuple[int, int]) -> Picture:
     height, width = side
     rows, columns = image.shape[0] // height, image.shape[1] // width
     if (rows * height, columns * width) != image.shape[:2] or rows != columns:
-        raise NoReference(f"{image.shape[1]}x{image.shape[0]} pixels cannot be averaged to {width}x{height}")
+        raise NoReference(f"a reference of {image.shape[1]}x{image.shape[0]} pixels is none for a picture of {width}x{height}: "
+                          f"tools/references.py --size {width}x{height}")
     return image.reshape(height, rows, width, columns, -1).mean(axis=(1, 3))
 
 
 def pair(measure: Measure, folder: Path, references: References) -> tuple[Picture, Picture]:
-    """vct's picture and its reference, both linear and on the smaller of the two pixel grids."""
+    """vct's picture and its reference, both linear and on the picture's pixel grid.
+
+    A picture is never averaged down: that would hide noise that is seen in the frame whose time stands beside it.
+    """
     image = sum(read_exr(folder / f"{name}.exr") for name in measure.pictures)
     reference = sum(references.image(kind) for kind in measure.references)
-    side = min(image.shape[:2], reference.shape[:2])
-    return same_grid(image, side), same_grid(reference, side)
+    return image, same_grid(reference, image.shape[:2])
 
 
 def measurable(entry: dict[str, Any]) -> list[Measure]:
-    """Those that fit the point's bounces, and whose mode is among the point's, so that none is shown without a time."""
+    """Those that fit the preset's bounces, and whose mode is among the point's, so that none is shown without a time."""
     return [measure for measure in MEASURES if measure.mode in entry["modes"]
-            and not (measure.one_bounce and entry["bounces"] > 0)]
+            and (entry["settings"]["preset"] in ONE_BOUNCE or not measure.one_bounce)]
 
 
 def errors(entry: dict[str, Any], folder: Path, references: References) -> dict[str, Any]:

@@ -8,11 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from sweep.identity import ROOT
-from sweep.measures import same_grid
 from sweep.settings import Point
-from truth.exr import read_exr, write_exr
 
-TIMINGS_VERSION = 1
+TIMINGS_VERSION = 2
 # From timings.json into the point's entry, as they are.
 COPIED = ("driver", "machine", "method", "triangles", "active_voxels", "resources")
 
@@ -55,34 +53,22 @@ def render(program: Path, arguments: list[str], timeout_s: float) -> str:
     return done.stderr
 
 
-def average_down(folder: Path, side: tuple[int, int]) -> None:
-    """The folder's EXRs, to (height, width)."""
-    for path in folder.glob("*.exr"):
-        write_exr(path, same_grid(read_exr(path), side))
-
-
 def run(point: Point, program: Path, folder: Path, timeout_s: float) -> dict[str, Any]:
-    """Renders into `folder`; returns the part of the point's entry that the renderer knows."""
-    common = [str(point.scene), "--out", str(folder), "--mode", ",".join(point.modes), *point.arguments()]
+    """Renders into `folder`; returns the part of the point's entry that the renderer knows.
+
+    One process both times and draws, so that no time stands beside the error of another picture.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    larger = point.settings["error_scale"] > 1
     start = time.monotonic()
-    timed = ["--revoxelize", "--timings", str(folder / "timings.json")]
-    said = render(program, [*common, *timed, *([] if larger else ["--light-parts"])], timeout_s)
+    said = render(program, [str(point.scene), "--out", str(folder), "--mode", ",".join(point.modes), *point.arguments(),
+                            "--light-parts", "--revoxelize", "--timings", str(folder / "timings.json")], timeout_s)
     try:
         timings = json.loads((folder / "timings.json").read_text())
     except (OSError, ValueError) as error:
         raise PointFailed(f"timings.json cannot be read: {error}") from None
-    if larger:
-        side = timings["settings"]["height"], timings["settings"]["width"]
-        scale = point.settings["error_scale"]
-        at = common.index("--size")
-        size = f"{side[1] * scale}x{side[0] * scale}"
-        render(program, [*common[:at], "--size", size, *common[at + 2:], "--light-parts"], timeout_s)
-        average_down(folder, side)
     entry = {name: timings[name] for name in COPIED if name in timings}
     entry["grid"] = timings["settings"]["grid"]  # which the scene chose where "auto" was asked for
-    entry["bounces"] = timings["settings"]["bounces"]
+    entry["light_frames"] = timings["settings"]["light_frames"]
     entry["modes"] = step_medians(timings, point.modes)
     entry["wall_s"] = round(time.monotonic() - start, 2)
     entry["pictures"] = sorted(path.stem for path in folder.glob("*.exr"))

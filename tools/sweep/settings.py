@@ -18,7 +18,7 @@ class Setting:
 
     name: str  # in sweep.json, as in timings.json
     option: str  # of tools/sweep.py: several values with commas
-    flag: str | None  # of vct render: one value; None where tools/sweep/run.py acts on it
+    flag: str  # of vct render: one value
     parse: Callable[[str], Any]
     default: tuple[Any, ...]
     quick: tuple[Any, ...]
@@ -42,8 +42,6 @@ SETTINGS: tuple[Setting, ...] = (
     Setting("preset", "--presets", "--preset", str, ("thesis", "mobile", "quality"), ("thesis", "mobile", "quality"),
             "sets of settings"),
     Setting("size", "--sizes", "--size", str, ("256x256",), ("64x64",), "pictures, WIDTHxHEIGHT"),
-    Setting("error_scale", "--error-scales", None, int, (2,), (1,),
-            "errors are of a picture this many times as wide and high, averaged down"),
     Setting("grid", "--grids", "--grid", grid_from_text, (64, 128, 256, 512), (64, 128),
             "voxels along a side, or auto",
             of_preset={"mobile": (64,), "quality": (128,)}),
@@ -71,7 +69,7 @@ class Point:
 
     def arguments(self) -> list[str]:
         """The settings as arguments of `vct render`."""
-        told = [setting for setting in SETTINGS if setting.flag and self.settings[setting.name] != setting.leave_out]
+        told = [setting for setting in SETTINGS if self.settings[setting.name] != setting.leave_out]
         return [part for setting in told for part in (setting.flag, f"{self.settings[setting.name]}".replace("+", ","))]
 
     def key(self, identity: dict[str, str]) -> str:
@@ -82,8 +80,7 @@ class Point:
     def cost(self) -> float:
         """A guess of the time it takes against the others, for the ETA alone."""
         width, height = (int(side) for side in self.settings["size"].split("x"))
-        # Times are of 7 frames, errors of one and its parts.
-        pixels = width * height / 256**2 * (1 + self.settings["error_scale"]**2 / 6)
+        pixels = width * height / 256**2
         mode = {"phong": 0.02, "shadow-map": 0.02, "ao": 0.4, "gi": 0.7, "gi-cone-shadow": 2.5}
         grid = 1 if self.settings["grid"] == "auto" else self.settings["grid"] / 128
         return 1 + sum(0.3 * grid * grid / 4 + mode[m] * pixels * (0.5 + grid / 2) for m in self.modes)

@@ -7,7 +7,7 @@ from typing import Any
 
 from sweep.identity import write_beside
 
-VERSION = 1
+VERSION = 2
 
 
 class Store:
@@ -53,5 +53,6 @@ def read(path: Path) -> dict[str, Any]:
     except (OSError, ValueError) as error:
         raise SystemExit(f"error: {path} cannot be read: {error}") from None
     if data.get("version") != VERSION:
-        raise SystemExit(f"error: {path} has version {data.get('version')}; this program reads {VERSION}")
+        raise SystemExit(f"error: {path} has version {data.get('version')}; this program reads {VERSION}: remove it, and "
+                         "tools/sweep.py makes it anew")
     return data

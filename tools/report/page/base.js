@@ -59,7 +59,6 @@ function metricCell(error, metric) {
 function settingText(name, value) {
   if (name === "grid" && value !== "auto") return `${value}³`;
   if (name === "cone_angle_deg") return `${value}°`;
-  if (name === "error_scale") return `errors of ${value}×${value} samples`;
   return String(value).replace("x", "×");
 }
 // The settings in which the sweep's points differ and which the mode feels.

@@ -47,6 +47,7 @@ function start() {
   drawSummary();
   drawMethod();
   drawSequence();
+  drawMotion();
   drawHard();
   startViewer();
   startPlots();

@@ -3,7 +3,7 @@ const COLOURS = ["#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#8a7fd1
 const SHAPES = [r => `M${-r},0A${r},${r} 0 1 0 ${r},0A${r},${r} 0 1 0 ${-r},0Z`, r => `M${-r},${-r}H${r}V${r}H${-r}Z`,
   r => `M0,${-1.2 * r}L${1.15 * r},${r}H${-1.15 * r}Z`, r => `M0,${-1.35 * r}L${1.35 * r},0L0,${1.35 * r}L${-1.35 * r},0Z`,
   r => `M0,${1.2 * r}L${1.15 * r},${-r}H${-1.15 * r}Z`, r => `M${-r},${-r / 3}H${-r / 3}V${-r}H${r / 3}V${-r / 3}H${r}V${r / 3}H${r / 3}V${r}H${-r / 3}V${r / 3}H${-r}Z`];
-const TIMES = [["light", "voxels, bounces and cones", "time of voxels, bounces and cones"], ["total", "whole frame", "time of a frame"],
+const TIMES = [["light", "voxels, irradiance and cones", "time of voxels, irradiance and cones"], ["total", "whole frame", "time of a frame"],
   ["trace", "cones alone", "time of the cones"]];
 const BOX = {width: 400, height: 290, left: 58, right: 14, top: 10, bottom: 42};
 

@@ -1,6 +1,6 @@
 // Tables of the chosen scene, of the thesis, of voxels and memory, and of the experiments.
 const STEP_NAMES = {shadow_map: "CS shadow map", render_data: "RT G-buffer", voxelize: "V voxelize", mipmap: "M mipmap",
-  bounces: "B bounces", trace: "Tr cones", total: "Tot frame"};
+  irradiance: "I irradiance", trace: "Tr cones", total: "Tot frame"};
 const ofScene = () => done.filter(point => point.scene === state.scene);
 
 function configCells(point) {
@@ -34,7 +34,7 @@ function drawTables() {
 }
 function presetTables() {
   if (!DATA.presets) return [];
-  const steps = {shadow_map: "shadow map", render_data: "G-buffer", voxelize_mipmap: "voxelize + mipmap", bounces: "bounces",
+  const steps = {shadow_map: "shadow map", render_data: "G-buffer", voxelize_mipmap: "voxelize + mipmap", irradiance: "irradiance",
     trace: "trace", total: "frame"};
   const row = (name, values, memory) => make("tr", {}, make("th", {scope: "row"}, name),
     [...values, memory].map(value => make("td", {}, number(value))));

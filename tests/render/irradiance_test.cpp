@@ -1,4 +1,4 @@
-// The gather through directional coverage voxels against answers that need no renderer.
+// What the faces of directional coverage voxels receive, against answers that need no renderer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scene/camera.h"
+#include "support/cpu_face_cones.h"
 #include "support/gathered_frame.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -16,8 +17,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Large enough that what is measured is the gather: at a sixth of the pixels, 64 x 64 of them.
-constexpr int pictureSide = 384;
+constexpr int pictureSide = 128;
 
 Settings presetAt(const std::string& preset, glm::ivec2 size) {
     Settings settings = presetSettings(preset);
@@ -74,18 +74,17 @@ bool isMobile(const char* preset) {
 }
 
 class GatherOf : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Presets, GatherOf, testing::Values("mobile", "quality"),
+INSTANTIATE_TEST_SUITE_P(Presets, GatherOf, testing::Values("mobile"),
                          [](const auto& test) { return std::string(test.param); });
 
-// Without geometry in the voxels nothing shines and nothing occludes: exactly. All of the sky is seen.
-TEST_P(GatherOf, AnEmptyVolumeShowsTheSkyAndNothingElse) {
+// Where nothing shines and nothing occludes all of the sky is seen, and nothing else.
+TEST_P(GatherOf, ALonePlaneSeesTheSkyAndNothingElse) {
     const Context context = openContext(Backend::egl);
     for (const float sky : {0.0F, 0.75F}) {
         Settings settings = presetAt(GetParam(), {40, 40});
         settings.skyRadiance = glm::vec3(sky);
         GatheredFrame frame =
             frameOf(context, lonePlane(0.0), noLight(), settings, lookAt({0, 3, 0.5}, {0, 0, 0}, 40));
-        frame.replaceFaces(FaceLevel(settings.grid));
         const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT), openness = spreadOf(frame, VCT_VIEW_AO);
         ASSERT_GT(light.count, 800);
         EXPECT_NEAR(light.min, sky, sky * std::exp2(-10));  // halves
@@ -173,30 +172,26 @@ TEST_P(GatherOf, AFloorReceivesTheFormFactorOfWhatShines) {
         }
 }
 
-// Half of the volume filled and black, under a sky of radiance 1.
-TEST_P(GatherOf, AFloorBesideABlackHalfSpaceSeesTheRestOfTheSky) {
+// Beside a black wall, under a sky of radiance 1.
+TEST_P(GatherOf, AFloorBesideABlackWallSeesTheRestOfTheSky) {
     const Context context = openContext(Backend::egl);
     Settings settings = presetAt(GetParam(), glm::ivec2(pictureSide));
     settings.skyRadiance = glm::vec3(1.0F);
-    const Scene scene = lonePlane(0.0);
+    Scene scene = emptyScene();
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].baseColor = glm::vec4(0, 0, 0, 1);
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {1, 0, 0});
+    addQuad(scene, {0, 0, -1}, {0, 0, 2}, {0, 1, 0}, 1);
+    scene = finished(std::move(scene));
     const Volume volume = volumeAround(scene.boundsWorld, settings.grid);
-    GatheredFrame frame = frameOf(context, scene, noLight(), settings, lookAt({0, 3, 0.001}, {0, 0, 0}, 36));
-    FaceLevel base(settings.grid);
-    const int half = settings.grid / 2;
-    base.forEachVoxel([&](const glm::ivec3& voxel) {
-        if (voxel.x >= half && voxel.y > half)
-            for (int face = 0; face < faceCount; ++face)
-                base.at(voxel, face).a = 255;
-    });
-    frame.replaceFaces(base);
-    const double edge = 0.5 * volume.side;  // of the volume, from its centre
+    GatheredFrame frame =
+        frameOf(context, scene, noLight(), settings, lookAt({-1, 3, 0.001}, {-0.5, 0, 0}, 36));
     const Error error = errorOf(frame, VCT_VIEW_INDIRECT, volume, [&](const glm::dvec3& p) {
-        if (p.x > -1.0 * volume.voxelSize()) return -1.0;
-        return 1.0 -
-               formFactor({{0, 0, -edge}, {0, edge, -edge}, {0, edge, edge}, {0, 0, edge}}, p, {0, 1, 0});
+        if (p.y > 1e-3 || p.x > -1.0 * volume.voxelSize()) return -1.0;
+        return 1.0 - formFactor({{0, 0, -1}, {0, 1, -1}, {0, 1, 1}, {0, 0, 1}}, p, {0, 1, 0});
     });
-    std::printf("%s beside a black half-space: bias %+.3f, RMS %.3f\n", GetParam(), error.bias, error.rms);
-    EXPECT_LE(std::abs(error.bias), 0.01);
+    std::printf("%s beside a black wall: bias %+.3f, RMS %.3f\n", GetParam(), error.bias, error.rms);
+    EXPECT_LE(std::abs(error.bias), 0.03);
     EXPECT_LE(error.rms, isMobile(GetParam()) ? 0.04 : 0.023);
 }
 
@@ -245,7 +240,28 @@ TEST_P(GatherOf, WhiteFurnaceIsOne) {
                     GetParam(), turnDeg, spread.mean, spread.min, spread.max);
         EXPECT_NEAR(spread.mean, 1.0, furnaceBar);
         EXPECT_LE(spread.max, 1.02);
-        EXPECT_GE(spread.min, isMobile(GetParam()) ? 0.81 : 0.77);
+        EXPECT_GE(spread.min, isMobile(GetParam()) ? 0.75 : 0.77);
+    }
+}
+
+// Of each face: no more than 1, and no less than what a cone loses that ends early or meets a wall's gaps.
+TEST_P(GatherOf, EachFaceOfABlackFurnaceReceivesOne) {
+    const Context context = openContext(Backend::egl);
+    for (const double turnDeg : {0.0, 30.0}) {
+        Scene scene = closedBox(turnDeg);
+        scene.materials[0].baseColor = glm::vec4(0, 0, 0, 1);
+        scene.materials[0].emissive = glm::vec3(1.0F);
+        GatheredFrame frame = frameOf(context, scene, noLight(), presetAt(GetParam(), {16, 16}),
+                                      lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
+        frame.settle(true);
+        Spread spread;
+        for (const auto& [entry, face] : frame.received())
+            spread.add(face.light.g * frame.uniforms().faces.y);
+        std::printf("%s, faces of a furnace turned by %g degrees: mean %.3f, min %.3f, max %.3f (right: 1)\n",
+                    GetParam(), turnDeg, spread.mean, spread.min, spread.max);
+        EXPECT_NEAR(spread.mean, 1.0, 0.075);
+        EXPECT_LE(spread.max, 1.1);
+        EXPECT_GE(spread.min, 0.6);
     }
 }
 
@@ -316,89 +332,86 @@ double meanOf(const Image& image) {
     return sum / static_cast<double>(image.pixels.size());
 }
 
+// Faces and cones as the shaders find them, but for a filter of 8 bits: after one step, each of the faces
+// that are looked at.
+TEST_P(GatherOf, AFaceReceivesWhatTheCpusConesFind) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    const Settings settings = presetAt(GetParam(), {16, 16});
+    GatheredFrame frame(context, scene, chooseLight(scene), settings,
+                        volumeAround(scene.boundsWorld, settings.grid), chooseCamera(scene, ""));
+    frame.step(1, false);
+    const CpuFaceCones cpu(frame.levels(), settings.gather);
+    const std::map<std::uint32_t, FacePlane> planes = frame.planes();
+    const double sky = 0.0;
+    double sum = 0.0, difference = 0.0;
+    int looked = 0, nth = 0, off = 0;
+    for (const auto& [entry, face] : frame.received()) {
+        if (++nth % 37 != 0) continue;
+        // Of a face that has received nothing yet.
+        const int cones = 8;
+        const CpuFaceCones::Gathered right = cpu.gather(entry, planes.at(entry), 0, cones);
+        const double far = glm::length(face.light - (right.light + right.sky * sky));
+        sum += glm::length(right.light);
+        difference += far;
+        // Rounding may decide whether a sample is near its own surface, or a cone done.
+        off += far > 0.01 ? 1 : 0;
+        EXPECT_GT(face.steps, 0.0);
+        ++looked;
+    }
+    std::printf("%s: %d faces, mean %.4f, mean difference %.5f, %d off by a hundredth\n", GetParam(), looked,
+                sum / looked, difference / looked, off);
+    EXPECT_GT(looked, 300);
+    EXPECT_GT(sum / looked, 0.02);
+    EXPECT_LE(difference / looked, 0.3 / 255.0);
+    EXPECT_LE(off, looked / 100);
+}
+
+// A lamp in the voxels of a ceiling is in front of it: it sends what it does without one.
+TEST_P(GatherOf, ALampRightUnderACeilingSendsAllItsLight) {
+    const Context context = openContext(Backend::egl);
+    double received[2] = {};
+    for (const bool ceiling : {false, true}) {
+        Scene scene = emptyScene();
+        scene.materials[0].baseColor = glm::vec4(0, 0, 0, 1);
+        addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+        addQuad(scene, {-0.5, 0.999, -0.5}, {1, 0, 0}, {0, 0, 1}, addEmitter(scene));
+        if (ceiling) addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2});
+        scene = finished(std::move(scene));
+        GatheredFrame frame = frameOf(context, scene, noLight(), presetAt(GetParam(), {16, 16}),
+                                      lookAt({0, 0.5, 0}, {0, 0, 0.01}, 40));
+        frame.settle(true);
+        for (const auto& [entry, face] : frame.received())
+            if (shared::unpackFace(entry) == 2) received[ceiling ? 1 : 0] += face.coverage * face.light.g;
+    }
+    std::printf("%s: %.3f of the light\n", GetParam(), received[1] / received[0]);
+    // Cones that pass the lamp's edge meet the ceiling, or nothing.
+    EXPECT_NEAR(received[1] / received[0], 1.0, 0.1);
+}
+
 // Light of any strength, from wherever: the picture is as many times brighter, bounces included.
 TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
     const Context context = openContext(Backend::egl);
     Scene scene = closedBox(0.0);
     scene.instances.erase(scene.instances.begin() + 1);  // the ceiling
-    const auto lit = [&](float sky, int bounces) {
+    struct Lit {
+        double first, all;
+    };
+    const auto lit = [&](float sky) {
         Settings settings = presetAt("mobile", {48, 48});
         settings.skyRadiance = glm::vec3(sky);
-        settings.bounces = bounces;
         Renderer renderer = makeRenderer(context, scene, noLight(), settings);
-        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60));
-        return meanOf(renderer.radiance());
+        const Camera camera = lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60);
+        renderer.still(Mode::gi, camera);
+        const double all = meanOf(renderer.radiance());
+        return Lit{meanOf(renderer.lightParts(camera)[1].image), all};
     };
-    const double first = lit(1.0F, 0), all = lit(1.0F, 4);
-    std::printf("sky of 1: %.3f, with bounces %.3f; sky of 10: %.3f\n", first, all, lit(10.0F, 4));
-    EXPECT_NEAR(lit(10.0F, 0), 10.0 * first, 0.01 * first);
-    EXPECT_GT(all, 1.3 * first);
-    EXPECT_NEAR(lit(10.0F, 4), 10.0 * all, 0.3 * all);
-}
-
-// A closed white box, a thousandth of which shines. As much light comes out as the emitter's power over what
-// the walls absorb of it: with the direct light D of all walls, bounces bring D albedo / (1 - albedo) in all.
-class BoxOfAlbedo {
-  public:
-    BoxOfAlbedo(const Context& context, const char* preset, float albedo, int grid = 0)
-        : context_(context), scene_(closedBox(0.0)), settings_(presetAt(preset, {64, 64})) {
-        if (grid > 0) settings_.grid = grid;
-        scene_.materials[0].baseColor = glm::vec4(glm::vec3(albedo), 1.0F);
-        scene_.materials.push_back(scene_.materials[0]);
-        scene_.materials[1].emissive = glm::vec3(1.0F);
-        addQuad(scene_, {-0.25, 0.98, -0.25}, {0.5, 0, 0}, {0, 0, 0.5}, 1);
-        scene_ = finished(std::move(scene_));
-    }
-
-    // Mean over a picture that does not show the emitter.
-    double withBounces(int bounces) const {
-        Settings settings = settings_;
-        settings.bounces = bounces;
-        Renderer renderer = makeRenderer(context_, scene_, noLight(), settings);
-        renderer.frame(Mode::gi, lookAt({0, 0.5, 0.9}, {0, -0.6, -0.4}, 70));
-        for (const glm::vec3& pixel : renderer.radiance().pixels)
-            EXPECT_TRUE(std::isfinite(pixel.x) && pixel.x >= 0.0F) << bounces << " bounces";
-        return meanOf(renderer.radiance());
-    }
-
-  private:
-    const Context& context_;
-    Scene scene_;
-    Settings settings_;
-};
-
-TEST_P(GatherOf, BouncesInAClosedBoxConvergeFromBelow) {
-    const Context context = openContext(Backend::egl);
-    for (const float albedo : {0.5F, 0.8F, 0.9F}) {
-        const BoxOfAlbedo box(context, GetParam(), albedo);
-        const double first = box.withBounces(0);
-        // The first of them is in the picture without bounces.
-        const double right = 1.0 / (1.0 - static_cast<double>(albedo));
-        std::printf("%s, albedo %.1f, of what is right (%.1f):", GetParam(), albedo, right);
-        double share = 0.0, before = 0.0;
-        for (const int bounces : {1, 2, 4, 8, 16, 32}) {
-            before = share;
-            share = box.withBounces(bounces) / first / right;
-            std::printf(" %d: %.3f", bounces, share);
-            EXPECT_LE(share, 1.0) << albedo << ", " << bounces << " bounces";
-        }
-        std::printf("\n");
-        EXPECT_NEAR(share, before, 0.1 * share) << albedo;
-    }
-}
-
-TEST_P(GatherOf, BouncesThatNothingAbsorbsGrowNoFasterThanLinearly) {
-    const Context context = openContext(Backend::egl);
-    const BoxOfAlbedo box(context, GetParam(), 1.0F);
-    const double first = box.withBounces(0);
-    std::printf("%s, albedo 1, over one bounce:", GetParam());
-    // From two on, the estimate of the rest adds at most 0.95 / (1 - 0.95) times the last.
-    for (const int bounces : {1, 2, 4, 8, 16, 32, 64}) {
-        const double times = box.withBounces(bounces) / first;
-        std::printf(" %d: %.2f", bounces, times);
-        EXPECT_LE(times, 1.05 * (1.0 + bounces + (bounces > 1 ? 19.0 : 0.0)));
-    }
-    std::printf("\n");
+    const Lit one = lit(1.0F), ten = lit(10.0F);
+    std::printf("sky of 1: %.3f, with bounces %.3f; sky of 10: %.3f, %.3f\n", one.first, one.all, ten.first,
+                ten.all);
+    EXPECT_NEAR(ten.first, 10.0 * one.first, 0.01 * one.first);
+    EXPECT_GT(one.all, 1.3 * one.first);
+    EXPECT_NEAR(ten.all, 10.0 * one.all, 0.3 * one.all);
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// What each face of the base level has received so far: a mean over steps, in the order of the list of faces. Light is
+// relative to E/pi over frame.faces.y. Before them, sums over all faces of what the last steps found; behind them, sums over
+// those of each block.
+#include "shared/layout.h"
+
+layout(std140, binding = VCT_UBO_LIGHT) uniform LightBlock {
+    LightStep lightStep;
+};
+layout(std430, binding = VCT_SSBO_RECEIVED) buffer ReceivedBlock {
+    uint received[];
+};
+
+struct Received {
+    vec3 light;    // of occlusion: how open the surroundings are, three times
+    float steps;   // how many the mean remembers; 0: there is none
+    vec3 atStart;  // `light` when the present round began
+    float nearness;  // mean of 1 / distance of what is around, in voxels
+};
+
+uint receivedIndex(uint face) {
+    return VCT_LIGHT_HEADER + 4u * face;
+}
+
+Received receivedOf(uint face) {
+    uint at = receivedIndex(face);
+    vec2 last = unpackHalf2x16(received[at + 1u]), lastAtStart = unpackHalf2x16(received[at + 3u]);
+    return Received(vec3(unpackHalf2x16(received[at]), last.x), last.y, vec3(unpackHalf2x16(received[at + 2u]), lastAtStart.x),
+                    lastAtStart.y);
+}
+float stepsOf(uint face) {
+    return unpackHalf2x16(received[receivedIndex(face) + 1u]).y;
+}
+
+void storeReceived(uint face, Received value) {
+    uint at = receivedIndex(face);
+    received[at] = packHalf2x16(value.light.rg);
+    received[at + 1u] = packHalf2x16(vec2(value.light.b, value.steps));
+    received[at + 2u] = packHalf2x16(value.atStart.rg);
+    received[at + 3u] = packHalf2x16(vec2(value.atStart.b, value.nearness));
+}
+
+// The sums of a step, each weighted by coverage: what the faces received before it, what they send on of that, and what they
+// send of their own, three words each; what they received in it from other faces, and how much of the sky they see.
+#define VCT_SUM_BEFORE 0u
+#define VCT_SUM_REFLECTED 3u
+#define VCT_SUM_DIRECT 6u
+#define VCT_SUM_RECEIVED 9u
+#define VCT_SUM_SKY 12u
+
+uint lightSums(uint which) {
+    return which % 3u * VCT_LIGHT_SUMS;
+}
+
+// And behind the faces, of each brick what its block's faces received in the step, and their coverage.
+uint blockSums(uint brick) {
+    uvec3 place = uvec3(unpackBrick(brick));
+    uint along = lightStep.bricksAlong;
+    return lightStep.blockSums + 4u * (place.x + along * (place.y + along * place.z));
+}

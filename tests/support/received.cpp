@@ -1,0 +1,54 @@
+#include "support/received.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+#include "support/faces.h"
+
+namespace vct::test {
+
+ReceivedFaces readReceived(const FaceVoxels& voxels, const gl::Buffer& received) {
+    const std::vector<std::uint32_t> list = voxels.readFaceList(0);
+    std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
+    received.read(words.data(), received.bytes());
+    const FaceLevel base = readFaceLevel(voxels, 0);
+    ReceivedFaces faces;
+    // shaders/shared/received.glsl
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        ReceivedLight face;
+        for (std::size_t w = 0; w < 4; ++w)
+            face.words[w] = words.at(VCT_LIGHT_HEADER + 4 * i + w);
+        const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
+        face.light = {rg.x, rg.y, bSteps.x};
+        face.steps = bSteps.y;
+        face.coverage =
+            base.at(glm::ivec3(shared::unpackFaceVoxel(list[i])), static_cast<int>(shared::unpackFace(list[i]))).a / 255.0;
+        faces[list[i]] = face;
+    }
+    return faces;
+}
+
+ReceivedDifference differenceOf(const ReceivedFaces& a, const ReceivedFaces& b) {
+    ReceivedDifference result;
+    double squares = 0.0, sum = 0.0, differences = 0.0, weights = 0.0;
+    for (const auto& [entry, face] : a) {
+        const auto other = b.find(entry);
+        if (other == b.end()) continue;
+        const double difference = face.light.g - other->second.light.g;
+        const double weight = other->second.coverage;
+        ++result.common;
+        weights += weight;
+        sum += weight * other->second.light.g;
+        differences += weight * difference;
+        squares += weight * difference * difference;
+        if (weight > 0.1) result.largest = std::max(result.largest, std::abs(difference));
+    }
+    if (weights == 0.0) return result;
+    result.mean = sum / weights;
+    result.bias = differences / weights;
+    result.rms = std::sqrt(squares / weights);
+    return result;
+}
+
+}  // namespace vct::test
