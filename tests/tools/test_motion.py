@@ -142,13 +142,13 @@ def test_edges_are_left_out_and_gradients_are_not():
 
 
 def step(frames: int, relmse: float, bias: float) -> dict:
-    return {"frames": frames, "to_truth": {"relmse": relmse, "bias": bias}}
+    return {"frames": frames, "to_converged": {"relmse": relmse, "bias": bias}}
 
 
 @pytest.mark.parametrize("steps, until", [
-    ([step(1, 0.5, -0.2), step(2, 0.2, -0.1), step(4, 0.1, 0.01)], 4),
-    ([step(1, 0.1, 0.0), step(2, 0.2, 0.0), step(4, 0.1, 0.01)], 4),  # good by chance is not converged
-    ([step(1, 0.1, -0.05), step(2, 0.109, -0.02), step(4, 0.1, 0.01)], 2),
-    ([step(1, 0.1, 0.0), step(2, 0.1, 0.0), step(4, 0.12, 0.0)], None)])
+    ([step(1, 0.05, -0.2), step(2, 0.02, -0.1), step(4, 0.009, 0.01)], 4),
+    ([step(1, 0.009, 0.0), step(2, 0.02, 0.0), step(4, 0.009, 0.01)], 4),  # near by chance is not converged
+    ([step(1, 0.005, -0.05), step(2, 0.0099, -0.02), step(4, 0.005, 0.01)], 2),
+    ([step(1, 0.005, 0.0), step(2, 0.005, 0.0), step(4, 0.012, 0.0)], None)])
 def test_frames_until_the_light_is_as_good_as_converged(steps: list[dict], until: int | None):
     assert convergence.frames_until(steps, {"relmse": 0.1, "bias": 0.0}) == until

@@ -202,7 +202,7 @@ def test_tables_of_two_machines_have_the_thesis_once(root, tmp_path):
     assert lines[2].split() == ["Phone", "1.00", "12.50"]
 
 
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1}'])
+@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1, "steps": {}}', '{"version": 2}'])
 def test_tables_refuse_what_they_do_not_know(root, tmp_path, content):
     file = tmp_path / "bench.json"
     file.write_text(content)

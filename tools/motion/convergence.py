@@ -14,7 +14,8 @@ from truth.exr import read_exr
 
 FRAMES = (1, 2, 4, 8, 16, 32)
 SMOOTH = 0.3  # of the middle's value: how much a pixel's neighbours in the reference may differ
-CLOSE_RELMSE, CLOSE_BIAS = 1.1, 0.03  # what counts as converged: so many times the error, and so far in the mean
+# What counts as converged: what is left to change is so much of the converged picture's own error, and moves the mean so far.
+CLOSE_RELMSE, CLOSE_BIAS = 0.1, 0.03
 
 
 def smooth_pixels(reference: np.ndarray) -> np.ndarray:
@@ -44,12 +45,15 @@ def judged(picture: np.ndarray, converged: np.ndarray, reference: np.ndarray | N
 
 
 def frames_until(steps: list[dict[str, Any]], converged: dict[str, float | None]) -> int | None:
-    """From how many frames on the error stays as good as converged; None where it does not within those measured."""
+    """From how many frames on the light stays as good as converged; None where it does not within those measured.
+
+    Told by the distance to the converged picture, not by two distances to the truth, of which the earlier may be the smaller
+    one by chance.
+    """
     good: int | None = None
     for step in reversed(steps):
-        truth = step["to_truth"]
-        shift = abs((truth["bias"] or 0.0) - (converged["bias"] or 0.0))
-        if truth["relmse"] > CLOSE_RELMSE * converged["relmse"] or shift > CLOSE_BIAS:
+        left = step["to_converged"]
+        if left["relmse"] > CLOSE_RELMSE * converged["relmse"] or abs(left["bias"] or 0.0) > CLOSE_BIAS:
             break
         good = step["frames"]
     return good

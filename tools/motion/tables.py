@@ -72,8 +72,8 @@ def convergence(entries: Entries) -> str:
                 counts = [step["frames"] for step in found["gi"]["steps"]]
                 rows.append(convergence_row(scene, preset, case, found["gi"]))
     width = 4 + len(counts)
-    return ("Mode 4 after so many frames against its converged still picture: relMSE / FLIP; and from how many frames on its error "
-            "against path tracing is within 10 % of the converged one's, and its mean within 3 %\n\n"
+    return ("Mode 4 after so many frames against its converged still picture: relMSE / FLIP; and from how many frames on that is "
+            "less than a tenth of the converged one's own relMSE against path tracing, and the mean within 3 %\n\n"
             + lines(["scene", "preset", "from", *map(str, counts), "frames until"],
                     [row + ["–"] * (width - len(row)) for row in rows]))
 

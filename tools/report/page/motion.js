@@ -47,7 +47,7 @@ function drawMotion() {
   const converging = motion.convergence && convergenceTable(motion.convergence);
   if (converging) {
     body.append(make("h3", {}, "Convergence"), make("p", {}, `Mode gi after so many frames, from nothing or after the sun has
-      jumped by 30°: FLIP against the converged still picture. Frames until: from when on its error against path tracing is within
-      10 % of the converged one's, and its mean within 3 %.`), converging);
+      jumped by 30°: FLIP against the converged still picture. Frames until: from when on the relMSE of that
+      is less than a tenth of the converged one's own against path tracing, and the mean within 3 %.`), converging);
   }
 }
