@@ -172,25 +172,25 @@ void Framebuffer::check(const std::string& label) const {
 }
 
 Framebuffer::Framebuffer(const std::string& label, const std::vector<const Texture*>& colors,
-                         const Texture* depth) {
+                         const Texture* depth, int level) {
     create(label);
     GLenum drawBuffers[8];
     GLsizei count = 0;
     for (const Texture* color : colors) {
         drawBuffers[count] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
-        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers[count], GL_TEXTURE_2D, color->name(), 0);
+        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers[count], GL_TEXTURE_2D, color->name(), level);
         ++count;
     }
     if (depth != nullptr)
-        FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
+        FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), level);
     if (count == 0) {
         drawBuffers[0] = GL_NONE;
         count = 1;
     }
     DrawBuffers(count, drawBuffers);
     const Texture& any = depth != nullptr ? *depth : *colors.front();
-    width_ = any.width();
-    height_ = any.height();
+    width_ = std::max(any.width() >> level, 1);
+    height_ = std::max(any.height() >> level, 1);
     check(label);
 }
 

@@ -71,8 +71,8 @@ class Texture {
     std::string label_;
 };
 
-// A second way to read a texture, beside the texture's own parameters. Reads single texels, not compared:
-// NEAREST, CLAMP_TO_EDGE, no comparison.
+// A second way to read a texture, beside the texture's own parameters. Reads single texels of single levels,
+// not compared: NEAREST, CLAMP_TO_EDGE, no comparison.
 class PlainSampler {
   public:
     PlainSampler();
@@ -126,12 +126,13 @@ class VertexArray {
     Handle<Traits> handle_;
 };
 
-// A framebuffer with the colour targets in order and a depth target (or null), level 0 of each.
+// A framebuffer with the colour targets in order and a depth target (or null), one level of each.
 // Without targets, `width` and `height` give its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH).
 class Framebuffer {
   public:
     Framebuffer() = default;
-    Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth);
+    Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
+                int level = 0);
     Framebuffer(const std::string& label, int width, int height);
 
     // Binds it for drawing and reading and sets the viewport to all of it.

@@ -26,6 +26,7 @@ struct Stage {
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all{
         {"shadow_map.frag", VCT_TRIPS_SHADOW_MAP, {}},
+        {"shadow_level.frag", VCT_TRIPS_SHADOW_LEVEL, {}},
         {"g_buffer.frag", VCT_TRIPS_G_BUFFER, {}},
         {"sparse_clear.comp", VCT_TRIPS_SPARSE_CLEAR, {{"voxel", 0, VCT_TRIPS_SPARSE_CLEAR_VOXEL}}},
         {"voxelizer.frag", VCT_TRIPS_VOXELIZER, {}},

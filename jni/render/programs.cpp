@@ -83,6 +83,10 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
             featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
 }
 
+gl::ProgramDescription shadowLevelProgram() {
+    return {"shadow_level", {"full_screen.vert", "shadow_level.frag"}, {}};
+}
+
 ExtraTargets extraTargets(const SceneNeeds& needs, Specular specular) {
     return {needs.has(featureEmissive), specular == Specular::cone && needs.glossy};
 }
@@ -254,6 +258,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  lightProgram("light_blocks"),
                                                  lightProgram("light_bricks"),
                                                  lightProgram("light_shine"),
+                                                 shadowLevelProgram(),
                                                  partialClearProgram(),
                                                  partialMipmapperProgram(),
                                                  stillFaceResolveProgram(),
@@ -317,6 +322,8 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
     if (mode != Mode::phong)
         for (unsigned f : needs.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
+    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap)
+        add(Step::shadowMap, shadowLevelProgram());
     for (unsigned f : needs.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;

@@ -19,6 +19,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
 std::vector<unsigned> allFeatures();
 
 gl::ProgramDescription shadowMapProgram(unsigned features);
+gl::ProgramDescription shadowLevelProgram();
 // Targets that the G-buffer has where something in the scene needs them: a material that emits; a glossy one.
 struct ExtraTargets {
     bool emissive = false;

@@ -23,6 +23,10 @@ const Settings& validated(const Settings& settings) {
 bool needsShadowMap(int modeOrView) {
     return modeOrView != VCT_MODE_PHONG;
 }
+bool needsShadowLevels(int modeOrView, const Settings& settings) {
+    return settings.shadow == Shadow::softMap &&
+           (modeOrView == VCT_MODE_GI_CONE_SHADOW || modeOrView == VCT_VIEW_CONE_SHADOW);
+}
 bool needsVoxels(int modeOrView) {
     return modeOrView >= VCT_MODE_AO;
 }
@@ -93,7 +97,10 @@ void Renderer::draw(int modeOrView, const Camera& camera, int lightSteps, bool a
     if (shadowPass && (settings_.revoxelize || made.shadowMap != lit)) {
         timer_.time(Step::shadowMap, [&] { shadowPass->draw(scene_); });
         made.shadowMap = lit;
+        made.shadowLevels = false;
     }
+    if (shadowPass && needsShadowLevels(modeOrView, settings_) && !std::exchange(made.shadowLevels, true))
+        timer_.time(Step::shadowMap, [&] { shadowPass->makeLevels(); });
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
     ConeTracer::Light light;
     if (wordPass) {
@@ -209,7 +216,8 @@ float Renderer::radianceScale() const {
 }
 
 ShadowMap& Renderer::shadowMap() {
-    if (!shadowMap_) shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize);
+    if (!shadowMap_)
+        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, shadowMapLevels(settings_));
     return *shadowMap_;
 }
 

@@ -121,6 +121,7 @@ class Renderer {
     // Of what the last ones were made; nothing: they were not.
     struct Made {
         std::optional<Lit> shadowMap, voxels;
+        bool shadowLevels = false;
         bool allBounces = true;  // in the received light
     };
     // `lightSteps`: of the received light, at most. `allBounces`: or the first one alone.

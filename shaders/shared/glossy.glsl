@@ -34,10 +34,14 @@ vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
     return min(fresnel * (alpha2 / (d * d) * visibility * cosSun), 6e4) * frame.lightColor.rgb;
 }
 
-// Where a ray meets the faces of a corner, it is covered once.
+// Where a ray meets the faces of a corner, it is covered once. Beyond the volume there is nothing: in the half texels on
+// both sides of its border the border's texel fades into that. Without it, a wall on the border counts for one sample more or
+// less from ray to ray, and its reflection has hard edges.
 mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
     mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
-    return HALF(value / max(value.a, 1.0));
+    float texels = float(frame.grid.x) * exp2(-level);
+    vec3 inside = clamp(texels * (0.5 - abs(position - 0.5)) + 0.5, 0.0, 1.0);
+    return HALF(value * (inside.x * inside.y * inside.z / max(value.a, 1.0)));
 }
 
 // Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
@@ -56,6 +60,7 @@ mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float
 // show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
     float voxel = 1.0 / float(frame.grid.x);
+    float widest = 0.25 * float(frame.grid.x);  // so that a cone gets away from the volume faster than it widens
     mediump vec3 radiance = vec3(0.0);
     mediump float transmittance = 1.0;
     vec3 own = max(-direction * normal, 0.0);
@@ -63,11 +68,12 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
     // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
     for (int i = 0; i < 1024; ++i) {
         vec3 p = (start + direction * distance) * voxel;
-        vec3 fromCentre = abs(p - 0.5);
-        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5) break;
         TRIP(VCT_TRIPS_SPECULAR_STEP);
         float height = VCT_GATHER_START + distance * dot(direction, normal);
-        float footprint = max(1.0, min(2.0 * distance * tangent, height));
+        float footprint = clamp(min(2.0 * distance * tangent, height), 1.0, widest);
+        // The coarser texel is two footprints wide at most.
+        vec3 fromCentre = abs(p - 0.5);
+        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + footprint * voxel) break;
         float stride = VCT_GATHER_STEP * footprint;
         mediump vec4 value = sampleBetween(p, direction, footprint, stride);
         mediump float share = HALF(min(1.0, transmittance / max(value.a, 1e-4)));

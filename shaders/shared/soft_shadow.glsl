@@ -1,7 +1,8 @@
 // The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
 // directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
 // compared. Reads the hard shadow's four texels, VCT_BLOCKER_TAPS plain depths and, where there is a blocker,
-// VCT_FILTER_TAPS compared ones.
+// VCT_FILTER_TAPS compared ones, of the level of the map that is as coarse as they are apart: the price does not grow with
+// the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/trips.glsl"
 
@@ -70,7 +71,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     stepX *= toNearPlane;
     stepY *= toNearPlane;
     float blockers = 0.0;
-    float nearer = 0.0;  // as shares of the way to the near plane
+    float near = 0.0;  // over the distance, as a share of the way to the near plane
     vec2 direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_BLOCKER_TAPS; ++i) {
         TRIP(VCT_TRIPS_BLOCKER_TAP);
@@ -78,24 +79,41 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec2 offset = radius * direction;
         vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
         float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
-        float distance = (receiver.z - blocker) / toNearPlane;
+        float distance = max((receiver.z - blocker) / toNearPlane, 1e-4);
         // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
-        float within = blocker < at.z ? clamp(distance / max(radius, 1e-6), 0.0, 1.0) : 0.0;
+        float within = blocker < at.z ? min(distance / max(radius, 1e-6), 1.0) : 0.0;
         blockers += within * within;
-        nearer += within * within * distance;
+        near += within * within / distance;
         direction = goldenTurn * direction;
     }
     if (blockers == 0.0) return 1.0;
 
-    float penumbra = nearer / blockers;
+    // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it to
+    // where the sun is, and light the creases of a room; one too narrow hardens the edge of the farther one.
+    float penumbra = blockers / near;
     stepX *= penumbra;
     stepY *= penumbra;
+
+    // Each comparison stands for its share of the penumbra. Where that is more than a texel it compares between two coarser
+    // levels of the map (shaders/shadow_level.frag): what a tap tells fades as it crosses an edge, so that no tap is a step.
+    // A wider share would be smoother still, but its few texels know an edge less well.
+    const float share = inversesqrt(float(VCT_FILTER_TAPS));  // of the radius; taps are 1.8 times as far apart
+    float wide = clamp(share * size * max(stepX.x, stepY.y), 1.0, size / 32.0);  // in texels
+    float level = log2(wide);
+    // A coarse texel's depth is that of some place in it.
+    onPlane.z -= rise * 1.5 * (wide - 1.0);
+    // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
+    // that are nearer than their mean.
+    const float ofCone = 0.1;
+    float towardsLight = ofCone * penumbra * toNearPlane;
     float light = 0.0;
     direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
         TRIP(VCT_TRIPS_FILTER_TAP);
-        vec2 offset = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS)) * direction;
-        light += textureLod(shadowMap, onPlane + stepX * offset.x + stepY * offset.y, 0.0);
+        float radius = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS));
+        vec2 offset = radius * direction;
+        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
+        light += textureLod(shadowMap, vec3(at.xy, at.z - radius * towardsLight), level);
         direction = goldenTurn * direction;
     }
     return light / float(VCT_FILTER_TAPS);

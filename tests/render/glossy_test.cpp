@@ -26,12 +26,6 @@ Settings presetAt(const std::string& preset, glm::ivec2 size) {
     return settings;
 }
 
-DirectionalLight noLight() {
-    DirectionalLight light = lightFrom({0, 1, 0});
-    light.intensity = 0.0F;
-    return light;
-}
-
 Material metal(float roughness) {
     Material material;
     material.baseColor = glm::vec4(copper, 1.0);
@@ -102,6 +96,35 @@ TEST_P(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
                 EXPECT_NEAR(right[i] / copper[i], 1.0, roughness == 0.0F ? 0.06 : 0.13);
             }
         }
+}
+
+// Where a room ends the volume does too. Whether a cone's last sample lies before its walls or behind them
+// differs from pixel to pixel, and must not show: a wide cone lost half of such a wall.
+TEST_P(Glossy, AWallOnTheBorderOfTheVolumeIsReflectedWhole) {
+    const Context context = openContext(Backend::egl);
+    for (const float roughness : {0.2F, 0.4F}) {
+        Scene scene = emptyScene();
+        scene.materials.push_back(metal(roughness));
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials[2].emissive = glm::vec3(1.0F);
+        addQuad(scene, {-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 1);
+        addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2);
+        scene = finished(scene);
+        const Settings settings = presetAt(GetParam(), {64, 64});
+        GatheredFrame frame(context, scene, noLight(), settings,
+                            volumeAround(scene.boundsWorld, settings.grid),
+                            lookAt({0, 1.5, 0.01}, {0, -1, 0}, 8));
+        const float right = static_cast<float>(headOnShare(copper, roughness).x);
+        float least = 1e9F, most = 0.0F;
+        for (const Image image = frame.view(VCT_VIEW_SPECULAR); const glm::vec3& pixel : image.pixels) {
+            least = std::min(least, pixel.x);
+            most = std::max(most, pixel.x);
+        }
+        std::printf("  roughness %.1f: %.3f to %.3f of %.3f\n", roughness, least, most, right);
+        EXPECT_GT(least, 0.85F * right) << roughness;
+        EXPECT_LT(most, 1.15F * right) << roughness;
+        EXPECT_LT(most, 1.1F * least) << roughness;
+    }
 }
 
 // Nothing but the mirror itself shines: it must not see its own light.

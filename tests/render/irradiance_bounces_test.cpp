@@ -14,12 +14,6 @@ namespace vct::test {
 namespace {
 
 // In the dark: radiance is in the scene's unit.
-DirectionalLight noLight() {
-    DirectionalLight light = lightFrom({0, 1, 0});
-    light.intensity = 0.0F;
-    return light;
-}
-
 Settings settingsOf(const char* preset, int lightFrames) {
     Settings settings = presetSettings(preset);
     settings.size = glm::ivec2(16);

@@ -21,12 +21,6 @@ Settings mobileAt(int pixels) {
     return settings;
 }
 
-DirectionalLight noLight() {
-    DirectionalLight light = lightFrom({0, 1, 0});
-    light.intensity = 0.0F;
-    return light;
-}
-
 // World units are voxels.
 Volume voxelsAsWorld(int grid) {
     Volume volume;

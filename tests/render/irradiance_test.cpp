@@ -26,12 +26,6 @@ Settings presetAt(const std::string& preset, glm::ivec2 size) {
     return settings;
 }
 
-DirectionalLight noLight() {
-    DirectionalLight light = lightFrom({0, 1, 0});
-    light.intensity = 0.0F;
-    return light;
-}
-
 // Adds a material that emits radiance 1, and returns its index.
 int addEmitter(Scene& scene) {
     Material emitter = scene.materials[0];

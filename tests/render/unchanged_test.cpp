@@ -45,7 +45,8 @@ std::string madeBy(Renderer& renderer, Mode mode, const Camera& camera) {
     std::string made;
     // Levels whose lists are there.
     if (groups.count("relight") > 0 && groups.count("mipmap again") > 0) groups.insert("mipmap");
-    for (const char* step : {"shadow map", "voxelize", "relight", "mipmap", "irradiance"})
+    for (const char* step :
+         {"shadow map", "shadow map's levels", "voxelize", "relight", "mipmap", "irradiance"})
         if (groups.count(step) > 0) made += (made.empty() ? "" : ", ") + std::string(step);
     return made;
 }
@@ -91,6 +92,7 @@ TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
     EXPECT_EQ(made(), "everything");
     EXPECT_EQ(made(), "nothing");
     EXPECT_EQ(made(Mode::gi, "eye=1,2,3,target=0,0,0,fov=40"), "nothing");
+    EXPECT_EQ(made(Mode::giConeShadow), words() ? "nothing" : "shadow map's levels");
     EXPECT_EQ(made(Mode::giConeShadow), "nothing");
     renderer_.setShadowConeAngle(10.0F);
     EXPECT_EQ(made(Mode::giConeShadow), "nothing");
@@ -125,6 +127,13 @@ TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
     EXPECT_EQ(made(), everything().substr(std::string("shadow map, ").size()));
     EXPECT_EQ(made(Mode::phong), "nothing");
     EXPECT_EQ(made(), "nothing");
+    // The soft shadow's levels are those of the map that there is.
+    const std::string levels = words() ? "nothing" : "shadow map's levels";
+    EXPECT_EQ(made(Mode::giConeShadow), levels);
+    renderer_.setLightDirection(glm::dvec3(-0.2, 1.0, 0.1));
+    EXPECT_EQ(made(), "its light");
+    EXPECT_EQ(made(Mode::giConeShadow), levels);
+    EXPECT_EQ(made(Mode::giConeShadow), "nothing");
 }
 
 // What is open is received like light, beside it; the light parts show the first bounce alone.

@@ -33,7 +33,7 @@ DirectFrame::DirectFrame(const Context& context, Scene scene, const Settings& se
              context.capabilities.uniformBufferOffsetAlignment, settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
-      shadowMap_(shaders_, scene_, settings.shadowMapSize),
+      shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
       gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       coneTracer_(shaders_, settings),
       light_(lightFrom({0, 1, 0})) {
@@ -59,6 +59,7 @@ void DirectFrame::setLight(const glm::dvec3& towardsLight) {
     light_ = lightFrom(towardsLight);
     upload();
     shadowMap_.draw(scene_);
+    shadowMap_.makeLevels();
 }
 
 Image DirectFrame::view(int view) {

@@ -84,4 +84,10 @@ DirectionalLight lightFrom(const glm::dvec3& towardsLight) {
     return light;
 }
 
+DirectionalLight noLight() {
+    DirectionalLight light = lightFrom({0, 1, 0});
+    light.intensity = 0.0F;
+    return light;
+}
+
 }  // namespace vct::test

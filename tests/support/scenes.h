@@ -31,5 +31,7 @@ Scene lonePlane(double angleDeg);
 Scene finished(Scene scene);
 
 DirectionalLight lightFrom(const glm::dvec3& towardsLight);
+// For scenes lit by what glows in them, or by the sky.
+DirectionalLight noLight();
 
 }  // namespace vct::test

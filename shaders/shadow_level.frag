@@ -1,0 +1,16 @@
+// A coarser level of the shadow map, for comparisons that stand for more than a texel (shared/soft_shadow.glsl). A texel has
+// the depth of one place in it, not a mean, which would be of no surface, nor the nearest, which would widen what blocks. The
+// places differ from texel to texel, by the golden section and another irrational number: a few texels along an edge
+// together know where it is, whatever its direction.
+#include "shared/trips.glsl"
+
+layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D finest;
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
+
+void main() {
+    TRIP(VCT_TRIPS_SHADOW_LEVEL);
+    uvec2 texel = uvec2(gl_FragCoord.xy);
+    const mat2 apart = mat2(0.3247180, 0.6180340, 0.6180340, 0.4142136);
+    uvec2 place = (texel << level) + uvec2(fract(apart * vec2(texel)) * float(1u << level));
+    gl_FragDepth = texelFetch(finest, ivec2(place), 0).r;
+}
