@@ -13,6 +13,7 @@ namespace {
 std::size_t texelBytes(GLenum format) {
     switch (format) {
         case GL_RG8:
+        case GL_DEPTH_COMPONENT16:
             return 2;
         case GL_RGBA8:
         case GL_SRGB8_ALPHA8:

@@ -17,7 +17,9 @@ int shadowMapLevels(const Settings& settings) {
 ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, int levels)
     : shaders_(shaders),
       programs_(shaders, scene, shadowMapProgram),
-      depth_(gl::Texture::make2d("shadow map", GL_DEPTH_COMPONENT24, size, size, levels)),
+      // A texel of a map is 16 times as wide as a step of 16 bits; the thesis's bias is left as it was.
+      depth_(gl::Texture::make2d("shadow map", levels > 1 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, size,
+                                 size, levels)),
       framebuffer_("shadow map", {}, &depth_) {
     // With a comparison: four taps of a level, weighted.
     depth_.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);

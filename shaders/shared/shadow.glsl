@@ -28,7 +28,7 @@ layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D shadowDepth;  // 
 // needs more; on flat walls as much would take what touches them for the wall.
 const float flatSlack = 0.25;
 const float curvedSlack = 1.0;
-const float depthRounding = 2e-5;  // of the depth range; a position from a G-buffer, in floats
+const float depthRounding = 3e-5;  // of the depth range: half a step of 16 bits, and a position from a G-buffer
 
 // What the receiver's plane gains in depth per texel.
 vec2 shadowSlope(vec3 normal) {
