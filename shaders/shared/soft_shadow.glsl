@@ -79,11 +79,11 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec2 offset = radius * direction;
         vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
         float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
-        float distance = max((receiver.z - blocker) / toNearPlane, 1e-4);
+        float distance = (receiver.z - blocker) / toNearPlane;
         // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
-        float within = blocker < at.z ? min(distance / max(radius, 1e-6), 1.0) : 0.0;
+        float within = blocker < at.z ? clamp(distance / max(radius, 1e-6), 0.0, 1.0) : 0.0;
         blockers += within * within;
-        near += within * within / distance;
+        near += within * within / max(distance, 1e-4);
         direction = goldenTurn * direction;
     }
     if (blockers == 0.0) return 1.0;

@@ -59,7 +59,7 @@ void DirectFrame::setLight(const glm::dvec3& towardsLight) {
     light_ = lightFrom(towardsLight);
     upload();
     shadowMap_.draw(scene_);
-    shadowMap_.makeLevels();
+    if (shadowMap_.texture().levels() > 1) shadowMap_.makeLevels();
 }
 
 Image DirectFrame::view(int view) {

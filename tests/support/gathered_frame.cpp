@@ -26,7 +26,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
       scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment,
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
-      shadowMap_(shaders_, scene_, settings.shadowMapSize),
+      shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
       gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
       mipmapper_(shaders_),
@@ -35,6 +35,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
       coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
+    if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
     FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, voxels_);
@@ -70,9 +71,8 @@ Image GatheredFrame::view(int view) {
     else if (light_.irradiance() == nullptr)
         settle(view != VCT_VIEW_INDIRECT);
     const Irradiance& received = occlusion ? occlusion_ : light_;
-    return readImage(
-        coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
-                         {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
+    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
+                                      {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
 }
 
 }  // namespace vct::test

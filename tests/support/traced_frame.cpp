@@ -13,12 +13,13 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
       scene_(scene, volume, radianceUnit(light), context.capabilities.uniformBufferOffsetAlignment,
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
-      shadowMap_(shaders_, scene_, settings.shadowMapSize),
+      shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
       gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
       pyramid_(shaders_, settings.grid, 0),
       coneTracer_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
+    if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
     Voxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, pyramid_);
