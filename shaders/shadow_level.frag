@@ -9,8 +9,9 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
     TRIP(VCT_TRIPS_SHADOW_LEVEL);
-    uvec2 texel = uvec2(gl_FragCoord.xy);
+    vec2 texel = floor(gl_FragCoord.xy);
     const mat2 apart = mat2(0.3247180, 0.6180340, 0.6180340, 0.4142136);
-    uvec2 place = (texel << level) + uvec2(fract(apart * vec2(texel)) * float(1u << level));
+    int size = textureSize(finest, 0).x;  // the map is a square; of any size, also one that levels do not halve
+    vec2 place = (texel + fract(apart * texel)) * (float(size) / float(size >> level));
     gl_FragDepth = texelFetch(finest, ivec2(place), 0).r;
 }

@@ -98,7 +98,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // levels of the map (shaders/shadow_level.frag): what a tap tells fades as it crosses an edge, so that no tap is a step.
     // A wider share would be smoother still, but its few texels know an edge less well.
     const float share = inversesqrt(float(VCT_FILTER_TAPS));  // of the radius; taps are 1.8 times as far apart
-    float wide = clamp(share * size * max(stepX.x, stepY.y), 1.0, size / 32.0);  // in texels
+    float wide = max(min(share * size * max(stepX.x, stepY.y), size / 32.0), 1.0);  // in texels
     float level = log2(wide);
     // A coarse texel's depth is that of some place in it.
     onPlane.z -= rise * 1.5 * (wide - 1.0);
