@@ -32,7 +32,7 @@ vec3 gatherDirection(int i) {
 
 // The cones of a step are the next of the set of directions; the 16 faces of a flat block look into 16 in a row. From one to
 // the next it is the golden section of a turn, nearly: any few in a row are spread over the hemisphere.
-Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, int cones) {
+Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
     ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
@@ -42,11 +42,12 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, int cones) {
 #else
     float reach = 2.0 * float(frame.grid.x);
 #endif
+    vec3 ownBelow = ownFaces(plane.normal, hasBack);
     Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
     for (int i = first; i < first + cones; ++i) {
         TRIP(VCT_TRIPS_IRRADIANCE_CONE);
         vec3 direction = frameAround(plane.normal) * gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
-        ConeResult cone = traceCone(start, plane.normal, direction, reach);
+        ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach);
         gathered.light += cone.radiance;
         gathered.sky += cone.transmittance;
         gathered.nearness += cone.nearness;
@@ -122,10 +123,13 @@ void main() {
         if (slot >= faceSlots()) continue;
         SurfacePlane plane = facePlane(slot, listed.face);
         float known = min(stepsOf(i), lightStep.memory);
-        // A face without a memory looks into more directions, unless there is hardly anything of it.
-        bool isNew = known == 0.0 && faceCoverage(slot, listed.face) > 0.02;
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, int(isNew ? lightStep.conesOfNew : lightStep.cones));
         float coverage = faceCoverage(slot, listed.face);
+        // Two walls of an edge look to opposite sides too, but not against each other.
+        bool hasBack = faceCoverage(slot, listed.face ^ 1) > 0.5 * coverage &&
+                       dot(facePlane(slot, listed.face ^ 1).normal, plane.normal) < -0.8;
+        // A face without a memory looks into more directions, unless there is hardly anything of it.
+        bool isNew = known == 0.0 && coverage > 0.02;
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
 #ifdef VCT_GATHER_OCCLUSION
         vec3 light = vec3(now.sky);
 #else

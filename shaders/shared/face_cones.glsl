@@ -39,8 +39,16 @@ struct ConeResult {
 // Of a sample: those of neighbours are a step apart, and overlap or gap by as much.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 
-// One cone from a point near a surface with that normal. Samples beyond `reach` are not taken. Lengths in voxels.
-ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
+// Which faces near a surface are its own, for traceCone(): a ray whose direction times the normal is less than this along an
+// axis does not meet that axis's faces. Those of the surface itself look to its normal's side; those of its back, if it is a
+// sheet seen from both sides or a thin plate, to the other, and any direction goes below 2.
+vec3 ownFaces(vec3 normal, bool hasBack) {
+    return hasBack ? 2.0 * step(0.3, abs(normal)) : vec3(0.0);
+}
+
+// One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
+// in voxels.
+ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach) {
     float grid = float(frame.grid.x);
     ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
@@ -55,9 +63,8 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 direction, float reach) {
         // footprint.
         float height = VCT_GATHER_START + distance * rise;
         float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), 0.0);
-        // Faces are one-sided along the axes only. Those of the ray's own surface look to its normal's side of each axis;
-        // where the ray goes against that, near the surface, it would meet them.
-        bvec3 own = lessThan(direction * normal, vec3(height < VCT_GATHER_OWN_SURFACE * exp2(level) ? 0.0 : -1.0));
+        // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
+        bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = HALF(mix(abs(direction), vec3(0.0), own));
         mediump vec4 met = sampleFaces((start + direction * distance) / grid, direction, share, level);
         // Added, and cut off at what is left: multiplied transmittances let too much through.

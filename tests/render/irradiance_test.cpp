@@ -279,6 +279,26 @@ TEST_P(GatherOf, LoneLitPlaneGetsNothing) {
     }
 }
 
+// The side that the sun does not light, of a sheet that is seen from both: its faces lie in the voxels of the
+// lit ones.
+TEST_P(GatherOf, TheDarkSideOfALitSheetGetsNothing) {
+    const Context context = openContext(Backend::egl);
+    for (const double turnDeg : {0.0, 30.0, 45.0}) {
+        Scene scene = lonePlane(turnDeg);
+        scene.materials.front().doubleSided = true;
+        const glm::dvec3 up(scene.instances[0].worldFromObject * glm::dvec4(0, 1, 0, 0));
+        GatheredFrame frame =
+            frameOf(context, scene, lightFrom(-up), presetAt(GetParam(), glm::ivec2(pictureSide)),
+                    lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40));
+        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT), openness = spreadOf(frame, VCT_VIEW_AO);
+        std::printf("%s, dark side turned by %g degrees: mean %.4f, max %.4f; openness from %.4f\n",
+                    GetParam(), turnDeg, light.mean, light.max, openness.min);
+        ASSERT_GT(light.count, 1000);
+        EXPECT_LE(light.mean, 0.03);  // turned by 30 degrees: .019; with its own back .2 to .6
+        EXPECT_GE(openness.mean, 0.98);
+    }
+}
+
 // A room halved by a wall of a third of a voxel, one half of which shines: nothing of it arrives in the
 // other.
 TEST_P(GatherOf, LightStaysOnItsSideOfAThinWall) {
@@ -344,7 +364,10 @@ TEST_P(GatherOf, AFaceReceivesWhatTheCpusConesFind) {
         if (++nth % 37 != 0) continue;
         // Of a face that has received nothing yet.
         const int cones = 8;
-        const CpuFaceCones::Gathered right = cpu.gather(entry, planes.at(entry), 0, cones);
+        const auto back =
+            planes.find(shared::packFace(shared::unpackFaceVoxel(entry), shared::unpackFace(entry) ^ 1U));
+        const CpuFaceCones::Gathered right =
+            cpu.gather(entry, planes.at(entry), back == planes.end() ? nullptr : &back->second, 0, cones);
         const double far = glm::length(face.light - (right.light + right.sky * sky));
         sum += glm::length(right.light);
         difference += far;

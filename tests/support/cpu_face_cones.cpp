@@ -81,7 +81,7 @@ CpuFaceCones::Met CpuFaceCones::sample(const glm::dvec3& positionVoxels, const g
     return {glm::dvec3(shining) * (coverage / std::max(shining.a, 1e-4)), coverage};
 }
 
-CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal,
+CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
                                            const glm::dvec3& direction) const {
     const GatherSettings& s = settings_;
     const double grid = levels_[0].side();
@@ -89,7 +89,8 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
     glm::dvec3 nearShare = share;
     double reach = 2.0 * grid;
     for (int axis = 0; axis < 3; ++axis) {
-        if (direction[axis] * normal[axis] < 0.0) nearShare[axis] = 0.0;
+        const bool ofBack = hasBack && std::abs(normal[axis]) >= 0.3;
+        if (direction[axis] * normal[axis] < 0.0 || ofBack) nearShare[axis] = 0.0;
         const double end = direction[axis] >= 0.0 ? grid : 0.0;
         reach = std::min(reach, (end - start[axis]) / direction[axis]);
     }
@@ -116,8 +117,8 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
     return result;
 }
 
-CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane& plane, int direction,
-                                            int cones) const {
+CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane& plane, const FacePlane* back,
+                                            int direction, int cones) const {
     const glm::ivec3 voxel(shared::unpackFaceVoxel(face));
     const int golden = (settings_.directions * 618 / 1000) | 1;
     const glm::dvec3 n = plane.normal;
@@ -128,10 +129,14 @@ CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane&
     const glm::dmat3 frame(tangent, n, glm::cross(tangent, n));
     const int axis = static_cast<int>(shared::unpackFace(face) >> 1);
     const int first = direction + (voxel[(axis + 1) % 3] & 3) + 4 * (voxel[(axis + 2) % 3] & 3);
+    const int number = static_cast<int>(shared::unpackFace(face));
+    const bool hasBack = back != nullptr && glm::dot(back->normal, plane.normal) < -0.8 &&
+                         levels_[0].at(voxel, number ^ 1).a > 0.5 * levels_[0].at(voxel, number).a;
     Gathered sum;
     for (int i = first; i < first + cones; ++i) {
-        const Gathered cone = trace(
-            start, n, frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions));
+        const Gathered cone =
+            trace(start, n, hasBack,
+                  frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions));
         sum.light += cone.light / static_cast<double>(cones);
         sum.sky += cone.sky / cones;
     }

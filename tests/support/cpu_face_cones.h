@@ -1,5 +1,5 @@
-// The cones of the received light in plain C++ over faces read back from the GPU: what shaders/shared/face_cones.glsl and
-// irradiance.comp must compute.
+// The cones of the received light in plain C++ over faces read back from the GPU: what
+// shaders/shared/face_cones.glsl and irradiance.comp must compute.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -29,19 +29,22 @@ class CpuFaceCones {
         glm::dvec3 light{0.0};  // mean over the cones, relative to what the faces store as 1
         double sky = 0.0;
     };
-    // What a face finds with `cones` of its directions, where its first one is number `direction` (of the step; its own
-    // place is added).
-    // `face`: its entry, as shared::packFace() makes it.
-    Gathered gather(std::uint32_t face, const FacePlane& plane, int direction, int cones) const;
+    // What a face finds with `cones` of its directions, where its first one is number `direction` (of the
+    // step; its own place is added). `face`: its entry, as shared::packFace() makes it.
+    // `back`: that of the opposite face of its voxel, if there is one.
+    Gathered gather(std::uint32_t face, const FacePlane& plane, const FacePlane* back, int direction,
+                    int cones) const;
 
   private:
     struct Met {
         glm::dvec3 light;  // premultiplied
         double coverage;
     };
-    Met sample(const glm::dvec3& positionVoxels, const glm::dvec3& direction, const glm::dvec3& share, int level) const;
+    Met sample(const glm::dvec3& positionVoxels, const glm::dvec3& direction, const glm::dvec3& share,
+               int level) const;
     glm::dvec4 faceAt(const glm::dvec3& texel, int face, int level) const;
-    Gathered trace(const glm::dvec3& start, const glm::dvec3& normal, const glm::dvec3& direction) const;
+    Gathered trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
+                   const glm::dvec3& direction) const;
 
     std::vector<FaceLevel> levels_;
     GatherSettings settings_;
