@@ -211,34 +211,6 @@ TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
     }
 }
 
-double rmsOf(const Image& a, const Image& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
-        sum += std::pow(a.pixels[i].g - b.pixels[i].g, 2.0);
-    return std::sqrt(sum / static_cast<double>(a.pixels.size()));
-}
-
-// While things move each face looks into few directions, which differ from its neighbours': pixels see the
-// mean of a block where nothing is near, and so less than the noise of single faces.
-TEST(ReceivedLight, PixelsSeeLessNoiseThanFacesRemember) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = passingBox();
-    const Settings settings = mobile();
-    Stage stage(context, scene, settings);
-    stage.stillAt(0.0, Mode::ao);
-    for (int frame = 1; frame <= 30; ++frame)
-        stage.frameAt(frame / 30.0, Mode::ao);
-    const Scene frozen = frozenAt(scene, 1.0);
-    Stage fresh(context, frozen, settings);
-    fresh.stillAt(0.0, Mode::ao);
-    const double ofFaces = differenceOf(receivedBy(stage.renderer(), GatherOf::occlusion),
-                                        receivedBy(fresh.renderer(), GatherOf::occlusion))
-                               .rms;
-    const double ofPixels = rmsOf(stage.renderer().radiance(), fresh.renderer().radiance());
-    std::printf("  RMS of openness: faces %.4f, pixels %.4f\n", ofFaces, ofPixels);
-    EXPECT_LT(ofPixels, 0.5 * ofFaces);
-}
-
 // Voxels that are made anew in the same light find it where they are.
 TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
     const Context context = openContext(Backend::egl);
