@@ -48,11 +48,11 @@ def frame(programs: list[Program], mode: str, counts: dict[str, Any], vertices: 
             if stage is None:
                 continue
             if source["stage"] == "vertex":
-                count = {"invocations": 3 if shader == "full_screen.vert" else vertices, "loops": []}
+                count = {"invocations": 3 if shader == "passes/full_screen.vert" else vertices, "loops": []}
             elif shader in counts:
                 count = counts[shader]
             else:
-                raise LoopError(f"{shader} runs in mode {mode} but was not counted: jni/measure/trip_counts.cpp")
+                raise LoopError(f"{shader} runs in mode {mode} but was not counted: jni/lab/shader_counters.cpp")
             try:
                 cost = stage_cost(stage, count["invocations"], count["loops"])
             except LoopError as why:

@@ -50,7 +50,7 @@ def moments(program: Path, scene: Path, out: Path, count: int, seconds: float) -
     rendered(program, scene, played, "--frames", str((count - 1) * every + 1), "--fps", str(FPS))
     frames = []
     for i in range(count):
-        still, name, light = out / f"still_{i:04}", f"{MODE}_{i * every:04}", f"indirect_light_{i * every:04}.png"
+        still, name, light = out / f"static_{i:04}", f"{MODE}_{i * every:04}", f"indirect_light_{i * every:04}.png"
         rendered(program, scene, still, "--time", str(i * every / FPS), "--light-parts")
         shutil.copyfile(still / "indirect_light.png", out / light)
         shutil.copyfile(played / f"{name}.png", out / f"{name}.png")

@@ -19,14 +19,14 @@
 #include "app/orbit_view.h"
 #include "app/scene_loader.h"
 #include "app/touch.h"
-#include "measure/bench_run.h"
-#include "measure/self_test.h"
+#include "lab/bench_run.h"
+#include "lab/self_test.h"
 
 namespace vct::app {
 
 class App {
   public:
-    // `command`: a measurement to start with ("bench ...", measure/bench_run.h), or what to show first ("show
+    // `command`: a measurement to start with ("bench ...", lab/bench_run.h), or what to show first ("show
     // ...", choices.h), or "".
     App(android_app& glue, const std::string& command);
     ~App();

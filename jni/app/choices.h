@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/settings.h"
+#include "engine/settings.h"
 #include "scene/scene.h"
 
 namespace vct::app {

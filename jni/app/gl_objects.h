@@ -9,7 +9,7 @@
 #include "app/hud_renderer.h"
 #include "app/presenter.h"
 #include "gl/capabilities.h"
-#include "render/renderer.h"
+#include "engine/renderer.h"
 
 namespace vct::app {
 

@@ -9,7 +9,7 @@
 
 #include "app/assets.h"
 #include "app/choices.h"
-#include "render/step_timer.h"
+#include "lab/step_timer.h"
 
 struct ImDrawData;
 struct ImGuiContext;

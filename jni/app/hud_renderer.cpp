@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "gl/debug.h"
-#include "render/programs.h"
+#include "engine/programs.h"
 
 namespace vct::app {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int fontUnit = 0;  // a sampler's default
 
-enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // as in hud.vert
+enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // as in app/hud.vert
 
 gl::Texture fontTexture() {
     unsigned char* pixels = nullptr;

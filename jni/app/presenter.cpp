@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "gl/debug.h"
-#include "render/programs.h"
+#include "engine/programs.h"
 
 namespace vct::app {
 
 namespace {
 
-// The names of present.frag's layout qualifiers.
+// The names of app/present.frag's layout qualifiers.
 constexpr int radianceUnit = 0;
 constexpr GLint scaleUniform = 0;
 constexpr GLint rectangleUniform = 1;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/program.h"
-#include "render/renderer.h"
+#include "engine/renderer.h"
 
 namespace vct::app {
 

@@ -14,10 +14,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/number_text.h"
-#include "measure/bench_plan.h"
-#include "measure/options.h"
-#include "measure/preset_comparison.h"
-#include "measure/timings.h"
+#include "lab/bench_plan.h"
+#include "lab/options.h"
+#include "lab/preset_comparison.h"
+#include "lab/timings.h"
 #include "platform/platform.h"
 
 namespace vct::cli {

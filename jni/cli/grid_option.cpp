@@ -7,7 +7,7 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "render/grid_choice.h"
+#include "engine/grid_choice.h"
 
 namespace vct::cli {
 

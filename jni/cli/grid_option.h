@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "render/settings.h"
+#include "engine/settings.h"
 #include "scene/scene.h"
 
 namespace vct::cli {

@@ -10,8 +10,8 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
-#include "measure/options.h"
-#include "measure/scene_costs.h"
+#include "lab/options.h"
+#include "lab/scene_costs.h"
 #include "platform/context.h"
 #include "scene/gltf.h"
 
@@ -88,7 +88,7 @@ void printScene(const InfoOptions& options) {
     std::printf(
         "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"
         "preset %s, mode %s, %dx%d pixels, %d^3 voxels\n\n%s",
-        options.scene.c_str(), scene.triangleCount(), scene.instances.size(), needsOf(scene).materials,
+        options.scene.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
         extent.x, extent.y, extent.z, options.preset.c_str(), modeName(frame.mode), frame.settings.size.x,
         frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
 }

@@ -35,7 +35,7 @@ void write(const Pictures& pictures, const PictureOptions& options, OutputFolder
         writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
     if (!pictures.stages.empty()) {
         OutputFolder stages(out.file("stages"));
-        for (const Renderer::Stage& stage : pictures.stages) {
+        for (const Renderer::DebugView& stage : pictures.stages) {
             writePng(stages.file(stage.name + ".png"), stage.image);
             if (stage.hasUnits) writeExr(stages.file(stage.name + ".exr"), stage.image);
         }

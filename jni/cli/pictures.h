@@ -8,7 +8,7 @@
 
 #include "cli/output.h"
 #include "image/image.h"
-#include "render/renderer.h"
+#include "engine/renderer.h"
 
 namespace vct::cli {
 
@@ -23,7 +23,7 @@ struct PictureOptions {
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
     std::vector<std::pair<std::string, Image>> lightParts;  // likewise
-    std::vector<Renderer::Stage> stages;
+    std::vector<Renderer::DebugView> stages;
 };
 
 // NAME.png and NAME.exr.

@@ -13,13 +13,13 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/number_text.h"
-#include "measure/options.h"
-#include "measure/timings.h"
+#include "lab/options.h"
+#include "lab/timings.h"
 #include "platform/context.h"
-#include "render/renderer.h"
+#include "engine/renderer.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
-#include "scene/needs.h"
+#include "scene/scene_features.h"
 
 namespace vct::cli {
 
@@ -93,7 +93,7 @@ struct Placed {
 };
 
 StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
-    renderer.still(mode, camera);
+    renderer.renderConverged(mode, camera);
     for (int i = 0; i < warmUpFrames; ++i)
         renderer.frame(mode, camera);
     renderer.timer().startRecording();
@@ -117,7 +117,7 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
                                 std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
                                 ", " + std::to_string(settings.grid) + "^3");
         if (options.timings.empty())
-            renderer.still(mode, camera);
+            renderer.renderConverged(mode, camera);
         else
             report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
         report.activeVoxels = renderer.activeVoxels();
@@ -127,12 +127,12 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
     report.resources = renderer.resources();
     if (options.lightParts) {
         const Progress progress("light parts");
-        for (Renderer::Stage& part : renderer.lightParts(camera))
+        for (Renderer::DebugView& part : renderer.lightParts(camera))
             pictures.lightParts.emplace_back(part.name, std::move(part.image));
     }
     if (options.pictures.stages) {
         const Progress progress("stages");
-        pictures.stages = renderer.stages(camera);
+        pictures.stages = renderer.debugViews(camera);
     }
     const Progress progress("writing the pictures");
     write(pictures, options.pictures, out);
@@ -150,7 +150,7 @@ std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mod
     ExposureCheck checkExposure(placed.options.pictures.exposure);
     for (Mode mode : modes) {
         // A camera that comes to a scene whose light is there.
-        renderer.still(mode, placed.moveTo(moments.front()));
+        renderer.renderConverged(mode, placed.moveTo(moments.front()));
         if (timed) {
             for (int i = 0; i < warmUpFrames; ++i)
                 renderer.frame(mode, placed.moveTo(moments.front()));
@@ -206,7 +206,7 @@ void render(const RenderOptions& options) {
         say("note: the scene is animated and shown at rest; --time S shows a moment of its " +
             numberText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
 
-    if (settings.specular == Specular::none && needsOf(scene).glossy)
+    if (settings.specular == Specular::none && featuresOf(scene).glossy)
         say("warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
             "can reflect (--specular cone)");
 
@@ -217,7 +217,7 @@ void render(const RenderOptions& options) {
     Renderer renderer(scene, light, settings, context.capabilities,
                       gl::shadersFromFolder(gl::defaultShaderFolder()));
 
-    if (settings.voxels == Voxels::faces)
+    if (settings.voxels == Voxels::directional)
         say("received light: it stands still after " + std::to_string(settings.lightFrames) +
             " frames (--light-frames)");
     TimingsReport report;

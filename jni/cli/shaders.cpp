@@ -10,11 +10,11 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "measure/options.h"
-#include "measure/timings.h"
-#include "measure/trip_counts.h"
+#include "lab/options.h"
+#include "lab/timings.h"
+#include "lab/shader_counters.h"
 #include "platform/context.h"
-#include "render/programs.h"
+#include "engine/programs.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 
@@ -42,7 +42,7 @@ bool same(const gl::ProgramDescription& a, const gl::ProgramDescription& b) {
     return a.name == b.name && a.defines == b.defines;
 }
 
-std::vector<Variant> variants(const Settings& settings, const SceneNeeds& sceneNeeds) {
+std::vector<Variant> variants(const Settings& settings, const SceneFeatures& sceneNeeds) {
     std::vector<Variant> found;
     const auto add = [&](const FrameProgram& use) -> Variant& {
         for (Variant& known : found)
@@ -54,7 +54,7 @@ std::vector<Variant> variants(const Settings& settings, const SceneNeeds& sceneN
     for (Mode mode : allModes()) {
         for (const bool emissive : {false, true})
             for (const bool glossy : {false, true}) {
-                SceneNeeds needs;
+                SceneFeatures needs;
                 for (const unsigned features : allFeatures())
                     if (emissive || !(features & featureEmissive)) needs.materialFeatures.push_back(features);
                 needs.glossy = glossy;
@@ -156,13 +156,13 @@ void writeShaders(const ShadersOptions& options) {
         Settings settings = presetSettings(preset);
         settings.size = size;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
-        entry["programs"] = writeSources(variants(settings, needsOf(scene)), settings, preset, out);
-        settings.countTrips = true;
+        entry["programs"] = writeSources(variants(settings, featuresOf(scene)), settings, preset, out);
+        settings.countInvocations = true;
         settings.revoxelize = true;
         Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
                           gl::shadersFromFolder(gl::defaultShaderFolder()));
         for (Mode mode : allModes())
-            entry["counts"][modeName(mode)] = countsJson(countTrips(renderer, mode, camera));
+            entry["counts"][modeName(mode)] = countsJson(countInvocations(renderer, mode, camera));
         manifest["presets"].push_back(std::move(entry));
     }
     writeJson(out.file("manifest.json"), manifest);

@@ -11,8 +11,8 @@ namespace vct::gl {
 
 // What a program is made of; the tests enumerate these to check every variant offline.
 struct ProgramDescription {
-    std::string name;                  // "cone_tracer gi": for debuggers and messages
-    std::vector<std::string> shaders;  // "full_screen.vert", "cone_tracer.frag"
+    std::string name;                  // "shade gi": for debuggers and messages
+    std::vector<std::string> shaders;  // "passes/full_screen.vert", "passes/shade.frag"
     std::vector<std::string> defines;  // "VCT_MODE 4"
 };
 

@@ -32,28 +32,28 @@ uint activeVoxelCount(uint level) {
 // Those that a pass visits: how many, and the i-th of them. With VCT_PART first some of what the static geometry
 // occupies, from a list of its own, then what moves, from the level's list on; or one of the two.
 #ifdef VCT_PART
-layout(std430, binding = VCT_SSBO_STILL_ENTRIES) readonly buffer StillEntryBlock {
-    uint stillEntries[];
+layout(std430, binding = VCT_SSBO_STATIC_ENTRIES) readonly buffer StaticEntryBlock {
+    uint staticEntries[];
 };
-layout(location = VCT_UNIFORM_FIRST) uniform uint firstStill;
-layout(location = VCT_UNIFORM_END) uniform uint endStill;
+layout(location = VCT_UNIFORM_FIRST) uniform uint firstStatic;
+layout(location = VCT_UNIFORM_END) uniform uint endStatic;
 layout(location = VCT_UNIFORM_MOVING) uniform uint firstMoving;  // in the level's list, or VCT_NO_ENTRY
-uint stillVisited() {
-    return endStill - firstStill;
+uint staticVisited() {
+    return endStatic - firstStatic;
 }
 bool isMoving(uint i) {
-    return i >= stillVisited();
+    return i >= staticVisited();
 }
 // `count`: of the entries in the level's list.
 uint partVisited(uint count) {
-    return stillVisited() + (count > firstMoving ? count - firstMoving : 0u);
+    return staticVisited() + (count > firstMoving ? count - firstMoving : 0u);
 }
 uint visitedCount(uint level) {
     return partVisited(activeVoxelCount(level));
 }
 uint visitedEntry(uint level, uint i) {
-    return isMoving(i) ? activeVoxels[commands[level].firstEntry + firstMoving + i - stillVisited()]
-                       : stillEntries[firstStill + i];
+    return isMoving(i) ? activeVoxels[commands[level].firstEntry + firstMoving + i - staticVisited()]
+                       : staticEntries[firstStatic + i];
 }
 #else
 uint visitedCount(uint level) {

@@ -30,11 +30,11 @@ using glm::vec4;
 #define VCT_VIEW_SPECULAR 9
 
 // What the stage view shows.
-#define VCT_STAGE_SHADOW_MAP 0
-#define VCT_STAGE_ALBEDO 1
-#define VCT_STAGE_NORMAL 2
-#define VCT_STAGE_DEPTH 3
-#define VCT_STAGE_EMISSIVE 4
+#define VCT_DEBUG_VIEW_SHADOW_MAP 0
+#define VCT_DEBUG_VIEW_ALBEDO 1
+#define VCT_DEBUG_VIEW_NORMAL 2
+#define VCT_DEBUG_VIEW_DEPTH 3
+#define VCT_DEBUG_VIEW_EMISSIVE 4
 
 // Uniform blocks.
 #define VCT_UBO_FRAME 0
@@ -47,61 +47,61 @@ using glm::vec4;
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACE_SUMS 2
 #define VCT_SSBO_RECEIVED 3
-#define VCT_SSBO_STILL_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
-#define VCT_SSBO_TRIPS 4
+#define VCT_SSBO_STATIC_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
+#define VCT_SSBO_COUNTERS 4
 
-// What the counting variant counts (shared/trips.glsl): invocations of a stage, and iterations of its loops.
-#define VCT_TRIPS_SHADOW_MAP 0
-#define VCT_TRIPS_G_BUFFER 1
-#define VCT_TRIPS_VOXELIZER 2
-#define VCT_TRIPS_SPARSE_CLEAR 3
-#define VCT_TRIPS_SPARSE_CLEAR_VOXEL 4
-#define VCT_TRIPS_MIPMAPPER 5
-#define VCT_TRIPS_MIPMAPPER_VOXEL 6
-#define VCT_TRIPS_CONE_TRACER 7
-#define VCT_TRIPS_DIFFUSE_CONE 8
-#define VCT_TRIPS_DIFFUSE_STEP 9
-#define VCT_TRIPS_SHADOW_STEP 10
-#define VCT_TRIPS_BLOCKER_TAP 11
-#define VCT_TRIPS_FILTER_TAP 12
-#define VCT_TRIPS_RECEIVED_AXIS 13
-#define VCT_TRIPS_FACE_TOUCH 14
-#define VCT_TRIPS_FACE_VOXELIZER 15
-#define VCT_TRIPS_FACE_VOXELIZER_AXIS 16
-#define VCT_TRIPS_FACE_RESOLVE 17
-#define VCT_TRIPS_FACE_RESOLVE_VOXEL 18
-#define VCT_TRIPS_FACE_RESOLVE_LISTED 19
-#define VCT_TRIPS_FACE_RESOLVE_PARENT 20
-#define VCT_TRIPS_FACE_RESOLVE_FACE 21
-#define VCT_TRIPS_FACE_MIPMAPPER 22
-#define VCT_TRIPS_FACE_MIPMAPPER_FACE 23
-#define VCT_TRIPS_FACE_CLEAR 24
-#define VCT_TRIPS_FACE_CLEAR_FACE 25
-#define VCT_TRIPS_FACE_CLEAR_BASE 26
-#define VCT_TRIPS_FACE_CLEAR_BASE_VOXEL 27
-#define VCT_TRIPS_FACE_CLEAR_BASE_FACE 28
-#define VCT_TRIPS_LIGHT_INHERIT 29
-#define VCT_TRIPS_LIGHT_INHERIT_FACE 30
-#define VCT_TRIPS_LIGHT_CLEAR 31
-#define VCT_TRIPS_LIGHT_BRICKS 32
-#define VCT_TRIPS_LIGHT_BRICKS_FACE 33
-#define VCT_TRIPS_LIGHT_SHINE 34
-#define VCT_TRIPS_LIGHT_SHINE_FACE 35
-#define VCT_TRIPS_IRRADIANCE 36
-#define VCT_TRIPS_IRRADIANCE_FACE 37
-#define VCT_TRIPS_IRRADIANCE_CONE 38
-#define VCT_TRIPS_IRRADIANCE_STEP 39
-#define VCT_TRIPS_IRRADIANCE_BRICK 40
-#define VCT_TRIPS_SPECULAR_STEP 41
-#define VCT_TRIPS_FACE_DARKEN 42
-#define VCT_TRIPS_FACE_DARKEN_VOXEL 43
-#define VCT_TRIPS_FACE_DARKEN_FACE 44
-#define VCT_TRIPS_RECEIVED_NEARBY 45
-#define VCT_TRIPS_LIGHT_BLOCKS 46
-#define VCT_TRIPS_LIGHT_CLEAR_TEXEL 47
-#define VCT_TRIPS_LIGHT_CLEAR_PLACE 48
-#define VCT_TRIPS_SHADOW_LEVEL 49
-#define VCT_TRIPS_COUNT 50
+// What the counting variant counts (shared/counters.glsl): invocations of a stage, and iterations of its loops.
+#define VCT_COUNTER_SHADOW_MAP 0
+#define VCT_COUNTER_G_BUFFER 1
+#define VCT_COUNTER_VOXELIZER 2
+#define VCT_COUNTER_SPARSE_CLEAR 3
+#define VCT_COUNTER_SPARSE_CLEAR_VOXEL 4
+#define VCT_COUNTER_MIPMAPPER 5
+#define VCT_COUNTER_MIPMAPPER_VOXEL 6
+#define VCT_COUNTER_CONE_TRACER 7
+#define VCT_COUNTER_DIFFUSE_CONE 8
+#define VCT_COUNTER_DIFFUSE_STEP 9
+#define VCT_COUNTER_SHADOW_STEP 10
+#define VCT_COUNTER_BLOCKER_TAP 11
+#define VCT_COUNTER_FILTER_TAP 12
+#define VCT_COUNTER_RECEIVED_AXIS 13
+#define VCT_COUNTER_FACE_TOUCH 14
+#define VCT_COUNTER_FACE_VOXELIZER 15
+#define VCT_COUNTER_FACE_VOXELIZER_AXIS 16
+#define VCT_COUNTER_FACE_RESOLVE 17
+#define VCT_COUNTER_FACE_RESOLVE_VOXEL 18
+#define VCT_COUNTER_FACE_RESOLVE_LISTED 19
+#define VCT_COUNTER_FACE_RESOLVE_PARENT 20
+#define VCT_COUNTER_FACE_RESOLVE_FACE 21
+#define VCT_COUNTER_FACE_MIPMAPPER 22
+#define VCT_COUNTER_FACE_MIPMAPPER_FACE 23
+#define VCT_COUNTER_FACE_CLEAR 24
+#define VCT_COUNTER_FACE_CLEAR_FACE 25
+#define VCT_COUNTER_FACE_CLEAR_BASE 26
+#define VCT_COUNTER_FACE_CLEAR_BASE_VOXEL 27
+#define VCT_COUNTER_FACE_CLEAR_BASE_FACE 28
+#define VCT_COUNTER_LIGHT_INHERIT 29
+#define VCT_COUNTER_LIGHT_INHERIT_FACE 30
+#define VCT_COUNTER_LIGHT_CLEAR 31
+#define VCT_COUNTER_LIGHT_BRICKS 32
+#define VCT_COUNTER_LIGHT_BRICKS_FACE 33
+#define VCT_COUNTER_LIGHT_SHINE 34
+#define VCT_COUNTER_LIGHT_SHINE_FACE 35
+#define VCT_COUNTER_IRRADIANCE 36
+#define VCT_COUNTER_IRRADIANCE_FACE 37
+#define VCT_COUNTER_IRRADIANCE_CONE 38
+#define VCT_COUNTER_IRRADIANCE_STEP 39
+#define VCT_COUNTER_IRRADIANCE_BRICK 40
+#define VCT_COUNTER_SPECULAR_STEP 41
+#define VCT_COUNTER_FACE_DARKEN 42
+#define VCT_COUNTER_FACE_DARKEN_VOXEL 43
+#define VCT_COUNTER_FACE_DARKEN_FACE 44
+#define VCT_COUNTER_RECEIVED_NEARBY 45
+#define VCT_COUNTER_LIGHT_BLOCKS 46
+#define VCT_COUNTER_LIGHT_CLEAR_TEXEL 47
+#define VCT_COUNTER_LIGHT_CLEAR_PLACE 48
+#define VCT_COUNTER_SHADOW_LEVEL 49
+#define VCT_COUNTER_COUNT 50
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -114,7 +114,7 @@ using glm::vec4;
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
 #define VCT_TEX_FACES 9
-#define VCT_TEX_IRRADIANCE 10  // shared/received.glsl: the bricks, and where each is
+#define VCT_TEX_IRRADIANCE 10  // directional/received.glsl: the bricks, and where each is
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
@@ -137,8 +137,8 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which time light is stored (shared/face_voxels.glsl); what a pass over a part of the voxels visits (shared/commands.glsl), and
-// what it empties (shared/moving_faces.glsl).
+// the triangles of a draw call are voxelized; which time light is stored (directional/voxels.glsl); what a pass over a part of the voxels visits (shared/commands.glsl), and
+// what it empties (directional/dynamic_faces.glsl).
 #define VCT_UNIFORM_LEVEL 0
 #define VCT_UNIFORM_WHICH 1
 #define VCT_UNIFORM_FIRST 1
@@ -160,7 +160,7 @@ using glm::vec4;
 // place in the list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Received light (shared/received.glsl): sums over all faces, per frame in turn; and a brick of texels for each face that
+// Received light (directional/received.glsl): sums over all faces, per frame in turn; and a brick of texels for each face that
 // is not empty of the level whose voxels are blocks of 4^3, with a texel more on each side for the filter.
 #define VCT_LIGHT_SUMS 16u
 #define VCT_LIGHT_HEADER 48u  // words: three such frames
@@ -184,12 +184,12 @@ struct FrameUniforms {
     vec4 skyRadiance;       // rgb: relative to E/pi
     vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
                             // zw: the cone's radius in the shadow map at one unit of its depth
-    vec4 faces;             // x: fixed-point units of a whole face (shared/face_sums.glsl), y: the radiance that
+    vec4 faces;             // x: fixed-point units of a whole face (directional/face_sums.glsl), y: the radiance that
                             // is stored as 1, relative to E/pi, z: largest share of the light that a bounce passes on
     ivec4 grid;             // x: voxels along a side, y: last mip level
 };
 
-// One step of the received light towards its final value (jni/render/irradiance.h).
+// One step of the received light towards its final value (jni/engine/directional/irradiance.h).
 struct LightStep {
     uint frame;          // counts steps
     uint direction;      // the first of the set that this step looks into
@@ -231,7 +231,7 @@ struct LevelCommands {
     uint groupsZ;
     uint firstEntry;  // of this level, in entries of the list
     uint capacity;    // of this level, in entries
-    // Directional coverage voxels only: the faces that are not empty (shared/face_list.glsl).
+    // Directional coverage voxels only: the faces that are not empty (directional/face_list.glsl).
     uint faceGroupsX;  // DispatchIndirectCommand
     uint faceGroupsY;
     uint faceGroupsZ;

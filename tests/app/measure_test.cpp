@@ -5,7 +5,7 @@
 
 #include "cli/program_run.h"
 #include "image/image.h"
-#include "measure/bench_run.h"
+#include "lab/bench_run.h"
 #include "stand_in/stand_in.h"
 #include "support/temporary_folder.h"
 

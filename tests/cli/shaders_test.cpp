@@ -33,8 +33,8 @@ TEST(Shaders, OfEveryPresetAreWrittenAndCounted) {
         }
         EXPECT_TRUE(traced) << preset.at("name");
         const auto& counts = preset.at("counts");
-        EXPECT_EQ(counts.at("gi-cone-shadow").at("cone_tracer.frag").at("invocations"), 32 * 32);
-        EXPECT_FALSE(counts.at("phong").contains("mipmapper.comp"));
+        EXPECT_EQ(counts.at("gi-cone-shadow").at("passes/shade.frag").at("invocations"), 32 * 32);
+        EXPECT_FALSE(counts.at("phong").contains("packed/mipmapper.comp"));
     }
 }
 

@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "gl/program.h"
 #include "platform/context.h"
-#include "render/programs.h"
+#include "engine/programs.h"
 #include "support/renderers.h"
 
 namespace vct::test {

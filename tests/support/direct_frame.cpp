@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "render/programs.h"
-#include "render/read_back.h"
+#include "engine/programs.h"
+#include "lab/read_back.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 
@@ -14,9 +14,9 @@ namespace {
 // The received light is no matter here, and takes longest.
 gl::ReadShader withoutReceivedLight(const gl::ReadShader& readShader) {
     return [read = readShader](const std::string& name) -> std::string {
-        if (name != "shared/irradiance.glsl") return read(name);
+        if (name != "directional/irradiance.glsl") return read(name);
         return "mediump vec3 receivedAt(vec3 position, vec3 normal) { return vec3(0.0); }\n"
-               "mediump float opennessAt(vec3 position, vec3 normal) { return 1.0; }\n";
+               "mediump float ambientVisibilityAt(vec3 position, vec3 normal) { return 1.0; }\n";
     };
 }
 
@@ -34,8 +34,8 @@ DirectFrame::DirectFrame(const Context& context, Scene scene, const Settings& se
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
-      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
-      coneTracer_(shaders_, settings),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.features(), settings.specular)),
+      shade_(shaders_, settings),
       light_(lightFrom({0, 1, 0})) {
     upload();
     gBuffer_.draw(scene_);
@@ -64,7 +64,7 @@ void DirectFrame::setLight(const glm::dvec3& towardsLight) {
 
 Image DirectFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {}));
+    return readImage(shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {}));
 }
 
 std::vector<float> DirectFrame::hardShadow() {

@@ -7,10 +7,10 @@
 
 #include "image/image.h"
 #include "platform/context.h"
-#include "render/cone_tracer.h"
-#include "render/frame_uniforms.h"
-#include "render/g_buffer.h"
-#include "render/shadow_map.h"
+#include "engine/passes/shade.h"
+#include "engine/frame_uniforms.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/passes/shadow_map.h"
 #include "support/renderers.h"
 #include "support/surface_pixels.h"
 
@@ -46,7 +46,7 @@ class DirectFrame {
     gl::Buffer uniformBuffer_;
     ShadowMap shadowMap_;
     GBuffer gBuffer_;
-    ConeTracer coneTracer_;
+    Shade shade_;
     DirectionalLight light_;
     glm::dmat4 shadowFromVolume_{1.0};
     std::vector<SurfacePixel> pixels_;

@@ -8,7 +8,7 @@ namespace vct::test {
 
 namespace {
 
-// Where shaders/shared/face_voxels.glsl puts a face.
+// Where shaders/directional/voxels.glsl puts a face.
 glm::ivec3 texelOf(const glm::ivec3& voxel, int face, int side) {
     return voxel + glm::ivec3(face / 2 * side, face % 2 * side, 0);
 }
@@ -94,11 +94,11 @@ int largestDifference(const FaceLevel& a, const FaceLevel& b) {
     return largest;
 }
 
-FaceLevel readFaceLevel(const FaceVoxels& voxels, int level) {
+FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level) {
     return readLevel(voxels.faces(), level, voxels.grid() >> level);
 }
 
-std::vector<FaceLevel> readFaces(const FaceVoxels& voxels) {
+std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels) {
     std::vector<FaceLevel> levels;
     for (int level = 0; level < voxels.levels(); ++level)
         levels.push_back(readFaceLevel(voxels, level));
@@ -129,7 +129,7 @@ FaceLevel mipOnCpu(const FaceLevel& children) {
     return parents;
 }
 
-void writeFacePyramid(const FaceVoxels& voxels, FaceLevel base) {
+void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base) {
     for (int level = 0; level < voxels.levels(); ++level) {
         writeLevel(voxels.faces(), level, base);
         if (level + 1 < voxels.levels()) base = mipOnCpu(base);

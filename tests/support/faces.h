@@ -6,7 +6,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <vector>
 
-#include "render/face_voxels.h"
+#include "engine/directional/directional_voxels.h"
 
 namespace vct::test {
 
@@ -48,15 +48,15 @@ class FaceLevel {
 // The largest difference between two levels of one size, in 1/255.
 int largestDifference(const FaceLevel& a, const FaceLevel& b);
 
-FaceLevel readFaceLevel(const FaceVoxels& voxels, int level);
+FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level);
 // Every level, the finest first.
-std::vector<FaceLevel> readFaces(const FaceVoxels& voxels);
+std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels);
 
 // The next level: per face, of each of the four pairs of children along its axis the front one over the back
 // one, F + (1 - alpha of F) B; the mean of the pairs, rounded to nearest.
 FaceLevel mipOnCpu(const FaceLevel& children);
 
 // Replaces the base level and gives every other level its CPU mip.
-void writeFacePyramid(const FaceVoxels& voxels, FaceLevel base);
+void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base);
 
 }  // namespace vct::test

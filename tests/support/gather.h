@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "platform/context.h"
-#include "render/cone_tracer.h"
-#include "render/frame_uniforms.h"
-#include "render/g_buffer.h"
-#include "render/renderer.h"
+#include "engine/passes/shade.h"
+#include "engine/frame_uniforms.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/renderer.h"
 #include "support/voxels.h"
 
 namespace vct::test {

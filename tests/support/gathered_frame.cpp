@@ -1,7 +1,7 @@
 #include "support/gathered_frame.h"
 
-#include "render/programs.h"
-#include "render/read_back.h"
+#include "engine/programs.h"
+#include "lab/read_back.h"
 #include "support/renderers.h"
 
 namespace vct::test {
@@ -27,17 +27,17 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
-      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.features(), settings.specular)),
       voxels_(shaders_, volume.grid, settings.activeVoxelLimit),
       mipmapper_(shaders_),
       light_(shaders_, settings.gather, GatherOf::light, settings.lightFrames, false),
       occlusion_(shaders_, settings.occlusion, GatherOf::occlusion, settings.lightFrames, false),
-      coneTracer_(shaders_, settings) {
+      shade_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
-    FaceVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
+    DirectionalVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, voxels_);
     mipmapper_.makeLevels(voxels_);
 }
@@ -71,7 +71,7 @@ Image GatheredFrame::view(int view) {
     else if (light_.irradiance() == nullptr)
         settle(view != VCT_VIEW_INDIRECT);
     const Irradiance& received = occlusion ? occlusion_ : light_;
-    return readImage(coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
+    return readImage(shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
                                       {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
 }
 

@@ -6,14 +6,14 @@
 
 #include "image/image.h"
 #include "platform/context.h"
-#include "render/cone_tracer.h"
-#include "render/face_mipmapper.h"
-#include "render/face_voxelizer.h"
-#include "render/frame_uniforms.h"
-#include "render/g_buffer.h"
-#include "render/irradiance.h"
-#include "render/shadow_map.h"
-#include "support/cpu_face_cones.h"
+#include "engine/passes/shade.h"
+#include "engine/directional/directional_mipmapper.h"
+#include "engine/directional/directional_voxelizer.h"
+#include "engine/frame_uniforms.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/directional/irradiance.h"
+#include "engine/passes/shadow_map.h"
+#include "support/cpu_directional_cones.h"
 #include "support/faces.h"
 #include "support/received.h"
 #include "support/surface_pixels.h"
@@ -51,10 +51,10 @@ class GatheredFrame {
     gl::Buffer uniformBuffer_;
     ShadowMap shadowMap_;
     GBuffer gBuffer_;
-    FaceVoxels voxels_;
-    FaceMipmapper mipmapper_;
+    DirectionalVoxels voxels_;
+    DirectionalMipmapper mipmapper_;
     Irradiance light_, occlusion_;
-    ConeTracer coneTracer_;
+    Shade shade_;
 };
 
 }  // namespace vct::test

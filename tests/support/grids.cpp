@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "measure/cpu_mips.h"
-#include "render/read_back.h"
+#include "lab/cpu_mips.h"
+#include "lab/read_back.h"
 
 namespace vct::test {
 
 namespace {
 
-std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const FaceVoxels& voxels, std::uint32_t count) {
-    const std::vector<std::uint32_t> entries = readEntries(voxels.slots(), 0, count);
+std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels, std::uint32_t count) {
+    const std::vector<std::uint32_t> entries = readEntries(voxels.index(), 0, count);
     std::vector<std::uint32_t> words(entries.size() * VCT_SLOT_WORDS);
     voxels.sums().read(words.data(), words.size() * sizeof words[0]);
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
@@ -47,14 +47,14 @@ std::vector<FaceLevel> coverageOf(const Grid& grid) {
 Grid gridOf(Renderer& renderer) {
     Grid grid;
     const VoxelPyramid& pyramid =
-        renderer.voxels() != nullptr ? *renderer.voxels() : renderer.faceVoxels()->slots();
+        renderer.voxels() != nullptr ? *renderer.voxels() : renderer.directionalVoxels()->index();
     const std::vector<std::uint32_t> counts = pyramid.readActiveCounts();
     for (int level = 0; level < pyramid.levels(); ++level) {
         grid.lists.push_back(readEntries(pyramid, level, counts[static_cast<std::size_t>(level)]));
         std::sort(grid.lists.back().begin(), grid.lists.back().end());
         if (renderer.voxels() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
     }
-    if (const FaceVoxels* voxels = renderer.faceVoxels()) {
+    if (const DirectionalVoxels* voxels = renderer.directionalVoxels()) {
         grid.faces = readFaces(*voxels);
         for (int level = 0; level < voxels->levels(); ++level) {
             grid.faceLists.push_back(voxels->readFaceList(level));

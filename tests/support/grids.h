@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/renderer.h"
+#include "engine/renderer.h"
 #include "support/faces.h"
 
 namespace vct::test {

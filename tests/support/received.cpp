@@ -8,13 +8,13 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const FaceVoxels& voxels, const gl::Buffer& received) {
+ReceivedFaces readReceived(const DirectionalVoxels& voxels, const gl::Buffer& received) {
     const std::vector<std::uint32_t> list = voxels.readFaceList(0);
     std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
     received.read(words.data(), received.bytes());
     const FaceLevel base = readFaceLevel(voxels, 0);
     ReceivedFaces faces;
-    // shaders/shared/received.glsl
+    // shaders/directional/received.glsl
     for (std::size_t i = 0; i < list.size(); ++i) {
         ReceivedLight face;
         for (std::size_t w = 0; w < 4; ++w)

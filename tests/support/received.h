@@ -7,12 +7,12 @@
 #include <map>
 #include <string>
 
-#include "render/irradiance.h"
+#include "engine/directional/irradiance.h"
 
 namespace vct::test {
 
 struct ReceivedLight {
-    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi over faceRadianceRange(); or openness
+    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi over faceRadianceRange(); or ambientVisibility
     double steps = 0.0;     // that the mean remembers
     double coverage = 0.0;  // of the face
     std::array<std::uint32_t, 4> words{};
@@ -22,7 +22,7 @@ struct ReceivedLight {
 
 // By voxel and face, as shared::packFace() packs them: the order of the list does not show.
 using ReceivedFaces = std::map<std::uint32_t, ReceivedLight>;
-ReceivedFaces readReceived(const FaceVoxels& voxels, const gl::Buffer& received);
+ReceivedFaces readReceived(const DirectionalVoxels& voxels, const gl::Buffer& received);
 
 // Over the faces of both, weighted by their coverage, as pixels see them; the green channel's. `mean` of b.
 struct ReceivedDifference {

@@ -5,7 +5,7 @@
 
 #include "gl/shader_source.h"
 #include "platform/context.h"
-#include "render/renderer.h"
+#include "engine/renderer.h"
 #include "scene/gltf.h"
 
 namespace vct::test {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "render/programs.h"
-#include "render/read_back.h"
+#include "engine/programs.h"
+#include "lab/read_back.h"
 
 namespace vct::test {
 
@@ -12,7 +12,7 @@ namespace {
 // ES cannot read a depth texture; the depth view writes it into a colour target.
 Image readDepth(const gl::ShaderLibrary& shaders, const gl::Texture& depth) {
     depth.bind(VCT_TEX_G_DEPTH);
-    const gl::Program program(shaders, stageViewProgram(VCT_STAGE_DEPTH));
+    const gl::Program program(shaders, debugViewProgram(VCT_DEBUG_VIEW_DEPTH));
     const gl::Texture color = gl::Texture::make2d("depth", GL_RGBA32F, depth.width(), depth.height());
     const gl::Framebuffer framebuffer("depth", {&color}, nullptr);
     const gl::VertexArray noVertices;

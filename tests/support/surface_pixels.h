@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gl/program.h"
-#include "render/g_buffer.h"
+#include "engine/passes/g_buffer.h"
 #include "shared/layout.h"
 
 namespace vct::test {

@@ -1,7 +1,7 @@
 #include "support/traced_frame.h"
 
-#include "render/programs.h"
-#include "render/read_back.h"
+#include "engine/programs.h"
+#include "lab/read_back.h"
 #include "support/renderers.h"
 
 namespace vct::test {
@@ -14,16 +14,16 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
              settings.voxelization),
       uniformBuffer_("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms_, &uniforms_, GL_STATIC_DRAW),
       shadowMap_(shaders_, scene_, settings.shadowMapSize, shadowMapLevels(settings)),
-      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.needs(), settings.specular)),
+      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.features(), settings.specular)),
       pyramid_(shaders_, settings.grid, 0),
-      coneTracer_(shaders_, settings) {
+      shade_(shaders_, settings) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
-    Voxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
+    PackedVoxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
         .run(scene_, shadow, pyramid_);
-    Mipmapper(shaders_, mipmapperProgram()).run(pyramid_);
+    PackedMipmapper(shaders_, packedMipmapperProgram()).run(pyramid_);
 }
 
 Words TracedFrame::level(int level) const {
@@ -44,7 +44,7 @@ std::vector<SurfacePixel> TracedFrame::pixels() const {
 Image TracedFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     return readImage(
-        coneTracer_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {&pyramid_.texture(), {}}));
+        shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {&pyramid_.texture(), {}}));
 }
 
 }  // namespace vct::test

@@ -6,12 +6,12 @@
 
 #include "image/image.h"
 #include "platform/context.h"
-#include "render/cone_tracer.h"
-#include "render/frame_uniforms.h"
-#include "render/g_buffer.h"
-#include "render/mipmapper.h"
-#include "render/shadow_map.h"
-#include "render/voxelizer.h"
+#include "engine/passes/shade.h"
+#include "engine/frame_uniforms.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/packed/packed_mipmapper.h"
+#include "engine/passes/shadow_map.h"
+#include "engine/packed/packed_voxelizer.h"
 #include "support/surface_pixels.h"
 #include "support/voxels.h"
 
@@ -43,7 +43,7 @@ class TracedFrame {
     ShadowMap shadowMap_;
     GBuffer gBuffer_;
     VoxelPyramid pyramid_;
-    ConeTracer coneTracer_;
+    Shade shade_;
 };
 
 }  // namespace vct::test

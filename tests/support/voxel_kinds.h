@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "render/settings.h"
+#include "engine/settings.h"
 
 namespace vct::test {
 

@@ -1,7 +1,7 @@
 // Voxels that a test writes itself.
 #pragma once
 
-#include "measure/cpu_mips.h"
+#include "lab/cpu_mips.h"
 
 namespace vct::test {
 

@@ -164,8 +164,8 @@ def test_size(copy, ndk):
 
 def test_assets(copy, ndk):
     del copy.entries["assets/shaders/shared/layout.h"]
-    copy.entries["assets/shaders/cone_tracer.frag"][1] += b"\n"
-    only(copy.found(ndk), "assets", "shared/layout.h is missing", "cone_tracer.frag differs from shaders/cone_tracer.frag")
+    copy.entries["assets/shaders/passes/shade.frag"][1] += b"\n"
+    only(copy.found(ndk), "assets", "shared/layout.h is missing", "passes/shade.frag differs from shaders/passes/shade.frag")
 
 
 def segment_offsets(data):

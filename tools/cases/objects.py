@@ -34,7 +34,7 @@ def contact_occlusion(voxels: float) -> Callable[[Vct], Measured]:
         found = float(answer["ambient_occlusion"][..., 0][band].mean())
         right = openness_beside_wall(voxels * VOXEL, REACH)
         return Measured(
-            abs(found - right), answer.folder / "ambient_occlusion.png", f"openness {found:.3f}, right {right:.3f}"
+            abs(found - right), answer.folder / "ambient_occlusion.png", f"ambientVisibility {found:.3f}, right {right:.3f}"
         )
 
     return measure
@@ -79,7 +79,7 @@ def hollow(vct: Vct) -> Measured:
     found = float(answer["ambient_occlusion"][..., 0][(np.abs(x) < 2) & (np.abs(z) < 4)].mean())
     right = openness_under_ceiling(3 * VOXEL, REACH)
     return Measured(
-        abs(found - right), answer.folder / "ambient_occlusion.png", f"openness {found:.3f}, right {right:.3f}"
+        abs(found - right), answer.folder / "ambient_occlusion.png", f"ambientVisibility {found:.3f}, right {right:.3f}"
     )
 
 
@@ -95,7 +95,7 @@ def small_object(vct: Vct) -> Measured:
     # d is half a voxel and h four, all of it within the reach.
     right = 1.0 - 0.5 * (1.0 - 0.5 / (0.25 + 16.0) ** 0.5)
     return Measured(
-        abs(found - right), answer.folder / "ambient_occlusion.png", f"openness {found:.3f}, right {right:.3f}"
+        abs(found - right), answer.folder / "ambient_occlusion.png", f"ambientVisibility {found:.3f}, right {right:.3f}"
     )
 
 
@@ -154,7 +154,7 @@ CASES = [
         "touching-1-voxel",
         "the floor 1 voxel from a big box that rests on it",
         "closed form of a wall: 0.55",
-        "error of openness",
+        "error of ambientVisibility",
         0.05,
         contact_occlusion(1.0),
         (0.05, 0.12),
@@ -164,7 +164,7 @@ CASES = [
         "touching-4-voxels",
         "the floor 4 voxels from the box",
         "closed form of a wall: 0.72",
-        "error of openness",
+        "error of ambientVisibility",
         0.05,
         contact_occlusion(4.0),
         (0.05, 0.12),
@@ -175,7 +175,7 @@ CASES = [
         "touching-low-slab",
         "the floor half a voxel beside a slab of 4 voxels",
         "closed form of a low wall: 0.56",
-        "error of openness",
+        "error of ambientVisibility",
         0.05,
         small_object,
         (0.3, 0.5),
@@ -203,7 +203,7 @@ CASES = [
         "hollow-object",
         "the floor under a slab 3 voxels above it, 8 voxels thick",
         "closed form of a ceiling: 0.07",
-        "error of openness",
+        "error of ambientVisibility",
         0.05,
         hollow,
         (0.15, 0.4),

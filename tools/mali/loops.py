@@ -74,7 +74,7 @@ def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int]) -> list[i
     readings = list(_matches(_tree(depths), _tree(compiled_depths), loops))
     if not readings:
         raise LoopError(f"loops of depths {list(compiled_depths)} cannot be those of the source, {depths}: is one of them "
-                        "not counted (shaders/shared/trips.glsl)?")
+                        "not counted (shaders/shared/counters.glsl)?")
 
     def unrolled(match: Match) -> tuple[int, float]:
         gone = [loop["trips"] for index, loop in enumerate(loops) if index not in match.values()]

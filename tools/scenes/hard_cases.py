@@ -13,7 +13,7 @@ from typing import Any
 from . import shapes
 from .glb import Glb
 
-FRAME = 59.0  # voxels: 64 - 2 * 2.5 (jni/render/volume.h)
+FRAME = 59.0  # voxels: 64 - 2 * 2.5 (jni/engine/volume.h)
 HALF = FRAME / 2
 Vector = tuple[float, float, float]
 GREY: Vector = (0.6, 0.6, 0.6)

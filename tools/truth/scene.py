@@ -12,7 +12,7 @@ import numpy as np
 from .gltf_file import GltfError, GltfFile
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
 
-GRID, PADDING_VOXELS = 256, 2.5  # jni/render/volume.cpp, at the grid of all measurements
+GRID, PADDING_VOXELS = 256, 2.5  # jni/engine/volume.cpp, at the grid of all measurements
 AO_DISTANCE = 0.045  # of the volume's side (pipeline.md, step 5)
 
 

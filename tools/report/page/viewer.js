@@ -82,7 +82,7 @@ function pictureFacts(point, measure, names) {
     make("div", {class: "scale-names"}, make("span", {}, "100 % too dark"), make("span", {}, "0"), make("span", {}, "100 % too bright")));
 }
 
-function drawStage() {
+function drawDebugView() {
   stopTurns(null, null);
   const measure = measureOf($("view-measure").value), point = done.find(one => one.key === $("view-config").value);
   if (!measure || !point) return;
@@ -105,7 +105,7 @@ function fillViewer() {
   const chosen = points.find(point => point.key === state.key) || points.find(isUsual) || points[0];
   $("viewer-kept").hidden = !asked || asked === chosen;
   fillSelect($("view-config"), points.map(point => [point.key, configText(point, measure.mode)]), chosen.key);
-  drawStage();
+  drawDebugView();
 }
 
 function startViewer() {
@@ -114,9 +114,9 @@ function startViewer() {
     make("button", {type: "button", "data-way": way, "aria-pressed": String(way === view.way), onclick: event => {
       view.way = way;
       for (const button of event.target.parentNode.children) button.setAttribute("aria-pressed", String(button === event.target));
-      drawStage();
+      drawDebugView();
     }}, text));
-  const pick = (id, name) => make("select", {id, onchange: event => { view[name] = event.target.value; drawStage(); }});
+  const pick = (id, name) => make("select", {id, onchange: event => { view[name] = event.target.value; drawDebugView(); }});
   $("viewer").append(
     make("div", {class: "controls"}, make("label", {}, "Judged", make("select", {id: "view-measure",
       onchange: event => choose({measure: event.target.value})})),

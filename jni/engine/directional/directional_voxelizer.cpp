@@ -1,0 +1,79 @@
+#include "engine/directional/directional_voxelizer.h"
+
+#include "gl/debug.h"
+#include "engine/programs.h"
+#include "engine/packed/packed_voxelizer.h"
+
+namespace vct {
+
+namespace {
+
+// `side`: pixels of the projected volume. Software rasterizers work on tiles of 64 x 64 pixels side by side;
+// a projection of 64 x 64 would be one tile, for one core, if it did not lie on the corner of four.
+glm::ivec4 viewportFor(int side) {
+    const int offset = side <= 64 ? 32 : 0;
+    return {offset, offset, side, side};
+}
+
+}  // namespace
+
+FaceProjection::FaceProjection(int grid, int samples)
+    : viewport_(viewportFor(grid * samples)),
+      framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
+
+void FaceProjection::use() const {
+    framebuffer_.bind();
+    gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
+    gl::Disable(GL_DEPTH_TEST);
+    gl::DepthMask(GL_FALSE);
+}
+
+DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
+                             Voxelization voxelization, int samples)
+    : touch_(shaders, scene, [=](unsigned features) { return occupancyProgram(features, voxelization); }),
+      accumulate_(shaders, scene,
+                  [=](unsigned features) { return directionalVoxelizerProgram(features, voxelization); }),
+      resolve_(shaders, directionalResolveProgram()),
+      projection_(grid, samples) {}
+
+void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxels& voxels) {
+    const gl::DebugGroup group("voxelize");
+    voxels.clear();
+    touch(scene, {}, voxels);
+    if (voxels.places() == 0) voxels.makeRoom(voxels.index().readActiveCounts()[0]);
+    accumulate(scene, {}, accumulate_, shadowMap, voxels);
+    resolve(resolve_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
+}
+
+void DirectionalVoxelizer::touch(const GpuScene& scene, const ScenePart& part, DirectionalVoxels& voxels) const {
+    projection_.use();
+    voxels.index().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    voxels.index().bindLists();
+    scene.drawForVoxels(touch_, part, projection_.viewport());
+    // Next: the places in the list are fetched as a texture.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
+                               const gl::Texture& shadowMap, DirectionalVoxels& voxels) const {
+    projection_.use();
+    voxels.bindLists();
+    shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
+    plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
+    voxels.index().texture().bind(VCT_TEX_VOXELS);
+    scene.drawForVoxels(programs, part, projection_.viewport());
+}
+
+void DirectionalVoxelizer::resolve(const gl::Program& program, DirectionalVoxels& voxels,
+                            const std::function<void()>& dispatch) const {
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    program.use();
+    voxels.bindLevel(VCT_IMAGE_FACES, 0);
+    voxels.index().bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);
+    dispatch();
+    // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+}  // namespace vct

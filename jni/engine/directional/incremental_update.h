@@ -1,0 +1,47 @@
+// Static and moving geometry apart, in voxels that are faces: as partial_voxels.h for those that are words.
+// The static voxels come first in the lists, and keep their places there, which are those of their sums.
+#pragma once
+
+#include <optional>
+
+#include "engine/directional/block_lists.h"
+#include "engine/directional/directional_mipmapper.h"
+#include "engine/directional/directional_voxelizer.h"
+
+namespace vct {
+
+class IncrementalUpdate {
+  public:
+    IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization);
+
+    // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
+    // them. What moves must have been in `changed` before, and must be in it now.
+    void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
+                  DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
+    // The coarser levels of that. False where there were more voxels than there is room for: to be made again
+    // from the start.
+    bool mipmap(DirectionalVoxels& voxels);
+
+    // Of the base level's list of faces: those of the static geometry, which keep their places; 0 where they
+    // were learnt in the last voxelize().
+    std::uint32_t keptFaces() const { return keptFaces_; }
+
+    std::vector<const gl::Buffer*> buffers() const;
+
+  private:
+    void recordStatic(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxelizer& voxelizer,
+               DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
+    void replaceMoving(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
+                       DirectionalVoxels& voxels);
+    void dispatchOverPart(int level, int emptied, const DirectionalVoxels& voxels) const;
+
+    gl::Program clearBase_, resolve_, resolveStatic_, mipmap_;
+    MaterialPrograms static_;
+    // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
+    std::optional<BlockLists> staticEntries_;
+    std::uint32_t staticFaces_ = 0, keptFaces_ = 0;
+    gl::Buffer staticCommands_;                         // those of the static geometry alone
+    std::vector<shared::LevelCommands> lastCommands_;  // those of the last frame
+};
+
+}  // namespace vct

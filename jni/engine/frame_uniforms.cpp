@@ -1,0 +1,80 @@
+#include "engine/frame_uniforms.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/camera.h"
+
+namespace vct {
+
+namespace {
+constexpr double pi = 3.14159265358979323846;
+}
+
+float radianceUnit(const DirectionalLight& light) {
+    return light.intensity > 0.0F ? light.intensity / static_cast<float>(pi) : 1.0F;
+}
+
+glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
+    const glm::dvec3 towards = light.towardsLight;
+    const glm::dvec3 helper = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(helper, towards));
+    const glm::dvec3 up = glm::cross(towards, right);
+    const glm::dvec3 centre = 0.5 * (boundsWorld.min + boundsWorld.max);
+    const glm::dvec3 half = 0.5 * (boundsWorld.max - boundsWorld.min);
+    const double diagonal = 2.0 * glm::length(half);
+    // Half extents of the box along the map's axes, and one texel around them for the filter.
+    const double margin = 1.0 + 2.0 / shadowMapSize;
+    const double smallest =
+        1e-3 * (diagonal > 0.0 ? diagonal : 1.0);  // a plane seen edge-on keeps a finite map
+    const double halfWidth = std::max(glm::dot(glm::abs(right), half), smallest) * margin;
+    const double halfHeight = std::max(glm::dot(glm::abs(up), half), smallest) * margin;
+    const double range = (diagonal > 0.0 ? diagonal : 1.0) * 1.01;
+
+    glm::dmat4 m(1.0);
+    for (int i = 0; i < 3; ++i) {
+        m[i][0] = right[i] / (2.0 * halfWidth);
+        m[i][1] = up[i] / (2.0 * halfHeight);
+        m[i][2] = -towards[i] / range;
+    }
+    m[3] = glm::dvec4(glm::dvec3(0.5) - glm::dmat3(m) * centre, 1.0);
+    return m;
+}
+
+shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+                                    const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
+                                    const Bounds& visibleWorld) {
+    const double aspect = static_cast<double>(settings.size.x) / settings.size.y;
+    const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
+    const glm::dmat4 clipFromVolume =
+        clipFromWorld(camera, boundsWorld, aspect, visibleWorld) * worldFromVolume;
+    const glm::dvec4 eye = volume.volumeFromWorld() * camera.worldFromCamera[3];
+
+    shared::FrameUniforms frame{};
+    frame.clipFromVolume = glm::mat4(clipFromVolume);
+    // Of a pixel's centre, as gl_FragCoord has it, and the depth buffer's depth.
+    const glm::dmat4 clipFromWindow =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
+        glm::scale(glm::dmat4(1.0), 2.0 / glm::dvec3(settings.size.x, settings.size.y, 1.0));
+    frame.volumeFromWindow = glm::mat4(glm::inverse(clipFromVolume) * clipFromWindow);
+    const glm::dmat4 shadowFromVolume =
+        shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
+    frame.shadowFromVolume = glm::mat4(shadowFromVolume);
+    frame.eye = glm::vec4(eye);
+    frame.towardsLight = glm::vec4(glm::vec3(light.towardsLight), 0.0F);
+    frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
+    // Cones and the picture hold radiance in halves, which end at 65504; beyond, a black surface would be
+    // NaN.
+    frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
+    const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
+    // The map's axes in volume space; their lengths are coordinates per volume unit.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
+    const glm::dvec2 radius = std::tan(halfAngleRad) *
+                              glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);
+    frame.cone = glm::vec4(std::sin(halfAngleRad), settings.aoDistance, radius);
+    frame.grid = glm::ivec4(volume.grid, static_cast<int>(std::log2(volume.grid)), 0, 0);
+    return frame;
+}
+
+}  // namespace vct

@@ -1,0 +1,419 @@
+#include "engine/gpu_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "engine/axis_sort.h"
+#include "engine/directional/block_scissor.h"
+#include "engine/programs.h"
+#include "shared/layout.h"
+
+namespace vct {
+
+namespace {
+
+GLenum glWrap(Texture::Wrap wrap) {
+    switch (wrap) {
+        case Texture::Wrap::clampToEdge:
+            return GL_CLAMP_TO_EDGE;
+        case Texture::Wrap::mirroredRepeat:
+            return GL_MIRRORED_REPEAT;
+        case Texture::Wrap::repeat:
+            break;
+    }
+    return GL_REPEAT;
+}
+
+gl::Texture uploadTexture(const Texture& source) {
+    const int levels = static_cast<int>(std::log2(std::max(source.width, source.height))) + 1;
+    gl::Texture texture =
+        gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
+    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      source.rgba.data());
+    gl::GenerateMipmap(GL_TEXTURE_2D);
+    texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, source.linearFilter ? GL_LINEAR : GL_NEAREST);
+    texture.setParameter(GL_TEXTURE_WRAP_S, glWrap(source.wrapS));
+    texture.setParameter(GL_TEXTURE_WRAP_T, glWrap(source.wrapT));
+    return texture;
+}
+
+// All in double until the last step: a scene may lie 10^6 units from the origin.
+void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, const glm::dvec3& meshCentre,
+           const glm::dmat4& volumeFromWorld) {
+    const glm::dmat4 centred =
+        worldFromObject * glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
+                                     glm::dvec4(meshCentre, 1.0));
+    // Cofactors instead of the inverse transpose: the same direction, and finite for a scale of zero.
+    const glm::dmat3 m(worldFromObject);
+    glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            largest = std::max(largest, std::abs(cofactors[c][r]));
+    cofactors *= largest > 0.0 ? sign / largest : 0.0;
+    uniforms.volumeFromObject = glm::mat4(volumeFromWorld * centred);
+    uniforms.normalFromObject = glm::mat4(glm::dmat4(cofactors));
+}
+
+std::vector<glm::dvec3> positionsOf(const Mesh& mesh) {
+    std::vector<glm::dvec3> positions;
+    for (const Vertex& vertex : mesh.vertices)
+        positions.push_back(mesh.centre + glm::dvec3(vertex.position));
+    return positions;
+}
+
+bool isMirrored(const glm::dmat4& worldFromObject) {
+    return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
+}
+
+shared::DrawUniforms materialUniforms(const Material& material, float radianceUnit) {
+    shared::DrawUniforms uniforms{};
+    uniforms.baseColor = material.baseColor;
+    uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
+    uniforms.surface = glm::vec4(material.alphaCutoff, material.metallic, material.roughness, 0.0F);
+    return uniforms;
+}
+
+void drawTriangles(std::size_t firstIndex, int indexCount) {
+    gl::DrawElements(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
+}
+
+// The index buffer: the triangles of each mesh, and behind them the orders that instances need besides.
+class Indices {
+  public:
+    explicit Indices(const Scene& scene) {
+        std::uint32_t firstVertex = 0;
+        for (const Mesh& mesh : scene.meshes) {
+            firstVertex_.push_back(firstVertex);
+            orders_.push_back({all_.size()});
+            append(mesh.indices, firstVertex);
+            firstVertex += static_cast<std::uint32_t>(mesh.vertices.size());
+        }
+    }
+    std::size_t firstOfMesh(int mesh) const { return orders_[mesh][0]; }
+    std::uint32_t firstVertexOf(int mesh) const { return firstVertex_[mesh]; }
+    // Where the mesh's triangles stand in this order; it is added if no instance before had the same.
+    std::size_t firstOf(int mesh, const std::vector<std::uint32_t>& order) {
+        for (const std::size_t first : orders_[mesh]) {
+            const auto same = [&](std::uint32_t index, std::uint32_t shared) {
+                return index + firstVertex_[mesh] == shared;
+            };
+            if (all_.size() - first >= order.size() &&
+                std::equal(order.begin(), order.end(), all_.begin() + static_cast<std::ptrdiff_t>(first),
+                           same))
+                return first;
+        }
+        orders_[mesh].push_back(all_.size());
+        append(order, firstVertex_[mesh]);
+        return orders_[mesh].back();
+    }
+    const std::vector<std::uint32_t>& all() const { return all_; }
+
+  private:
+    // ES 3.1 has no base vertex: it goes into the indices.
+    void append(const std::vector<std::uint32_t>& indices, std::uint32_t firstVertex) {
+        for (std::uint32_t index : indices)
+            all_.push_back(firstVertex + index);
+    }
+    std::vector<std::uint32_t> all_, firstVertex_;
+    std::vector<std::vector<std::size_t>> orders_;  // of each mesh, its own first
+};
+
+}  // namespace
+
+GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
+                   Voxelization voxelization)
+    : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
+    Indices indices(scene);
+
+    const auto alignment = static_cast<std::size_t>(uniformAlignment);
+    const std::size_t stride = (sizeof(shared::DrawUniforms) + alignment - 1) / alignment * alignment;
+    uniformBytes_.resize(stride * scene.instances.size());
+    // What moves comes last in each buffer: one range to upload.
+    std::size_t nextStatic = 0;
+    auto nextMoving =
+        static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
+                                               [](const Instance& instance) { return !instance.moves(); }));
+    std::map<int, std::size_t> movingMeshes;
+    staticBox_ = boundsOf({}, volumeFromWorld_);
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const Material& material = scene.materials[mesh.material];
+        Draw draw;
+        draw.features = materialFeatures(material);
+        draw.baseColorTexture = material.baseColorTexture;
+        draw.emissiveTexture = material.emissiveTexture;
+        draw.doubleSided = material.doubleSided;
+        draw.mirrored = isMirrored(instance.worldFromObject);
+        draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
+        draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
+        shared::DrawUniforms values = materialUniforms(material, radianceUnit);
+        vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
+        std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
+        if (instance.moves()) {
+            addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
+        } else if (voxelization == Voxelization::sortedAxes) {
+            const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
+            std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+                first += static_cast<std::size_t>(sorted.indexCounts[axis]);
+            }
+        }
+        if (features_.movingObjects && !instance.moves()) {
+            draw.box = grown(boundsOf(positionsOf(mesh), volumeFromWorld_ * instance.worldFromObject),
+                             snappingReach(1.0 / volume.grid));
+            staticBox_ = united(staticBox_, draw.box);
+        }
+        draws_.push_back(draw);
+    }
+    firstMovingIndex_ = indices.all().size();
+    for (Draw& draw : draws_)
+        if (draw.moving >= 0) place(draw);
+    std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
+               std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
+    });
+    visibleDraws_.resize(draws_.size());
+    std::iota(visibleDraws_.begin(), visibleDraws_.end(), std::size_t{0});
+    sortVisibleDraws();
+
+    uniforms_ = gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniformBytes_.size(), uniformBytes_.data(),
+                           moves() ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+    std::vector<std::uint32_t> allIndices = indices.all();
+    allIndices.insert(allIndices.end(), movingIndices_.begin(), movingIndices_.end());
+    uploadGeometry(scene, allIndices);
+    uploadTextures(scene);
+    if (!moves()) uniformBytes_ = {};
+}
+
+void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
+                         std::map<int, std::size_t>& meshes) {
+    const auto [found, added] = meshes.try_emplace(instance.mesh, movingMeshes_.size());
+    if (added) {
+        movingMeshes_.push_back({mesh, cornersOf(boundsOf(positionsOf(mesh), glm::dmat4(1.0)))});
+    }
+    draw.moving = static_cast<int>(moving_.size());
+    moving_.push_back(
+        {instance.node, instance.worldFromObject, found->second, firstVertex, movingIndices_.size(), {}});
+    if (voxelization_ == Voxelization::sortedAxes)
+        movingIndices_.resize(movingIndices_.size() + mesh.indices.size());
+}
+
+// Into uniformBytes_ and movingIndices_.
+void GpuScene::place(Draw& draw) {
+    Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+    const auto& [mesh, corners] = movingMeshes_[moving.mesh];
+    moving.boundsWorld = boundsOf(corners, moving.worldFromObject);
+    shared::DrawUniforms values;
+    std::memcpy(&values, &uniformBytes_[draw.uniformOffset], sizeof values);
+    vct::place(values, moving.worldFromObject, mesh.centre, volumeFromWorld_);
+    std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
+    draw.mirrored = isMirrored(moving.worldFromObject);
+    if (voxelization_ == Voxelization::geometryShader) return;
+
+    const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
+    std::transform(sorted.indices.begin(), sorted.indices.end(),
+                   movingIndices_.begin() + static_cast<std::ptrdiff_t>(moving.firstIndex),
+                   [&](std::uint32_t index) { return moving.firstVertex + index; });
+    std::size_t first = firstMovingIndex_ + moving.firstIndex;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+        first += static_cast<std::size_t>(sorted.indexCounts[axis]);
+    }
+}
+
+std::vector<Placement> GpuScene::placements() const {
+    std::vector<Placement> placements;
+    for (const Moving& moving : moving_)
+        placements.push_back({moving.worldFromObject, boundsOf(movingMeshes_[moving.mesh].corners,
+                                                               volumeFromWorld_ * moving.worldFromObject)});
+    return placements;
+}
+
+Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
+    Bounds bounds = boundsWorld;
+    for (const Moving& moving : moving_)
+        bounds = united(bounds, moving.boundsWorld);
+    return bounds;
+}
+
+void GpuScene::sortVisibleDraws() {
+    std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](std::size_t i, std::size_t j) {
+        const Draw& a = draws_[i];
+        const Draw& b = draws_[j];
+        const auto key = [](const Draw& d) {
+            return std::tie(d.features, d.baseColorTexture, d.emissiveTexture, d.triangles.first);
+        };
+        if (key(a) != key(b)) return key(a) < key(b);
+        return std::memcmp(&uniformBytes_[a.uniformOffset], &uniformBytes_[b.uniformOffset],
+                           sizeof(shared::DrawUniforms)) < 0;
+    });
+}
+
+void GpuScene::setPose(const Pose& pose) {
+    struct Range {
+        std::size_t begin = std::numeric_limits<std::size_t>::max(), end = 0;
+        void add(std::size_t first, std::size_t count) {
+            begin = std::min(begin, first);
+            end = std::max(end, first + count);
+        }
+    };
+    Range bytes, indices;
+    for (Draw& draw : draws_) {
+        if (draw.moving < 0) continue;
+        Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+        const glm::dmat4& worldFromObject = pose.worldFromNode.at(static_cast<std::size_t>(moving.node));
+        if (worldFromObject == moving.worldFromObject) continue;
+        moving.worldFromObject = worldFromObject;
+        place(draw);
+        bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
+        indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
+    }
+    if (bytes.end == 0) return;
+    sortVisibleDraws();
+    const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
+        buffer.bind(GL_COPY_WRITE_BUFFER);
+        gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first), static_cast<GLsizeiptr>(size),
+                          data);
+    };
+    upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
+    if (movingIndices_.empty()) return;
+    constexpr std::size_t size = sizeof movingIndices_[0];
+    upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
+           &movingIndices_[indices.begin]);
+}
+
+void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
+    struct Attribute {
+        GLuint location;
+        int components;
+        std::size_t offset;  // in Vertex
+    };
+    std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
+                                      {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};
+    if (features_.has(featureBaseColorTexture))
+        attributes.push_back({VCT_ATTRIBUTE_UV, 2, offsetof(Vertex, uv)});
+    if (features_.has(featureEmissiveTexture))
+        attributes.push_back({VCT_ATTRIBUTE_EMISSIVE_UV, 2, offsetof(Vertex, emissiveUv)});
+    std::vector<float> vertices;
+    for (const Mesh& mesh : scene.meshes)
+        for (const Vertex& vertex : mesh.vertices)
+            for (const Attribute& attribute : attributes) {
+                float values[3];
+                std::memcpy(values, reinterpret_cast<const char*>(&vertex) + attribute.offset,
+                            static_cast<std::size_t>(attribute.components) * sizeof(float));
+                vertices.insert(vertices.end(), values, values + attribute.components);
+            }
+    vertexArray_.bind();
+    indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
+                          indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
+    vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
+                           GL_STATIC_DRAW);
+    std::size_t stride = 0, offset = 0;  // bytes
+    for (const Attribute& attribute : attributes)
+        stride += static_cast<std::size_t>(attribute.components) * sizeof(float);
+    for (const Attribute& attribute : attributes) {
+        gl::EnableVertexAttribArray(attribute.location);
+        gl::VertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
+                                static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(attribute.components) * sizeof(float);
+    }
+}
+
+void GpuScene::uploadTextures(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        textures_.push_back(features_.textures[i] ? uploadTexture(scene.textures[i]) : gl::Texture());
+}
+
+void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
+                        const MaterialPrograms& programs) const {
+    const MaterialPrograms::Variant& variant = programs(draw.features);
+    if (&variant.program != current) variant.program.use();
+    current = &variant.program;
+    if (variant.readsBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
+    if (variant.readsEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
+    gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
+    gl::BindBufferRange(GL_UNIFORM_BUFFER, VCT_UBO_DRAW, uniforms_.name(),
+                        static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
+}
+
+void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
+    vertexArray_.bind();
+    gl::CullFace(GL_BACK);
+    const gl::Program* current = nullptr;
+    for (std::size_t i = 0; i < draws_.size(); ++i) {
+        const Draw& draw = draws_[culling == Culling::backFaces ? visibleDraws_[i] : i];
+        bindDraw(draw, current, programs);
+        (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
+        drawTriangles(draw.triangles.first, draw.triangles.count);
+    }
+}
+
+bool GpuScene::isIn(const Draw& draw, const ScenePart& part) const {
+    if (part.of == ScenePart::Of::all) return true;
+    if ((draw.moving >= 0) != (part.of == ScenePart::Of::moving)) return false;
+    return part.touched == nullptr || part.touched->touches(draw.box);
+}
+
+void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
+                             const glm::ivec4& viewport) const {
+    vertexArray_.bind();
+    gl::Disable(GL_CULL_FACE);
+    std::optional<BlockScissor> scissor;
+    if (part.touched != nullptr) scissor.emplace(*part.touched, viewport);
+    if (scissor) scissor->alongAnyAxis();
+    const gl::Program* current = nullptr;
+    for (const Draw& draw : draws_) {
+        if (!isIn(draw, part)) continue;
+        bindDraw(draw, current, programs);
+        if (voxelization_ == Voxelization::geometryShader) {
+            drawTriangles(draw.triangles.first, draw.triangles.count);
+            continue;
+        }
+        for (GLuint axis = 0; axis < 3; ++axis) {
+            const IndexRange& range = draw.trianglesAlong[axis];
+            if (range.count == 0) continue;
+            gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
+            if (scissor) scissor->along(axis);
+            drawTriangles(range.first, range.count);
+        }
+    }
+}
+
+std::vector<const gl::Texture*> GpuScene::textures() const {
+    std::vector<const gl::Texture*> result;
+    for (const gl::Texture& texture : textures_)
+        result.push_back(&texture);
+    return result;
+}
+
+MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                                   const std::function<gl::ProgramDescription(unsigned features)>& describe) {
+    std::vector<gl::ProgramDescription> known;
+    for (const unsigned features : scene.features().materialFeatures) {
+        const gl::ProgramDescription wanted = describe(features);
+        const auto found = std::find_if(known.begin(), known.end(), [&](const gl::ProgramDescription& one) {
+            return std::tie(one.shaders, one.defines) == std::tie(wanted.shaders, wanted.defines);
+        });
+        indices_[features] = static_cast<std::size_t>(found - known.begin());
+        if (found != known.end()) continue;
+        const auto reads = [&](const char* texture) {
+            return std::count(wanted.defines.begin(), wanted.defines.end(), texture) > 0;
+        };
+        variants_.push_back(
+            {gl::Program(shaders, wanted), reads("VCT_BASE_COLOR_TEXTURE"), reads("VCT_EMISSIVE_TEXTURE")});
+        known.push_back(wanted);
+    }
+}
+
+}  // namespace vct

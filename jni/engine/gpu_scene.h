@@ -1,0 +1,138 @@
+// The scene in GL: one vertex and one index buffer, the textures, and the draw calls sorted so that programs
+// change as rarely as possible.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "engine/directional/dirty_blocks.h"
+#include "engine/settings.h"
+#include "engine/volume.h"
+#include "scene/scene_features.h"
+
+namespace vct {
+
+class MaterialPrograms;
+
+// Which instances: all, those that can move, or those that cannot and touch some blocks.
+struct ScenePart {
+    enum class Of { all, moving, still } of = Of::all;
+    const BlockMask* touched = nullptr;  // null: wherever they are
+};
+
+class GpuScene {
+  public:
+    // At rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
+    // Voxelization::sortedAxes the triangles of each instance are sorted by their axis (axis_sort.h).
+    GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
+             Voxelization voxelization);
+
+    // Of draws to come. Uploads what the instances that moved need, and nothing else.
+    void setPose(const Pose& pose);
+    // Whether a pose can change anything.
+    bool moves() const { return !moving_.empty(); }
+    // Where all that can move is.
+    std::vector<Placement> placements() const;
+    // Around all that cannot, in volume space; inverted where there is nothing.
+    const Bounds& staticBox() const { return staticBox_; }
+    // Around `boundsWorld` and all that moves, in the present pose.
+    Bounds boundsWith(const Bounds& boundsWorld) const;
+
+    enum class Culling { none, backFaces };
+
+    // Draws every instance, each with the program for its material features; back faces of single-sided
+    // materials are skipped with Culling::backFaces. Of two surfaces in the same place the eye sees the one
+    // drawn first: with Culling::backFaces that does not depend on the order of the instances.
+    void draw(Culling culling, const MaterialPrograms& programs) const;
+    // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
+    // Where `part` names blocks, to their pixels alone, of the volume's `viewport`.
+    void drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
+                       const glm::ivec4& viewport) const;
+    void drawForVoxels(const MaterialPrograms& programs) const { drawForVoxels(programs, {}, {}); }
+
+    const SceneFeatures& features() const { return features_; }
+    std::vector<const gl::Texture*> textures() const;
+    const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
+
+  private:
+    struct IndexRange {
+        std::size_t first = 0;
+        int count = 0;
+    };
+    struct Draw {
+        unsigned features = 0;
+        int baseColorTexture = -1;
+        int emissiveTexture = -1;
+        bool doubleSided = false;
+        bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
+        IndexRange triangles;
+        std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
+        std::size_t uniformOffset = 0;
+        int moving = -1;  // index into moving_, or -1: static
+        Bounds box;       // around its fragments, in volume space, of static ones where something moves
+    };
+    // What the draw of an instance that moves is made of anew in each pose.
+    struct Moving {
+        int node = 0;  // of the scene's animation
+        glm::dmat4 worldFromObject{1.0};
+        std::size_t mesh = 0;           // index into movingMeshes_
+        std::uint32_t firstVertex = 0;  // of the mesh
+        std::size_t firstIndex = 0;     // in movingIndices_: room for all of its triangles
+        Bounds boundsWorld;             // of the box around the mesh, in the present pose
+    };
+    // A mesh of them: what sorts its triangles, and its box.
+    struct MovingMesh {
+        Mesh mesh;
+        std::vector<glm::dvec3> corners;  // object space
+    };
+
+    void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
+                   std::map<int, std::size_t>& meshes);
+    void place(Draw& draw);
+    bool isIn(const Draw& draw, const ScenePart& part) const;
+    void sortVisibleDraws();
+    void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
+    void uploadTextures(const Scene& scene);
+    void bindDraw(const Draw& draw, const gl::Program*& current, const MaterialPrograms& programs) const;
+
+    SceneFeatures features_;
+    Voxelization voxelization_;
+    glm::dmat4 volumeFromWorld_;
+    Bounds staticBox_;
+    std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
+    // Indices into draws_, in an order that does not depend on that of the instances.
+    std::vector<std::size_t> visibleDraws_;
+    std::vector<Moving> moving_;
+    std::vector<MovingMesh> movingMeshes_;
+    // What the buffers hold, where something moves: the uniforms of all draws, the triangles of those that
+    // move.
+    std::vector<unsigned char> uniformBytes_;
+    std::vector<std::uint32_t> movingIndices_;
+    std::size_t firstMovingIndex_ = 0;
+    std::vector<gl::Texture> textures_;  // as Scene::textures; without storage where nothing reads them
+    gl::Buffer vertices_, indices_, uniforms_;
+    gl::VertexArray vertexArray_;
+};
+
+// The programs of one pass, one for all material features that occur in the scene and that it does not tell
+// apart.
+class MaterialPrograms {
+  public:
+    MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                     const std::function<gl::ProgramDescription(unsigned features)>& describe);
+    struct Variant {
+        gl::Program program;
+        bool readsBaseColorTexture, readsEmissiveTexture;
+    };
+    const Variant& operator()(unsigned features) const { return variants_[indices_.at(features)]; }
+
+  private:
+    std::vector<Variant> variants_;
+    std::map<unsigned, std::size_t> indices_;  // by features
+};
+
+}  // namespace vct

@@ -1,0 +1,122 @@
+#include "engine/grid_choice.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "core/error.h"
+#include "engine/directional/directional_voxels.h"
+#include "engine/volume.h"
+#include "engine/voxel_pyramid.h"
+#include "scene/parts.h"
+
+namespace vct {
+
+namespace {
+
+constexpr double voxelsAcross = 2.0;
+constexpr double shareOfSurface = 0.02;
+// Of the next side; a sheet's shortest side is 0 but for rounding.
+constexpr double sheet = 1e-4;
+
+double voxelSize(const Bounds& boundsWorld, int grid) {
+    return volumeAround(boundsWorld, grid).voxelSize();
+}
+
+std::string lengthText(double metres) {
+    const struct {
+        double metres;
+        const char* name;
+    } units[] = {{1000.0, "km"}, {1.0, "m"}, {0.01, "cm"}, {0.001, "mm"}};
+    const auto* unit = units;
+    while (unit != std::end(units) - 1 && metres < 0.9995 * unit->metres)
+        ++unit;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %s", metres / unit->metres, unit->name);
+    return text;
+}
+
+std::size_t voxelBytes(const Settings& settings, int grid) {
+    return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
+                                            : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
+}
+
+struct Narrow {
+    double across = 0.0;  // metres
+    std::string name;     // of the mesh
+
+    std::string text(Voxels voxels) const {
+        return "the narrowest 2 % of the surface are parts up to " + lengthText(across) +
+               (voxels == Voxels::packed ? " thick" : " wide") + (name.empty() ? "" : " (\"" + name + "\")");
+    }
+};
+
+// The parts that are no wider than this make up shareOfSurface of the surface.
+Narrow narrowest(const Scene& scene, Voxels voxels) {
+    std::vector<Part> parts = connectedParts(scene);
+    const auto across = [&](const Part& part) {
+        const bool thin = voxels == Voxels::packed && part.sides[0] > sheet * part.sides[1];
+        return part.sides[thin ? 0 : 1];
+    };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const Part& a, const Part& b) { return across(a) < across(b); });
+    double area = 0.0, total = 0.0;
+    for (const Part& part : parts)
+        total += part.area;
+    for (const Part& part : parts) {
+        area += part.area;
+        if (area < shareOfSurface * total) continue;
+        const Instance& instance = scene.instances[static_cast<std::size_t>(part.instance)];
+        return {across(part), scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string gridText(const Bounds& boundsWorld, int grid) {
+    return "grid " + std::to_string(grid) + ": voxels of " + lengthText(voxelSize(boundsWorld, grid));
+}
+
+std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
+    const Narrow narrow = narrowest(scene, settings.voxels);
+    if (narrow.across <= 0.0 || narrow.across >= voxelSize(scene.boundsWorld, settings.grid)) return {};
+    return "warning: " + narrow.text(settings.voxels) +
+           ", less than a voxel: their light and shadow are wrong; use a finer --grid, or leave out of the "
+           "scene what is far away";
+}
+
+int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
+    for (const int grid : allGrids())
+        if (voxelSize(boundsWorld, grid) <= metres) return grid;
+    const int finest = allGrids().back();
+    throw Error("--voxel-size " + lengthText(metres) + ": the finest grid, " + std::to_string(finest) +
+                "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
+                "; ask for that or more, or render a part of the scene");
+}
+
+GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t bytes) {
+    const Narrow narrow = narrowest(scene, settings.voxels);
+    const double needed = narrow.across / voxelsAcross;
+    const auto enough = [&](int grid) {
+        return needed <= 0.0 || voxelSize(scene.boundsWorld, grid) <= needed;
+    };
+    int chosen = settings.gridRange.coarsest;
+    std::string limit;
+    for (const int grid : allGrids()) {
+        if (enough(chosen)) break;
+        if (grid <= chosen) continue;
+        if (grid > settings.gridRange.finest) break;
+        if (voxelBytes(settings, grid) > bytes) {
+            limit = ", the finest that memory allows";
+            break;
+        }
+        chosen = grid;
+    }
+    if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
+    std::string reason = gridText(scene.boundsWorld, chosen) + limit;
+    if (needed > 0.0) reason += "; " + narrow.text(settings.voxels) + ", which ask for " + lengthText(needed);
+    return {chosen, reason};
+}
+
+}  // namespace vct

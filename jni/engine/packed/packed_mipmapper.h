@@ -1,0 +1,20 @@
+// Every level of the voxels from the one below, over the active voxels only (thesis 4.5).
+#pragma once
+
+#include "engine/voxel_pyramid.h"
+
+namespace vct {
+
+class PackedMipmapper {
+  public:
+    // `program`: packedMipmapperProgram(), or its variant where the lists are there.
+    PackedMipmapper(const gl::ShaderLibrary& shaders, const gl::ProgramDescription& program);
+
+    // Afterwards the pyramid is ready to be fetched as a texture, and the lists to be drawn.
+    void run(VoxelPyramid& voxels);
+
+  private:
+    gl::Program program_;
+};
+
+}  // namespace vct

@@ -1,0 +1,44 @@
+#include "engine/passes/g_buffer.h"
+
+#include "gl/debug.h"
+
+namespace vct {
+
+GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size,
+                 ExtraTargets targets)
+    : programs_(shaders, scene, [targets](unsigned features) { return gBufferProgram(features, targets); }),
+      albedo_(gl::Texture::make2d("G-buffer albedo", GL_RGBA8, size.x, size.y)),
+      normal_(gl::Texture::make2d("G-buffer normal", GL_RG16UI, size.x, size.y)),
+      depth_(gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y)) {
+    std::vector<const gl::Texture*> colors{&albedo_, &normal_};
+    if (targets.emissive)
+        colors.push_back(
+            &emissive_.emplace(gl::Texture::make2d("G-buffer emissive", GL_RGBA16F, size.x, size.y)));
+    if (targets.gloss)
+        colors.push_back(&gloss_.emplace(gl::Texture::make2d("G-buffer gloss", GL_RG8, size.x, size.y)));
+    framebuffer_ = gl::Framebuffer("G-buffer", colors, &depth_);
+}
+
+GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
+    const gl::DebugGroup group("G-buffer");
+    framebuffer_.bind();
+    gl::Enable(GL_DEPTH_TEST);
+    gl::DepthFunc(GL_LESS);
+    gl::DepthMask(GL_TRUE);
+    const float black[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    const GLuint zero[4] = {0, 0, 0, 0};
+    const float far = 1.0F;
+    gl::ClearBufferfv(GL_COLOR, 0, black);
+    gl::ClearBufferuiv(GL_COLOR, 1, zero);
+    if (emissive_) gl::ClearBufferfv(GL_COLOR, 2, black);
+    if (gloss_) gl::ClearBufferfv(GL_COLOR, emissive_ ? 3 : 2, black);
+    gl::ClearBufferfv(GL_DEPTH, 0, &far);
+    scene.draw(GpuScene::Culling::backFaces, programs_);
+    return targets();
+}
+
+GBuffer::Targets GBuffer::targets() const {
+    return {&albedo_, &normal_, emissive_ ? &*emissive_ : nullptr, gloss_ ? &*gloss_ : nullptr, &depth_};
+}
+
+}  // namespace vct

@@ -1,0 +1,34 @@
+// The scene from the camera (thesis 4.3, "render data").
+#pragma once
+
+#include <optional>
+
+#include "gl/objects.h"
+#include "engine/gpu_scene.h"
+#include "engine/programs.h"
+
+namespace vct {
+
+class GBuffer {
+  public:
+    GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, ExtraTargets targets);
+
+    struct Targets {
+        const gl::Texture* albedo;    // RGBA8: square root of linear albedo
+        const gl::Texture* normal;    // RG16UI: octahedral, world space, towards the viewer
+        const gl::Texture* emissive;  // RGBA16F relative to E/pi; null where nothing emits
+        const gl::Texture* gloss;     // RG8: metallic, roughness; null where nothing is glossy
+        const gl::Texture* depth;     // 1 where there is no surface
+    };
+    Targets draw(const GpuScene& scene);
+
+    Targets targets() const;
+
+  private:
+    MaterialPrograms programs_;
+    gl::Texture albedo_, normal_, depth_;
+    std::optional<gl::Texture> emissive_, gloss_;
+    gl::Framebuffer framebuffer_;
+};
+
+}  // namespace vct

@@ -1,0 +1,41 @@
+// Depth of the scene from the light (thesis 4.2).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gl/objects.h"
+#include "engine/gpu_scene.h"
+#include "engine/settings.h"
+
+namespace vct {
+
+// Of its texture, for ShadowMap::makeLevels(): down to 16 texels a side, as wide as a hundredth of any scene.
+int shadowMapLevels(const Settings& settings);
+
+class ShadowMap {
+  public:
+    // `levels`: those of the texture; draw() writes the finest, and makeLevels() the others.
+    ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, int levels = 1);
+
+    // Returns the depth texture: compare function LEQUAL, hardware filter, ready to be sampled.
+    const gl::Texture& draw(const GpuScene& scene);
+
+    // For the soft shadow, whose comparisons are far apart where the penumbra is wide.
+    // shaders/passes/shadow_level.frag.
+    void makeLevels();
+
+    const gl::Texture& texture() const { return depth_; }
+
+  private:
+    gl::ShaderLibrary shaders_;
+    MaterialPrograms programs_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+    std::optional<gl::Program> levelProgram_;
+    std::vector<gl::Framebuffer> coarser_;
+    gl::PlainSampler plainDepth_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace vct

@@ -1,0 +1,195 @@
+#include "engine/settings.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace vct {
+
+namespace {
+constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5, or all)";
+
+// That of two whose name is `text`. `option`: of the command line.
+template <class Value>
+Value valueNamed(const std::string& text, const char* option, Value first, Value second,
+                 const char* (*nameOf)(Value)) {
+    for (Value value : {first, second})
+        if (text == nameOf(value)) return value;
+    throw Error(std::string(option) + " '" + text + "' does not exist; use " + nameOf(first) + " or " +
+                nameOf(second));
+}
+
+}  // namespace
+
+const std::vector<Mode>& allModes() {
+    static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi,
+                                         Mode::giConeShadow};
+    return modes;
+}
+
+const char* modeName(Mode mode) {
+    switch (mode) {
+        case Mode::phong:
+            return "phong";
+        case Mode::shadowMap:
+            return "shadow-map";
+        case Mode::ao:
+            return "ao";
+        case Mode::gi:
+            return "gi";
+        case Mode::giConeShadow:
+            return "gi-cone-shadow";
+    }
+    return "";
+}
+
+std::vector<Mode> modesFromText(const std::string& text) {
+    if (text == "all") return allModes();
+    std::vector<Mode> modes;
+    std::istringstream parts(text);
+    std::string part;
+    while (std::getline(parts, part, ',')) {
+        const auto named = std::find_if(allModes().begin(), allModes().end(), [&](Mode mode) {
+            return part == modeName(mode) || part == std::to_string(static_cast<int>(mode));
+        });
+        if (named == allModes().end())
+            throw Error("--mode '" + part + "' is not a mode; use " + modeNames + ", separated by commas");
+        if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
+    }
+    if (modes.empty()) throw Error(std::string("--mode is empty; use ") + modeNames);
+    return modes;
+}
+
+const char* shadowName(Shadow shadow) {
+    return shadow == Shadow::cone ? "cone" : "soft-map";
+}
+
+Shadow shadowFromText(const std::string& text) {
+    return valueNamed(text, "--shadow", Shadow::cone, Shadow::softMap, shadowName);
+}
+
+const char* specularName(Specular specular) {
+    return specular == Specular::none ? "none" : "cone";
+}
+
+Specular specularFromText(const std::string& text) {
+    return valueNamed(text, "--specular", Specular::none, Specular::cone, specularName);
+}
+
+const char* voxelizationName(Voxelization voxelization) {
+    return voxelization == Voxelization::geometryShader ? "geometry-shader" : "sorted-axes";
+}
+
+Voxelization voxelizationFromText(const std::string& text) {
+    return valueNamed(text, "--voxelization", Voxelization::geometryShader, Voxelization::sortedAxes,
+                      voxelizationName);
+}
+
+const std::vector<Experiment>& allExperiments() {
+    static const std::vector<Experiment> experiments{
+        {"coverage-opacity", "VCT_COVERAGE_OPACITY",
+         "a coarser voxel is as opaque as the share of a flat surface that its children make (defect 1)"},
+        {"rounded-mips", "VCT_ROUNDED_MIPS",
+         "colours are rounded to nearest in each mip, not down (defect 2)"},
+        {"light-share", "VCT_LIGHT_SHARE",
+         "a coarser voxel shines with the share of its children that are lit, not with all once one is "
+         "(defect 10)"},
+        {"long-shadow-steps", "VCT_LONG_SHADOW_STEPS",
+         "the shadow cone steps by its diameter, at least a voxel, its opacity as before (defect 4)"},
+        {"near-start", "VCT_NEAR_START",
+         "cones start one voxel along the normal and their samples touch, as in the thesis's text (defect "
+         "5)"},
+        {"second-atomic", "VCT_SECOND_ATOMIC",
+         "the published program's second image atomic per fragment, for a debug view (defect 8)"},
+    };
+    return experiments;
+}
+
+const std::vector<int>& allGrids() {
+    static const std::vector<int> grids{64, 128, 256, 512};
+    return grids;
+}
+
+const std::vector<std::string>& presetNames() {
+    static const std::vector<std::string> names{"thesis", "mobile", "quality"};
+    return names;
+}
+
+Settings presetSettings(const std::string& name) {
+    // The thesis's settings are the defaults of every member: it is the yardstick.
+    Settings settings;
+    if (name == "thesis") return settings;
+    settings.voxels = Voxels::directional;
+    settings.voxelization = Voxelization::sortedAxes;
+    settings.shadow = Shadow::softMap;
+    settings.specular = Specular::cone;
+    settings.shadowMapSize = 1024;
+    settings.occlusion.startOffset = 0.5F;
+    if (name == "mobile") {
+        settings.grid = 64;
+        settings.gridRange = {64, 128};
+        settings.filterTaps = 8;
+        return settings;
+    }
+    if (name == "quality") {
+        settings.grid = 128;
+        settings.gridRange = {128, 256};
+        settings.gather.directions = 128;
+        settings.gather.cones = 16;
+        settings.gather.startOffset = 0.5F;
+        settings.gather.firstSample = 0.25F;
+        settings.gather.step = 1.0F;
+        settings.gather.height = 0.3F;
+        settings.gather.threshold = 0.12F;
+        settings.occlusion.directions = 128;
+        settings.occlusion.cones = 16;
+        settings.occlusion.step = 1.0F;
+        settings.occlusion.height = 0.4F;
+        return settings;
+    }
+    throw Error("--preset '" + name + "' does not exist; the presets are: " + presetList());
+}
+
+std::string presetList() {
+    std::string names;
+    for (const std::string& preset : presetNames())
+        names += (names.empty() ? "" : ", ") + preset;
+    return names;
+}
+
+void validate(const Settings& settings) {
+    const auto require = [](bool ok, const std::string& message) {
+        if (!ok) throw Error(message);
+    };
+    const int grid = settings.grid;
+    require(std::count(allGrids().begin(), allGrids().end(), grid) > 0,
+            "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512, auto");
+    require(
+        settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
+        "--size must be between 1x1 and 8192x8192 pixels");
+    require(settings.shadowMapSize >= 16 && settings.shadowMapSize <= 8192,
+            "--shadow-map must be between 16 and 8192 texels");
+    require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
+            "--cone-angle must be between 0.1 and 170 degrees");
+    require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
+                settings.filterTaps <= 64,
+            "--blocker-taps and --filter-taps must be between 1 and 64");
+    require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
+            "--light-frames must be between 1 and 1000");
+    require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
+            "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
+    require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
+            "--specular cone: the preset thesis has none; use another preset");
+    require(settings.voxelSamples >= 1 && settings.voxelSamples <= 4,
+            "--voxel-samples must be between 1 and 4");
+    require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
+            "--ao-distance must be above 0 and at most 1 (the volume's side)");
+    for (const std::string& name : settings.experiments) {
+        const auto& known = allExperiments();
+        require(std::any_of(known.begin(), known.end(), [&](const Experiment& e) { return name == e.name; }),
+                "--experiment '" + name + "' does not exist; `vct render --help` lists them");
+    }
+}
+
+}  // namespace vct

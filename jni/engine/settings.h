@@ -1,0 +1,138 @@
+// What a frame is asked to be. A preset is a set of settings, not a second renderer.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "shared/layout.h"
+
+namespace vct {
+
+// The thesis's five scenes (5.1.2); the numbers are those of shaders/shared/layout.h.
+enum class Mode {
+    phong = VCT_MODE_PHONG,                  // Phong, diffuse and specular, no shadow
+    shadowMap = VCT_MODE_SHADOW_MAP,         // and the shadow map
+    ao = VCT_MODE_AO,                        // and cone-traced ambient occlusion
+    gi = VCT_MODE_GI,                        // and a diffuse bounce
+    giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // the shadow cone in place of the shadow map
+};
+
+const std::vector<Mode>& allModes();
+const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone-shadow"
+// "all", or names and numbers separated by commas, each mode once; throws vct::Error listing the names.
+std::vector<Mode> modesFromText(const std::string& text);
+
+// Single changes to the thesis's algorithm, for measuring what each of its known defects costs
+// (docs/defects.md). None is part of a preset. `define` is what the shaders see.
+struct Experiment {
+    const char* name;
+    const char* define;
+    const char* what;
+};
+const std::vector<Experiment>& allExperiments();
+
+// What makes the soft shadow of mode 5.
+enum class Shadow {
+    cone,     // a cone through the voxels (thesis 4.6)
+    softMap,  // percentage-closer filtering of the shadow map (shaders/passes/soft_shadow.glsl)
+};
+const char* shadowName(Shadow shadow);  // "cone", "soft-map"
+// Throws vct::Error listing the names.
+Shadow shadowFromText(const std::string& text);
+
+// What glossy materials (roughness below 1) reflect besides diffuse light.
+enum class Specular {
+    none,  // nothing: every surface is a Lambert one of its base colour
+    cone,  // the sun, and one cone along the mirror direction (shaders/passes/glossy.glsl)
+};
+const char* specularName(Specular specular);  // "none", "cone"
+// Throws vct::Error listing the names.
+Specular specularFromText(const std::string& text);
+
+// What the cones go through.
+enum class Voxels {
+    words,  // the thesis's: one packed word per voxel, filtered by hand
+    faces,  // directional coverage: six faces per voxel, filtered by the texture unit
+};
+
+// How each triangle is projected along the axis that it faces most (thesis algorithm 7). The voxels are the
+// same, bit for bit.
+enum class Voxelization {
+    geometryShader,  // finds the axis, as in the thesis
+    // The triangles are sorted by their axis when the scene is loaded, and what moves in each pose. Some
+    // drivers have no geometry shaders; Mali GPUs have no hardware for them, and Arm's Mali GPU Best
+    // Practices advise against them (the thesis's voxelization took 301 ms of a frame of 856).
+    sortedAxes,
+};
+const char* voxelizationName(Voxelization voxelization);  // "geometry-shader", "sorted-axes"
+// Throws vct::Error listing the names.
+Voxelization voxelizationFromText(const std::string& text);
+
+// What a gather is for: all light, or only how open the surroundings are within the AO distance.
+enum class GatherOf { light, occlusion };
+
+// A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
+// in docs/levers.md.
+struct GatherSettings {
+    int directions = 64;  // that each face looks into by and by, a power of two
+    int cones = 8;        // of each face in a frame in which nothing changed, until its light stands still
+    float startOffset = 0.5F;  // along the normal
+    float firstSample = 0.5F;  // along the cone
+    // Height above the surface's plane, in footprints, up to which its own faces, which look against the cone
+    // where the surface is slanted, are not met. They are within half a texel of it, filtered by one more.
+    float ownSurface = 1.5F;
+    float step = 1.25F;        // between samples, in footprints
+    float height = 0.5F;       // largest footprint, of the sample's height above the surface's plane
+    float extinction = 1.05F;  // scales the opacity of a sample
+    float threshold = 0.15F;   // a cone with less transmittance left is done
+};
+
+// What a face received in k steps is a mean in which each step's share is this over (k + this): 1 would be
+// the plain mean, which never forgets the first steps, that knew no bounces.
+constexpr float irradianceForgetting = 6.0F;
+
+// The grids among which one is chosen by the scene (grid_choice.h), both included.
+struct GridRange {
+    int coarsest = 64;
+    int finest = 512;
+};
+
+struct Settings {
+    Mode mode = Mode::giConeShadow;
+    Voxels voxels = Voxels::packed;
+    Voxelization voxelization = Voxelization::geometryShader;
+    int voxelSamples = 1;                  // of the triangles, along each side of a voxel
+    Specular specular = Specular::none;    // of modes 4 and 5, where voxels are faces
+    GatherSettings gather;                 // of diffuse light, where voxels are faces
+    GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
+    int lightFrames = 16;                  // after a change, until the received light stands still
+    int grid = 256;                        // voxels along a side of the volume, one of allGrids()
+    GridRange gridRange;                   // for a grid that follows from the scene
+    glm::ivec2 size{400, 400};             // pixels
+    int shadowMapSize = 512;               // texels along a side
+    float shadowConeAngleDeg = 5.0F;       // full opening angle of the cone towards the light
+    Shadow shadow = Shadow::cone;          // of mode 5
+    int blockerTaps = 8;                   // of softMap: texels read in search of what blocks the sun
+    int filterTaps = 16;                   // of softMap: comparisons in a penumbra
+    float aoDistance = 0.045F;             // of the volume's side
+    glm::vec3 skyRadiance{0.0F};           // seen by cones and pixels that leave the volume
+    std::vector<std::string> experiments;  // names out of allExperiments()
+    bool revoxelize = false;               // make shadow map and voxels anew in every frame, to measure that
+    bool countInvocations = false;               // count what runs (shaders/shared/counters.glsl); slow
+    bool emulateHalf = false;              // round the shaders' mediump values to 16 bits, as Mali does
+    std::uint32_t activeVoxelLimit = 0;    // capacity of the active-voxel list's base level; 0: by the grid
+};
+
+const std::vector<int>& allGrids();  // 64, 128, 256, 512
+
+const std::vector<std::string>& presetNames();
+std::string presetList();  // with commas
+// Throws vct::Error listing the presets.
+Settings presetSettings(const std::string& name);
+
+// Throws vct::Error where a value is outside what the pipeline can do.
+void validate(const Settings& settings);
+
+}  // namespace vct

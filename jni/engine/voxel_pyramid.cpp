@@ -1,0 +1,180 @@
+#include "engine/voxel_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/error.h"
+#include "gl/debug.h"
+#include "engine/programs.h"
+#include "lab/voxel_view.h"
+
+namespace vct {
+
+namespace {
+
+std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint32_t baseCapacity) {
+    const auto cube = [grid](int level) {
+        const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
+        return side * side * side;
+    };
+    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid;
+    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS, shared::LevelCommands{});
+    std::uint32_t firstEntry = 0;
+    for (int level = 0; level < levels; ++level) {
+        shared::LevelCommands& c = commands[level];
+        c.indexCount = VoxelView::indexCount;
+        c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
+        c.firstEntry = firstEntry;
+        c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(level)));
+        firstEntry += c.capacity;
+    }
+    return commands;
+}
+
+int levelsOf(int grid) {
+    return static_cast<int>(std::log2(grid)) + 1;
+}
+
+std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
+    std::size_t entries = 0;
+    for (const shared::LevelCommands& c : commands)
+        entries += c.capacity;
+    return entries * sizeof(std::uint32_t);
+}
+
+void copyBuffer(const gl::Buffer& from, const gl::Buffer& to) {
+    from.bind(GL_COPY_READ_BUFFER);
+    to.bind(GL_COPY_WRITE_BUFFER);
+    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                          static_cast<GLsizeiptr>(to.bytes()));
+}
+
+}  // namespace
+
+VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
+    : grid_(grid),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, levelsOf(grid))),
+      initialCommands_(emptyCommands(grid, texture_.levels(), baseCapacity)),
+      sparseClear_(shaders, packedClearProgram()) {
+    const std::size_t commandBytes = initialCommands_.size() * sizeof initialCommands_[0];
+    resetCommands_ = gl::Buffer("voxel commands, empty", GL_COPY_READ_BUFFER, commandBytes,
+                                initialCommands_.data(), GL_STATIC_COPY);
+    commands_ = gl::Buffer("voxel commands", GL_SHADER_STORAGE_BUFFER, commandBytes, initialCommands_.data(),
+                           GL_DYNAMIC_COPY);
+    activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_),
+                               nullptr, GL_DYNAMIC_COPY);
+    gl::zeroTexture3d(texture_, grid);
+}
+
+std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
+    const int levels = levelsOf(grid);
+    return gl::textureBytes(GL_R32UI, grid, grid, grid, levels) +
+           listBytes(emptyCommands(grid, levels, baseCapacity));
+}
+
+void VoxelPyramid::clear() {
+    zero();
+    emptyLists();
+}
+
+void VoxelPyramid::zero() {
+    const gl::DebugGroup group("sparse clear");
+    // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    sparseClear_.use();
+    bindLists();
+    for (int level = 0; level < levels(); ++level) {
+        bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
+        dispatchOverLevel(level);
+    }
+}
+
+void VoxelPyramid::emptyLists() {
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    setCommands(resetCommands_);
+}
+
+gl::Buffer VoxelPyramid::copyCommands(const std::string& label) const {
+    gl::Buffer copy(label, GL_COPY_WRITE_BUFFER, commands_.bytes(), nullptr, GL_STATIC_COPY);
+    gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    copyBuffer(commands_, copy);
+    return copy;
+}
+
+void VoxelPyramid::setCommands(const gl::Buffer& commands) {
+    copyBuffer(commands, commands_);
+}
+
+void VoxelPyramid::bindLevel(int unit, int level, GLenum access) const {
+    gl::BindImageTexture(static_cast<GLuint>(unit), texture_.name(), level, GL_TRUE, 0, access, GL_R32UI);
+}
+
+void VoxelPyramid::bindLists() const {
+    commands_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COMMANDS);
+    activeVoxels_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_ACTIVE_VOXELS);
+}
+
+void VoxelPyramid::dispatchOverLevel(int level) const {
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
+                                                      offsetof(shared::LevelCommands, groupsX)));
+}
+
+void VoxelPyramid::dispatchOverFaces(int level) const {
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
+                                                      offsetof(shared::LevelCommands, faceGroupsX)));
+}
+
+std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels) {
+    std::vector<shared::LevelCommands> current(VCT_MAX_LEVELS);
+    const std::size_t bytes = current.size() * sizeof current[0];
+    commands_.read(current.data(), bytes);
+    for (int level = 0; level < levels(); ++level) {
+        const std::uint32_t capacity = 6 * std::min(voxels, initialCommands_[level].capacity);
+        for (std::vector<shared::LevelCommands>* commands : {&current, &initialCommands_}) {
+            (*commands)[level].firstFace = static_cast<std::uint32_t>(first);
+            (*commands)[level].faceCapacity = capacity;
+        }
+        first += capacity;
+    }
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), current.data());
+    resetCommands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), initialCommands_.data());
+    return first;
+}
+
+std::vector<shared::LevelCommands> VoxelPyramid::readCommands() const {
+    std::vector<shared::LevelCommands> commands(VCT_MAX_LEVELS);
+    commands_.read(commands.data(), commands.size() * sizeof commands[0]);
+    commands.resize(static_cast<std::size_t>(levels()));
+    return commands;
+}
+
+std::vector<std::uint32_t> VoxelPyramid::readList(int level) const {
+    const shared::LevelCommands commands = readCommands()[static_cast<std::size_t>(level)];
+    std::vector<std::uint32_t> list(std::min(commands.instanceCount, commands.capacity));
+    activeVoxels_.read(list.data(), list.size() * sizeof list[0], commands.firstEntry * sizeof list[0]);
+    return list;
+}
+
+std::vector<std::uint32_t> VoxelPyramid::activeCounts(
+    const std::vector<shared::LevelCommands>& commands) const {
+    std::vector<std::uint32_t> counts;
+    for (const shared::LevelCommands& c : commands) {
+        if (c.instanceCount > c.capacity)
+            throw Error("the scene has " + std::to_string(c.instanceCount) + " active voxels at " +
+                        std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +
+                        "; use --active-voxels " + std::to_string(c.instanceCount) +
+                        " or fewer voxels (--grid, --voxel-size)");
+        counts.push_back(c.instanceCount);
+    }
+    return counts;
+}
+
+}  // namespace vct

@@ -1,0 +1,168 @@
+#include "lab/scene_costs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "gl/api.h"
+#include "scene/camera.h"
+
+namespace vct {
+
+namespace {
+
+void forEachMaterial(Scene& scene, void (*change)(Material& material)) {
+    for (Material& material : scene.materials)
+        change(material);
+}
+
+// A renderer of a scene, and the scene's time.
+class Player {
+  public:
+    Player(Scene scene, const FrameOptions& options, const gl::Capabilities& capabilities,
+           const gl::ReadShader& readShader)
+        : scene_(std::move(scene)),
+          options_(options),
+          light_(options.light),
+          renderer_(scene_, light_, options.settings, capabilities, readShader) {
+        if (!featuresOf(scene_).movingLight) light_.node = -1;
+    }
+
+    void frame() {
+        if (!scene_.animation.channels.empty()) {
+            const Pose pose = poseAt(scene_.animation, 0.01 * frames_++);
+            renderer_.setPose(pose);
+            renderer_.setLightDirection(posed(light_, pose).towardsLight);
+        }
+        renderer_.frame(options_.mode, options_.camera);
+    }
+
+    // Of the third frame: every pass is made in the first two.
+    FrameCost cost() {
+        for (int i = 0; i < 2; ++i)
+            frame();
+        const gl::CallLog log;
+        frame();
+        return {gl::summaryOf(log.calls()), renderer_.resources()};
+    }
+
+    double frameMs() {
+        const auto start = std::chrono::steady_clock::now();
+        frame();
+        gl::Finish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+
+  private:
+    Scene scene_;
+    const FrameOptions& options_;
+    DirectionalLight light_;
+    Renderer renderer_;
+    int frames_ = 0;
+};
+
+// The frames take turns: a machine that slows down meanwhile slows both.
+double addedMs(Player& with, Player& without, int frames) {
+    std::vector<double> withMs, withoutMs;
+    for (int i = 0; i < frames; ++i) {
+        withMs.push_back(with.frameMs());
+        withoutMs.push_back(without.frameMs());
+    }
+    return median(withMs) - median(withoutMs);
+}
+
+std::string formatted(const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string rowText(const SceneCosts& costs, const SceneCosts::Row& row, bool timed) {
+    std::string text = "| " + row.name + " | ";
+    if (!row.occurs) return text + "does not occur | | | |" + (timed ? " |" : "") + "\n";
+    const FrameCost &with = costs.frame, &without = row.without;
+    const double kilobytes = (static_cast<double>(with.bytes()) - static_cast<double>(without.bytes())) / 1e3;
+    return text + formatted("%+.0f | ", with.passes() - without.passes()) +
+           formatted("%+.0f | ", with.programs() - without.programs()) +
+           formatted("%+.0f | ", with.calls.calls - without.calls.calls) + formatted("%+.1f |", kilobytes) +
+           (!timed        ? ""
+            : row.addedMs ? formatted(" %+.2f |", *row.addedMs)
+                          : " – |") +
+           "\n";
+}
+
+}  // namespace
+
+const std::vector<SceneFeature>& allSceneFeatures() {
+    static const std::vector<SceneFeature> features{
+        {"base-colour textures", [](const SceneFeatures& n) { return n.has(featureBaseColorTexture); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.baseColorTexture = -1; }); }},
+        {"alpha masks", [](const SceneFeatures& n) { return n.has(featureAlphaMask); },
+         [](Scene& scene) {
+             forEachMaterial(scene, [](Material& m) { m.alphaMode = Material::AlphaMode::opaque; });
+         }},
+        {"emission", [](const SceneFeatures& n) { return n.has(featureEmissive); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.emissive = glm::vec3(0.0F); }); }},
+        {"emissive textures", [](const SceneFeatures& n) { return n.has(featureEmissiveTexture); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.emissiveTexture = -1; }); }},
+        {"glossy materials", [](const SceneFeatures& n) { return n.glossy; },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.roughness = 1.0F; }); }},
+        {"double-sided materials", [](const SceneFeatures& n) { return n.has(featureDoubleSided); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.doubleSided = false; }); }},
+        {"several materials and their features", [](const SceneFeatures& n) { return n.materials > 1; },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m = Material(); }); }},
+        {"moving objects", [](const SceneFeatures& n) { return n.movingObjects; },
+         [](Scene& scene) {
+             for (Instance& instance : scene.instances)
+                 instance.node = -1;
+         }},
+        {"moving light", [](const SceneFeatures& n) { return n.movingLight; },
+         [](Scene& scene) { scene.lights.front().node = -1; }, false},
+    };
+    return features;
+}
+
+std::size_t FrameCost::bytes() const {
+    std::size_t sum = 0;
+    for (const Renderer::Resource& resource : resources)
+        sum += resource.bytes;
+    return sum;
+}
+
+SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl::Capabilities& capabilities,
+                      const gl::ReadShader& readShader) {
+    Player with(scene, options, capabilities, readShader);
+    SceneCosts costs{with.cost(), {}};
+    const SceneFeatures needs = featuresOf(scene);
+    for (const SceneFeature& feature : allSceneFeatures()) {
+        SceneCosts::Row& row = costs.rows.emplace_back();
+        row.name = feature.name;
+        row.occurs = feature.occurs(needs);
+        if (!row.occurs) continue;
+        Scene stripped = scene;
+        feature.remove(stripped);
+        Player without(std::move(stripped), options, capabilities, readShader);
+        row.without = without.cost();
+        if (feature.takesTime && options.timedFrames > 0)
+            row.addedMs = addedMs(with, without, options.timedFrames);
+    }
+    return costs;
+}
+
+std::string sceneCostsText(const SceneCosts& costs, bool timed) {
+    std::string text = "| pass | GL calls |\n|---|---|\n";
+    for (const auto& [group, calls] : costs.frame.calls.byGroup)
+        text += "| " + (group.empty() ? "between them" : group) + " | " + std::to_string(calls) + " |\n";
+    const FrameCost& frame = costs.frame;
+    text += "| the frame: " + std::to_string(frame.calls.draws) + " draws, " +
+            std::to_string(frame.calls.dispatches) + " dispatches, " + std::to_string(frame.programs()) +
+            " programs, " + formatted("%.1f kB | ", static_cast<double>(frame.bytes()) / 1e3) +
+            std::to_string(frame.calls.calls) +
+            " |\n\n| what it needs, and what that adds | passes | programs | GL calls | kB |" +
+            (timed ? " ms |" : "") + "\n|---|---|---|---|---|" + (timed ? "---|" : "") + "\n";
+    for (const SceneCosts::Row& row : costs.rows)
+        text += rowText(costs, row, timed);
+    return text;
+}
+
+}  // namespace vct

@@ -1,0 +1,59 @@
+// What a scene needs and what each need costs: the frame of the scene beside that of the same scene without
+// it, both rendered.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/call_log.h"
+#include "engine/renderer.h"
+#include "scene/scene_features.h"
+
+namespace vct {
+
+// Something that a scene may need, and how to do without.
+struct SceneFeature {
+    const char* name;
+    bool (*occurs)(const SceneFeatures& needs);
+    void (*remove)(Scene& scene);
+    // Whether a frame that makes everything anew, as those that are timed do, takes longer for it.
+    bool takesTime = true;
+};
+const std::vector<SceneFeature>& allSceneFeatures();
+
+struct FrameCost {
+    gl::CallSummary calls;  // of one frame, when every pass has been made
+    std::vector<Renderer::Resource> resources;
+
+    int passes() const { return static_cast<int>(calls.passes.size()); }
+    int programs() const { return static_cast<int>(calls.programs.size()); }
+    std::size_t bytes() const;
+};
+// What a frame is rendered with.
+struct FrameOptions {
+    Settings settings;
+    Mode mode = Mode::giConeShadow;
+    Camera camera;
+    DirectionalLight light;
+    int timedFrames = 0;  // of each of two renderers in turn; 0: no times
+};
+
+struct SceneCosts {
+    struct Row {
+        std::string name;
+        bool occurs = false;
+        FrameCost without;              // where it occurs
+        std::optional<double> addedMs;  // likewise, where that is timed: difference of the medians
+    };
+    FrameCost frame;
+    std::vector<Row> rows;  // of allSceneFeatures(), in that order
+};
+// Where the scene is animated it plays: each frame is of another moment.
+SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl::Capabilities& capabilities,
+                      const gl::ReadShader& readShader);
+
+// Markdown: the frame pass by pass, and what each need adds to it.
+std::string sceneCostsText(const SceneCosts& costs, bool timed);
+
+}  // namespace vct

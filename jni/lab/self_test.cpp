@@ -1,0 +1,174 @@
+#include "lab/self_test.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "gl/debug.h"
+#include "lab/cpu_mips.h"
+#include "lab/cpu_voxelizer.h"
+#include "lab/read_back.h"
+#include "engine/renderer.h"
+#include "scene/camera.h"
+#include "scene/gltf.h"
+
+namespace vct {
+
+namespace {
+
+constexpr int grid = 64;
+
+// A rectangle that faces along one axis, of its own material.
+struct Sheet {
+    int axis;              // the normal's
+    double at;             // along the axis
+    glm::dvec2 low, high;  // along the next two axes, in cyclic order
+    glm::vec3 albedo;
+};
+
+// World coordinates are voxel coordinates: the bounds make the volume [0, 64]^3. Every sheet lies in the
+// middle of its voxels and ends on their faces, and no colour is near the rounding of its eight bits, so that
+// nothing depends on a driver's last digit. None shadows another. The last ones lie in the same place: there
+// the largest word must win, whoever comes last.
+const std::vector<Sheet>& sheets() {
+    static const std::vector<Sheet> all = [] {
+        std::vector<Sheet> result{
+            {0, 2.5, {20, 20}, {44, 44}, {0.9F, 0.5F, 0.1F}},
+            {0, 61.5, {20, 20}, {44, 44}, {0.25F, 0.4F, 0.8F}},
+            {1, 12.5, {30, 10}, {52, 30}, {0.3F, 0.7F, 0.6F}},
+            {2, 10.5, {12, 30}, {31, 50}, {0.6F, 0.6F, 0.6F}},
+            {2, 53.5, {44, 14}, {60, 28}, {0.2F, 0.9F, 0.45F}},
+        };
+        for (int i = 0; i < 8; ++i)
+            result.push_back({1,
+                              51.5,
+                              {27 - i, 32},
+                              {33 + i, 38 + i},
+                              glm::vec3(0.1F * static_cast<float>(i * 3 % 8 + 1))});
+        return result;
+    }();
+    return all;
+}
+
+DirectionalLight light() {
+    DirectionalLight result;
+    result.towardsLight = glm::normalize(glm::dvec3(2.0, 3.0, 1.0));
+    return result;
+}
+
+Scene testScene() {
+    Scene scene;
+    scene.path = "self-test";
+    for (const Sheet& sheet : sheets()) {
+        Material material;
+        material.baseColor = glm::vec4(sheet.albedo, 1.0F);
+        const int u = (sheet.axis + 1) % 3;
+        const int v = (sheet.axis + 2) % 3;
+        Mesh mesh;
+        mesh.material = static_cast<int>(scene.materials.size());
+        for (const glm::dvec2 corner : {sheet.low, glm::dvec2(sheet.high.x, sheet.low.y), sheet.high,
+                                        glm::dvec2(sheet.low.x, sheet.high.y)}) {
+            Vertex vertex{};
+            vertex.position[sheet.axis] = static_cast<float>(sheet.at);
+            vertex.position[u] = static_cast<float>(corner.x);
+            vertex.position[v] = static_cast<float>(corner.y);
+            vertex.normal[sheet.axis] = 1.0F;
+            mesh.vertices.push_back(vertex);
+        }
+        mesh.indices = {0, 1, 2, 0, 2, 3};
+        scene.materials.push_back(material);
+        scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+        scene.meshes.push_back(std::move(mesh));
+    }
+    computeBounds(scene);
+    return scene;
+}
+
+// Thesis eq. 4.4 for every sheet; where several meet, the largest word.
+Words expectedBase(const Scene& scene, const Volume& volume) {
+    Words words(static_cast<std::size_t>(grid) * grid * grid, 0U);
+    for (std::size_t i = 0; i < sheets().size(); ++i) {
+        const Sheet& sheet = sheets()[i];
+        const auto cosTheta = static_cast<float>(light().towardsLight[sheet.axis]);
+        const glm::uvec3 color(
+            cosTheta * sheet.albedo * static_cast<float>(VCT_BASE_COUNT * VCT_COLOR_STEPS) + 0.5F);
+        const std::uint32_t word = shared::packVoxel(VCT_BASE_COUNT, VCT_BASE_COUNT, color);
+        const Occupancy covered = occupancyOnCpu(
+            scene, volume, -0.1, [&](const Material& material) { return &material == &scene.materials[i]; });
+        for (std::size_t voxel = 0; voxel < words.size(); ++voxel)
+            if (covered[voxel]) words[voxel] = std::max(words[voxel], word);
+    }
+    return words;
+}
+
+std::string placeOf(std::size_t index, int side) {
+    const auto n = static_cast<std::size_t>(side);
+    return "(" + std::to_string(index % n) + ", " + std::to_string(index / n % n) + ", " +
+           std::to_string(index / (n * n)) + ")";
+}
+
+std::string compare(const Words& found, const Words& expected, int level) {
+    std::size_t wrong = 0, first = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        if (found[i] != expected[i] && wrong++ == 0) first = i;
+    if (wrong == 0) return "";
+    char words[64];
+    std::snprintf(words, sizeof words, "0x%08X, right is 0x%08X", found[first], expected[first]);
+    return "level " + std::to_string(level) + ": " + std::to_string(wrong) +
+           " voxels are wrong, the first at " + placeOf(first, grid >> level) + " is " + words;
+}
+
+// "" where all is right.
+std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels) {
+    const VoxelPyramid& pyramid = *renderer.voxels();
+    const std::vector<std::uint32_t> counts = renderer.activeVoxels();
+    for (int level = 0; level < pyramid.levels(); ++level) {
+        const int side = grid >> level;
+        if (level > 0) expected = mipOnCpu(expected, 2 * side);
+        if (const std::string wrong = compare(readVoxels(pyramid.texture(), level), expected, level);
+            !wrong.empty())
+            return wrong;
+        const std::vector<std::uint32_t> entries = entriesOnCpu(expected, side);
+        const std::uint32_t count = counts[static_cast<std::size_t>(level)];
+        std::vector<std::uint32_t> listed = readEntries(pyramid, level, count);
+        std::sort(listed.begin(), listed.end());
+        if (listed != entries)
+            return "level " + std::to_string(level) + ": the list has " + std::to_string(count) +
+                   " entries, which are not the " + std::to_string(entries.size()) + " occupied voxels";
+        voxels += entries.size();
+    }
+    return "";
+}
+
+}  // namespace
+
+SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders) {
+    try {
+        const Scene scene = testScene();
+        Settings settings;
+        settings.grid = grid;
+        settings.size = glm::ivec2(8);
+        settings.revoxelize = true;
+        Renderer renderer(scene, light(), forDriver(settings, capabilities), capabilities, shaders);
+        const Camera camera = frameScene(scene);
+        // Twice: the second frame begins with the first one's voxels and must empty them.
+        std::size_t voxels = 0;
+        for (const char* frame : {"first frame, ", "second frame, "}) {
+            voxels = 0;
+            renderer.frame(Mode::ao, camera);
+            const std::string wrong = wrongVoxels(renderer, expectedBase(scene, renderer.volume()), voxels);
+            if (!wrong.empty()) return {false, frame + wrong};
+        }
+        return {true, std::to_string(voxels) + " voxels of " + std::to_string(renderer.voxels()->levels()) +
+                          " levels and their lists are those of the CPU"};
+    } catch (const gl::ContextLost&) {
+        throw;
+    } catch (const std::exception& error) {
+        return {false, error.what()};
+    }
+}
+
+nlohmann::ordered_json selfTestJson(const SelfTest& result) {
+    return {{"passed", result.passed}, {"text", result.text}};
+}
+
+}  // namespace vct

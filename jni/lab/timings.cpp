@@ -1,0 +1,182 @@
+#include "lab/timings.h"
+
+#include <sys/utsname.h>
+#ifdef __ANDROID__
+#include <sys/system_properties.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <thread>
+
+#include "core/files.h"
+
+namespace vct {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int timingsVersion = 2;
+
+double rounded(double ms) {
+    return std::round(ms * 1000.0) / 1000.0;
+}
+
+ordered_json samplesJson(const std::vector<double>& samples) {
+    ordered_json json;
+    json["median"] = rounded(median(samples));
+    json["min"] = samples.empty() ? 0.0 : rounded(*std::min_element(samples.begin(), samples.end()));
+    json["max"] = samples.empty() ? 0.0 : rounded(*std::max_element(samples.begin(), samples.end()));
+    json["samples"] = ordered_json::array();
+    for (double sample : samples)
+        json["samples"].push_back(rounded(sample));
+    return json;
+}
+
+ordered_json stepsJson(const StepTimes& times) {
+    ordered_json json;
+    for (int i = 0; i < stepCount; ++i)
+        json[stepName(static_cast<Step>(i))] = samplesJson(times.stepMs[i]);
+    json["total"] = samplesJson(times.totalMs);
+    return json;
+}
+
+ordered_json gpuStepsJson(const StepTimes& times) {
+    ordered_json json;
+    std::vector<double> totalMs(times.gpuMs[0].size());
+    for (int i = 0; i < stepCount; ++i) {
+        json[stepName(static_cast<Step>(i))] = samplesJson(times.gpuMs[i]);
+        std::transform(totalMs.begin(), totalMs.end(), times.gpuMs[i].begin(), totalMs.begin(),
+                       std::plus<>());
+    }
+    json["total"] = samplesJson(totalMs);
+    return json;
+}
+
+// Of all modes together: a clock that is wrong in one is not believed in the others.
+std::string gpuClockText(const TimingsReport& report) {
+    for (const auto& [mode, times] : report.modes)
+        if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())
+            return "not used: " + reason + " (" + modeName(mode) + ")";
+    return "GL_EXT_disjoint_timer_query, GL_TIME_ELAPSED_EXT around each step of the same frames, "
+           "milliseconds";
+}
+
+ordered_json settingsJson(const TimingsReport& report) {
+    const Settings& s = report.settings;
+    return {{"preset", report.preset},
+            {"grid", s.grid},
+            {"width", s.size.x},
+            {"height", s.size.y},
+            {"voxelization", voxelizationName(s.voxelization)},
+            {"voxel_samples", s.voxelSamples},
+            {"shadow_map", s.shadowMapSize},
+            {"cone_angle_deg", s.shadowConeAngleDeg},
+            {"shadow", shadowName(s.shadow)},
+            {"blocker_taps", s.blockerTaps},
+            {"filter_taps", s.filterTaps},
+            {"ao_distance", s.aoDistance},
+            {"specular", specularName(s.specular)},
+            {"light_frames", s.lightFrames},
+            {"experiments", s.experiments},
+            {"emulate_half", s.emulateHalf}};
+}
+
+// Arm's /proc/cpuinfo has no names, but Android knows what it runs on.
+std::string deviceName() {
+#ifdef __ANDROID__
+    std::string name;
+    for (const char* property : {"ro.product.manufacturer", "ro.product.model", "ro.board.platform"}) {
+        char value[PROP_VALUE_MAX] = "";
+        if (__system_property_get(property, value) > 0)
+            name += (name.empty() ? "" : " ") + std::string(value);
+    }
+    if (!name.empty()) return name;
+#endif
+    return "unknown";
+}
+
+}  // namespace
+
+ordered_json machineJson() {
+    std::string cpu = deviceName();
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind("model name", 0) == 0) {
+            cpu = line.substr(line.find(':') + 2);
+            break;
+        }
+    utsname system{};
+    uname(&system);
+    return {{"cpu", cpu},
+            {"threads", std::thread::hardware_concurrency()},
+            {"system", std::string(system.sysname) + " " + system.release + " " + system.machine}};
+}
+
+ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& capabilities) {
+    ordered_json json;
+    json["version"] = timingsVersion;
+    json["program"] = "vct " VCT_VERSION;
+    json["scene"] = report.scene;
+    json["triangles"] = report.triangles;
+    json["driver"] = {{"backend", report.backend},
+                      {"vendor", capabilities.vendor},
+                      {"renderer", capabilities.renderer},
+                      {"version", capabilities.version}};
+    json["machine"] = machineJson();
+    json["settings"] = settingsJson(report);
+    json["method"] = {{"clock", "glFinish before and after each step, CPU steady clock, milliseconds"},
+                      {"warm_up_frames", warmUpFrames},
+                      {"frames", report.timedFrames},
+                      {"revoxelized_every_frame", report.settings.revoxelize}};
+    const std::string gpuClock = gpuClockText(report);
+    json["method"]["gpu_clock"] = gpuClock;
+    const bool gpu = gpuClock.rfind("not used", 0) != 0;
+    if (report.modes.size() == 1) {
+        json["mode"] = modeName(report.modes[0].first);
+        json["steps"] = stepsJson(report.modes[0].second);
+        if (gpu) json["gpu_steps"] = gpuStepsJson(report.modes[0].second);
+    } else {
+        for (const auto& [mode, times] : report.modes) {
+            json["modes"][modeName(mode)]["steps"] = stepsJson(times);
+            if (gpu) json["modes"][modeName(mode)]["gpu_steps"] = gpuStepsJson(times);
+        }
+    }
+    json["active_voxels"] = report.activeVoxels;
+    std::size_t gBufferBytes = 0;
+    for (const Renderer::Resource& resource : report.resources)
+        if (resource.name.rfind("G-buffer ", 0) == 0) gBufferBytes += resource.bytes;
+    json["g_buffer_bytes_per_pixel"] =
+        gBufferBytes / (static_cast<std::size_t>(report.settings.size.x) * report.settings.size.y);
+    json["resources"] = ordered_json::array();
+    for (const Renderer::Resource& resource : report.resources)
+        json["resources"].push_back({{"name", resource.name}, {"bytes", resource.bytes}});
+    return json;
+}
+
+std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
+    std::string table = "milliseconds      CS      RT       V       M       I      Tr     Tot\n";
+    char cell[32];
+    for (const auto& [mode, times] : modes) {
+        std::snprintf(cell, sizeof cell, "%-14s", modeName(mode));
+        table += cell;
+        for (const std::vector<double>& samples : times.stepMs) {
+            std::snprintf(cell, sizeof cell, "%8.2f", median(samples));
+            table += cell;
+        }
+        std::snprintf(cell, sizeof cell, "%8.2f\n", median(times.totalMs));
+        table += cell;
+    }
+    return table;
+}
+
+void writeJson(const std::string& path, const ordered_json& json) {
+    const std::string text = json.dump(2) + "\n";
+    replaceFile(path, Bytes(text.begin(), text.end()));
+}
+
+}  // namespace vct

@@ -1,0 +1,53 @@
+#include "lab/voxel_view.h"
+
+#include <cstddef>
+
+#include "gl/debug.h"
+#include "engine/programs.h"
+
+namespace vct {
+
+namespace {
+// Corner i of the cube is (i & 1, i >> 1 & 1, i >> 2 & 1).
+constexpr GLushort cube[VoxelView::indexCount] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
+                                                  2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+}  // namespace
+
+VoxelView::VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size)
+    : program_(shaders, voxelViewProgram()),
+      color_(gl::Texture::make2d("voxel view", GL_RGBA16F, size.x, size.y)),
+      depth_(gl::Texture::make2d("voxel view depth", GL_DEPTH_COMPONENT24, size.x, size.y)),
+      framebuffer_("voxel view", {&color_}, &depth_) {
+    vertexArray_.bind();
+    indices_ = gl::Buffer("cube", GL_ELEMENT_ARRAY_BUFFER, sizeof cube, cube, GL_STATIC_DRAW);
+}
+
+const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
+    const gl::DebugGroup group("voxel view");
+    framebuffer_.bind();
+    gl::Enable(GL_DEPTH_TEST);
+    gl::DepthFunc(GL_LESS);
+    gl::DepthMask(GL_TRUE);
+    gl::Disable(GL_CULL_FACE);
+    const float black[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    const float far = 1.0F;
+    gl::ClearBufferfv(GL_COLOR, 0, black);
+    gl::ClearBufferfv(GL_DEPTH, 0, &far);
+
+    program_.use();
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    voxels.texture().bind(VCT_TEX_VOXELS);
+    vertexArray_.bind();
+    // baseInstance must be 0 in ES 3.1, so the level's place in the list is the attribute's offset.
+    voxels.activeVoxels().bind(GL_ARRAY_BUFFER);
+    gl::EnableVertexAttribArray(VCT_ATTRIBUTE_VOXEL);
+    gl::VertexAttribIPointer(VCT_ATTRIBUTE_VOXEL, 1, GL_UNSIGNED_INT, 0,
+                             reinterpret_cast<const void*>(voxels.firstEntry(level) * sizeof(GLuint)));
+    gl::VertexAttribDivisor(VCT_ATTRIBUTE_VOXEL, 1);
+    voxels.commands().bind(GL_DRAW_INDIRECT_BUFFER);
+    gl::DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
+                             reinterpret_cast<const void*>(level * sizeof(shared::LevelCommands)));
+    return color_;
+}
+
+}  // namespace vct

@@ -1,0 +1,26 @@
+// The active voxels of one mip level as cubes, seen from the camera.
+#pragma once
+
+#include "gl/program.h"
+#include "engine/voxel_pyramid.h"
+
+namespace vct {
+
+class VoxelView {
+  public:
+    static constexpr unsigned indexCount = 36;  // a cube's triangles
+
+    VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size);
+
+    // Draws through the level's indirect command. Returns RGBA16F, rgb relative to E/pi.
+    const gl::Texture& draw(const VoxelPyramid& voxels, int level);
+
+  private:
+    gl::Program program_;
+    gl::Texture color_, depth_;
+    gl::Framebuffer framebuffer_;
+    gl::Buffer indices_;
+    gl::VertexArray vertexArray_;
+};
+
+}  // namespace vct

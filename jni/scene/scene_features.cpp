@@ -1,0 +1,50 @@
+#include "scene/scene_features.h"
+
+#include <algorithm>
+#include <set>
+
+namespace vct {
+
+unsigned materialFeatures(const Material& material) {
+    unsigned features = 0;
+    if (material.doubleSided) features |= featureDoubleSided;
+    if (material.emissive != glm::vec3(0.0F)) {
+        features |= featureEmissive;
+        if (material.emissiveTexture >= 0) features |= featureEmissiveTexture;
+    }
+    if (material.baseColorTexture >= 0) features |= featureBaseColorTexture;
+    if (material.alphaMode == Material::AlphaMode::mask) features |= featureAlphaMask;
+    return features;
+}
+
+bool SceneFeatures::has(MaterialFeature feature) const {
+    return std::any_of(materialFeatures.begin(), materialFeatures.end(),
+                       [&](unsigned features) { return (features & feature) != 0; });
+}
+
+SceneFeatures featuresOf(const Scene& scene) {
+    std::set<int> materials;
+    SceneFeatures needs;
+    for (const Instance& instance : scene.instances) {
+        materials.insert(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        needs.movingObjects |= instance.moves();
+    }
+    needs.movingLight = !scene.lights.empty() && scene.lights.front().node >= 0;
+    needs.textures.resize(scene.textures.size());
+    needs.materials = static_cast<int>(materials.size());
+    std::set<unsigned> combinations;
+    for (const int index : materials) {
+        const Material& material = scene.materials[static_cast<std::size_t>(index)];
+        const unsigned features = materialFeatures(material);
+        combinations.insert(features);
+        needs.glossy |= material.roughness < 1.0F;
+        if (features & featureBaseColorTexture)
+            needs.textures[static_cast<std::size_t>(material.baseColorTexture)] = true;
+        if (features & featureEmissiveTexture)
+            needs.textures[static_cast<std::size_t>(material.emissiveTexture)] = true;
+    }
+    needs.materialFeatures.assign(combinations.begin(), combinations.end());
+    return needs;
+}
+
+}  // namespace vct

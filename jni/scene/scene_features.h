@@ -1,0 +1,37 @@
+// What occurs in a scene, found out once when it is loaded: programs, buffers, targets and calls for the rest
+// do not exist. Only what instances place counts; a material that no instance has costs nothing.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace vct {
+
+// What programs differ by, from material to material. Bits; draw calls are sorted by them, and those that
+// fewer passes read come first, so that programs change as rarely as possible.
+enum MaterialFeature : unsigned {
+    featureDoubleSided = 1,
+    featureEmissive = 2,
+    featureEmissiveTexture = 4,
+    featureBaseColorTexture = 8,
+    featureAlphaMask = 16,
+    materialFeatureCombinations = 32,
+};
+unsigned materialFeatures(const Material& material);
+
+struct SceneFeatures {
+    std::vector<unsigned> materialFeatures;  // each combination that occurs once, ascending
+    bool glossy = false;                     // a roughness below 1
+    std::vector<bool> textures;              // of Scene::textures: whether a material reads it
+    int materials = 0;                       // how many occur
+    bool movingObjects = false;              // an animation moves an instance
+    bool movingLight = false;                // or the light
+
+    // Whether any material has this feature.
+    bool has(MaterialFeature feature) const;
+};
+
+SceneFeatures featuresOf(const Scene& scene);
+
+}  // namespace vct

@@ -1,0 +1,153 @@
+// One step of the received light: each face of the base level gathers, by a few cones from the middle of its surface, adds
+// what they meet to its mean, and writes that into its brick. VCT_GATHER_OCCLUSION: how open the surroundings are, in place
+// of light.
+#define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
+#include "shared/counters.glsl"
+#include "directional/face_list.glsl"
+#include "directional/cones.glsl"
+#include "directional/irradiance.glsl"
+#include "directional/received.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
+layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
+layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
+
+shared uint groupSums[4];
+
+struct Gathered {
+    vec3 light;
+    float sky;       // the share of the hemisphere that nothing is in
+    float nearness;  // mean of 1 / distance of what the cones meet, in voxels
+};
+
+// Direction `i` of VCT_GATHER_DIRECTIONS, a power of two, around a normal along +y, with its cosine in y: a Hammersley set of
+// the hemisphere weighted by the cosine.
+vec3 gatherDirection(int i) {
+    float height = float(bitfieldReverse(uint(i))) / 4294967296.0 + 0.5 / float(VCT_GATHER_DIRECTIONS);
+    float azimuth = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(i);
+    return vec3(sqrt(height) * cos(azimuth), sqrt(1.0 - height), sqrt(height) * sin(azimuth));
+}
+
+// The cones of a step are the next of the set of directions; the 16 faces of a flat block look into 16 in a row. From one to
+// the next it is the golden section of a turn, nearly: any few in a row are spread over the hemisphere.
+Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int cones) {
+    const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
+    vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
+    ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
+    int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
+#ifdef VCT_GATHER_OCCLUSION
+    float reach = frame.cone.y * float(frame.grid.x);
+#else
+    float reach = 2.0 * float(frame.grid.x);
+#endif
+    vec3 ownBelow = ownFaces(plane.normal, hasBack);
+    Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
+    for (int i = first; i < first + cones; ++i) {
+        TRIP(VCT_COUNTER_IRRADIANCE_CONE);
+        vec3 direction = frameAround(plane.normal) * gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
+        ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach);
+        gathered.light += cone.radiance;
+        gathered.sky += cone.transmittance;
+        gathered.nearness += cone.nearness;
+    }
+    float share = 1.0 / float(cones);
+    return Gathered(gathered.light * (share / frame.faces.y), gathered.sky * share, gathered.nearness * share);
+}
+
+// Into its own brick, and those of neighbours which hold it for their filter.
+void storeInBricks(ListedFace listed, vec4 texel) {
+    ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
+    ivec3 place = listed.voxel - block * VCT_BRICK_SIDE;
+    ivec3 aside = ivec3(equal(place, ivec3(VCT_BRICK_SIDE - 1))) - ivec3(equal(place, ivec3(0)));
+    // A bit of i for each axis along which a neighbour holds it.
+    ivec3 edge = abs(aside);
+    ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
+    for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
+        TRIP(VCT_COUNTER_IRRADIANCE_BRICK);
+        ivec3 chosen = ivec3(i) >> bit & edge;
+        ivec3 other = block + chosen * aside;
+        if (other != clamp(other, ivec3(0), ivec3((frame.grid.x >> VCT_BRICK_LEVEL) - 1))) continue;
+        uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
+        if (brick == 0u) continue;
+        ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
+        imageStore(irradianceTexels, unpackBrick(brick) * VCT_BRICK_TEXELS + inBrick, texel);
+    }
+}
+
+// Of all faces of its block that look the same way: directional/light_blocks.comp.
+void addToBlock(ListedFace listed, vec3 light, float coverage) {
+    uint brick = brickAt(listed.voxel >> VCT_BRICK_LEVEL, listed.face >> 1, listed.face & 1);
+    if (brick == 0u) return;
+    uint at = blockSums(brick);
+    uvec4 units = uvec4(vec4(min(light, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
+    for (uint c = 0u; c < 4u; ++c)
+        atomicAdd(received[at + c], units[c]);
+}
+
+// Towards the final value in two ways. At first later steps weigh more, as they know more bounces: the first ones fade with
+// a power of the number of steps. Then, in rounds, all directions weigh the same: by and by the mean of a round takes the
+// place of what was there when it began.
+Received nextMean(Received before, float known, vec3 light, float nearness, float stepsNow) {
+    float steps = known + stepsNow, share = VCT_FORGETTING / (known + VCT_FORGETTING);
+    nearness = mix(before.nearness, nearness, share);
+    if (lightStep.shareInRound == 0.0 || known == 0.0)
+        return Received(mix(before.light, light, share), steps, before.atStart, nearness);
+    vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
+    return Received(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
+}
+
+// What is remembered of a face is that of few cones while things change, but what is received changes no faster from place
+// to place than what sends it is near (Ward, Rubinstein and Clear 1988): far from all, a face takes the mean of its block's
+// faces and of those around, which have looked into many directions together.
+vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
+    float weight = lightStep.smoothing * clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
+    // No texel of another direction's faces may leak in.
+    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.grid.x);
+    vec3 position = clamp(inVoxels / float(frame.grid.x), margin, 1.0 - margin);
+    vec4 around = textureLod(blockLight, (position + vec3(listed.face >> 1, listed.face & 1, 0)) * blockSize, 0.0);
+    return weight > 0.0 && around.a > 0.0 ? mix(light, around.rgb / around.a, weight) : light;
+}
+
+void main() {
+    TRIP(VCT_COUNTER_IRRADIANCE);
+    if (gl_LocalInvocationIndex < 4u) groupSums[gl_LocalInvocationIndex] = 0u;
+    barrier();
+    uint count = faceCount(level);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        TRIP(VCT_COUNTER_IRRADIANCE_FACE);
+        ListedFace listed = listedFace(level, i);
+        uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
+        if (slot >= voxelPlaces()) continue;
+        SurfacePlane plane = facePlane(slot, listed.face);
+        float known = min(stepsOf(i), lightStep.memory);
+        float coverage = faceCoverage(slot, listed.face);
+        // Two walls of an edge look to opposite sides too, but not against each other.
+        bool hasBack = faceCoverage(slot, listed.face ^ 1) > 0.5 * coverage &&
+                       dot(facePlane(slot, listed.face ^ 1).normal, plane.normal) < -0.8;
+        // A face without a memory looks into more directions, unless there is hardly anything of it.
+        bool isNew = known == 0.0 && coverage > 0.02;
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
+#ifdef VCT_GATHER_OCCLUSION
+        vec3 light = vec3(now.sky);
+#else
+        vec3 light = now.light + now.sky * frame.skyRadiance.rgb / frame.faces.y;
+        uvec4 sums = uvec4(vec4(now.light, now.sky) * (coverage * lightStep.sumUnits) + 0.5);
+        for (int c = 0; c < 4; ++c)
+            atomicAdd(groupSums[c], sums[c]);
+#endif
+        addToBlock(listed, light, coverage);
+        Received mean = nextMean(receivedOf(i), known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
+        storeReceived(i, mean);
+        vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
+        storeInBricks(listed, vec4(smoothed(mean.light, mean.nearness, listed, inVoxels), 1.0) * coverage);
+    }
+#ifndef VCT_GATHER_OCCLUSION
+    barrier();
+    if (gl_LocalInvocationIndex < 4u)
+        atomicAdd(received[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
+                  groupSums[gl_LocalInvocationIndex]);
+#endif
+}

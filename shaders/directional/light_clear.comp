@@ -1,0 +1,23 @@
+// Empties the bricks of received light, and forgets where they are. A column of texels for each invocation.
+#include "shared/counters.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
+layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
+
+void main() {
+    TRIP(VCT_COUNTER_LIGHT_CLEAR);
+    ivec2 column = ivec2(gl_GlobalInvocationID);
+    ivec3 size = imageSize(irradianceTexels);
+    if (all(lessThan(column, size.xy)))
+        for (int z = 0; z < size.z; ++z) {
+            TRIP(VCT_COUNTER_LIGHT_CLEAR_TEXEL);
+            imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
+        }
+    size = imageSize(brickPlaces);
+    if (all(lessThan(column, size.xy)))
+        for (int z = 0; z < size.z; ++z) {
+            TRIP(VCT_COUNTER_LIGHT_CLEAR_PLACE);
+            imageStore(brickPlaces, ivec3(column, z), uvec4(0u));
+        }
+}

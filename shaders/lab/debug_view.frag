@@ -1,0 +1,29 @@
+// An intermediate target as a picture for people; one variant per VCT_DEBUG_VIEW.
+#include "shared/octahedral.glsl"
+#include "shared/layout.h"
+
+layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2D shadowMapDepth;
+layout(binding = VCT_TEX_G_ALBEDO) uniform sampler2D albedoTarget;
+layout(binding = VCT_TEX_G_NORMAL) uniform usampler2D normalTarget;
+layout(binding = VCT_TEX_G_DEPTH) uniform sampler2D depthTarget;
+layout(binding = VCT_TEX_G_EMISSIVE) uniform sampler2D emissiveTarget;
+layout(location = 0) out vec4 outColor;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 color;
+#if VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_SHADOW_MAP
+    color = vec3(texelFetch(shadowMapDepth, pixel, 0).r);
+#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_ALBEDO
+    vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
+    color = root * root;
+#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_NORMAL
+    bool surface = texelFetch(depthTarget, pixel, 0).r < 1.0;
+    color = surface ? decodeNormal(texelFetch(normalTarget, pixel, 0).rg) * 0.5 + 0.5 : vec3(0.0);
+#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_DEPTH
+    color = vec3(texelFetch(depthTarget, pixel, 0).r);
+#else
+    color = texelFetch(emissiveTarget, pixel, 0).rgb;
+#endif
+    outColor = vec4(color, 1.0);
+}

@@ -1,0 +1,97 @@
+// Specular reflection of glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2,
+// Schlick's Fresnel term): of the sun as it stands there, of everything else by one cone along the mirror direction.
+#include "directional/blocks.glsl"
+#include "directional/cones.glsl"
+#include "shared/precision.glsl"
+
+// From here to there the cone gives way to the gather, whose cones together fit a wide lobe better than one cone does
+// (docs/levers.md).
+const float roughFrom = 0.3;
+const float roughTo = 0.9;
+
+// The share of light from all directions that leaves specularly towards the eye, `f0`: head-on. Karis 2014, "Physically
+// Based Shading on Mobile": what his split sum (2013) reads from a table.
+mediump vec3 specularShare(mediump vec3 f0, float roughness, float cosEye) {
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float grazing = min(r.x * r.x, exp2(-9.28 * cosEye)) * r.x + r.y;
+    vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
+    return HALF(f0 * scaleAndBias.x + scaleAndBias.y);
+}
+
+// The sun's reflection, before its shadow, relative to E/pi. All vectors of unit length.
+vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
+    vec3 toSun = frame.towardsLight.xyz;
+    float cosSun = dot(normal, toSun);
+    float cosEye = max(dot(normal, toEye), 1e-3);
+    if (cosSun <= 0.0) return vec3(0.0);
+    vec3 halfway = normalize(toSun + toEye);
+    float cosHalf = max(dot(normal, halfway), 0.0);
+    float alpha2 = max(pow(roughness, 4.0), 1e-6);
+    float d = cosHalf * cosHalf * (alpha2 - 1.0) + 1.0;
+    float visibility = 1.0 / ((cosSun + sqrt(alpha2 + (1.0 - alpha2) * cosSun * cosSun)) *
+                              (cosEye + sqrt(alpha2 + (1.0 - alpha2) * cosEye * cosEye)));
+    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(toEye, halfway), 0.0), 5.0);
+    return min(fresnel * (alpha2 / (d * d) * visibility * cosSun), 6e4) * frame.lightColor.rgb;
+}
+
+// Where a ray meets the faces of a corner, it is covered once. Beyond the volume there is nothing: in the half texels on
+// both sides of its border the border's texel fades into that. Without it, a wall on the border counts for one sample more or
+// less from ray to ray, and its reflection has hard edges.
+mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
+    mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
+    float texels = float(frame.grid.x) * exp2(-level);
+    vec3 inside = clamp(texels * (0.5 - abs(position - 0.5)) + 0.5, 0.0, 1.0);
+    return HALF(value * (inside.x * inside.y * inside.z / max(value.a, 1.0)));
+}
+
+// Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
+// then a wall's coverage sums to 1 over the samples that pass it. Lengths in voxels.
+mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float stride) {
+    float level = floor(log2(footprint));
+    float texel = exp2(level);
+    float part = footprint / texel - 1.0;
+    mediump vec4 value = HALF(sampleCovered(position, direction, level) * (stride / texel));
+    if (part > 0.0)
+        value = HALF(mix(value, sampleCovered(position, direction, level + 1.0) * (0.5 * stride / texel), part));
+    return value;
+}
+
+// One cone along `direction`, as traceCone of directional/cones.glsl, whose whole levels and small footprints would
+// show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
+mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
+    float voxel = 1.0 / float(frame.grid.x);
+    float widest = 0.25 * float(frame.grid.x);  // so that a cone gets away from the volume faster than it widens
+    mediump vec3 radiance = vec3(0.0);
+    mediump float transmittance = 1.0;
+    vec3 own = max(-direction * normal, 0.0);
+    float distance = VCT_GATHER_FIRST_SAMPLE + VCT_GATHER_OWN_SURFACE * (own.x + own.y + own.z);
+    // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
+    for (int i = 0; i < 1024; ++i) {
+        vec3 p = (start + direction * distance) * voxel;
+        TRIP(VCT_COUNTER_SPECULAR_STEP);
+        float height = VCT_GATHER_START + distance * dot(direction, normal);
+        float footprint = clamp(min(2.0 * distance * tangent, height), 1.0, widest);
+        // The coarser texel is two footprints wide at most.
+        vec3 fromCentre = abs(p - 0.5);
+        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + footprint * voxel) break;
+        float stride = VCT_GATHER_STEP * footprint;
+        mediump vec4 value = sampleBetween(p, direction, footprint, stride);
+        mediump float share = HALF(min(1.0, transmittance / max(value.a, 1e-4)));
+        radiance = HALF(radiance + value.rgb * share);
+        transmittance = HALF(transmittance - value.a * share);
+        if (transmittance < VCT_GATHER_THRESHOLD) break;
+        distance += stride;
+    }
+    return HALF(radiance * frame.faces.y + transmittance * frame.skyRadiance.rgb);
+}
+
+// What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of
+// its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its microfacets
+// (Walter et al. 2007, eq. 35 at one half).
+mediump vec3 lightToReflect(vec3 position, vec3 normal, vec3 toEye, float roughness, mediump vec3 gathered) {
+    mediump float rough = HALF(smoothstep(roughFrom, roughTo, roughness));
+    if (roughness >= roughTo) return gathered;
+    vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
+    mediump vec3 mirrored = traceReflection(start, normal, reflect(-toEye, normal), roughness * roughness);
+    return HALF(mix(mirrored, gathered, rough));
+}

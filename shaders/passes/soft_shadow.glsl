@@ -1,0 +1,120 @@
+// The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
+// directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
+// compared. Reads the hard shadow's four texels, VCT_BLOCKER_TAPS plain depths and, where there is a blocker,
+// VCT_FILTER_TAPS compared ones, of the level of the map that is as coarse as they are apart: the price does not grow with
+// the penumbra.
+#include "shared/shadow.glsl"
+#include "shared/counters.glsl"
+
+// From one sample of a Vogel disc (1979) to the next: the golden angle.
+const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
+
+// Share of the sun's disc that a point sees. 0 where the surface faces away from the disc's centre; that the
+// horizon of a surface at grazing light hides up to half of the disc is left to n.l.
+//
+// Lengths across the light are in units of the sun's cone: at 1, a blocker must be 1 nearer to the light, in units
+// of the map's depth, to be within the cone.
+float softShadow(vec3 positionVolume, vec3 normal) {
+    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
+    vec2 mapFromCone = frame.cone.zw;
+
+    // The receiver's plane: depth per length across the light. Rows of the matrix are the map's axes; mapFromCone
+    // is tan(half angle) times the ratio of their lengths.
+    const float steepest = 64.0;      // the light less than a degree above the surface: n.l is below 1/64
+    const float roundingBias = 1e-4;  // as in shadow.glsl
+    float sine2 = frame.cone.x * frame.cone.x;
+    float tan2 = sine2 / (1.0 - sine2);
+    vec3 across = mat3(frame.shadowFromVolume) * normal;
+    vec2 coneFromMap = 1.0 / mapFromCone;
+    vec2 slope = across.xy * (-tan2 / across.z) * coneFromMap;
+    float perSteepness = inversesqrt(max(dot(slope, slope), 1e-12));
+    vec2 downhill = slope * perSteepness;
+    slope *= min(1.0, steepest * sqrt(tan2) * perSteepness);
+    // A comparison reads texels up to one texel away in each axis.
+    float size = float(textureSize(shadowDepth, 0).x);  // the map is a square
+    float texelOfMap = 1.0 / size;
+    vec2 texel = texelOfMap * coneFromMap;
+    float rise = dot(abs(slope), texel);
+    float bias = rise + roundingBias;
+
+    // A point of the receiver's plane as the map sees it, and its steps along the two axes across the light.
+    vec3 onPlane = vec3(receiver.xy, receiver.z - bias);
+    vec3 stepX = vec3(mapFromCone.x, 0.0, slope.x);
+    vec3 stepY = vec3(0.0, mapFromCone.y, slope.y);
+
+    // The four texels around the receiver, each against the plane where the texel is, as in shadow.glsl. In a crease what
+    // blocks touches the receiver: the bias lifts the taps over it, and past the surface's border they see the outside.
+    vec2 rising = slope * texel;
+    vec2 place = receiver.xy * size - 0.5;
+    vec2 f = fract(place);
+    vec4 above = textureGather(shadowDepth, (place - f + 1.0) * texelOfMap) - (receiver.z - dot(rising, f)) -
+                 vec4(rising.y, rising.x + rising.y, rising.x, 0.0);
+    float closest = min(min(above.x, above.y), min(above.z, above.w));
+    float farthest = max(max(above.x, above.y), max(above.z, above.w));
+    // What is farther away has a penumbra wider than a texel's radius, and is no matter of the crease.
+    bool touching = closest > -texel.x;
+    if (touching && farthest < -bias) return 0.0;
+    // Past the surface's border, or all four so little nearer that the bias would hide it. The wall that shades a crease
+    // is seen where the surface's normal points, which is down its slope: the taps go there, as far as a tap's filter
+    // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
+    // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
+    const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
+    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
+    const float aside = 2.0;          // in texels
+    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+        onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
+
+    // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
+    // receiver are within the cone near its axis only.
+    float toNearPlane = max(receiver.z, 1e-6);
+    stepX *= toNearPlane;
+    stepY *= toNearPlane;
+    float blockers = 0.0;
+    float near = 0.0;  // over the distance, as a share of the way to the near plane
+    vec2 direction = vec2(1.0, 0.0);
+    for (int i = 0; i < VCT_BLOCKER_TAPS; ++i) {
+        TRIP(VCT_COUNTER_BLOCKER_TAP);
+        float radius = float(i) / float(max(VCT_BLOCKER_TAPS - 1, 1));
+        vec2 offset = radius * direction;
+        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
+        float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
+        float distance = (receiver.z - blocker) / toNearPlane;
+        // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
+        float within = blocker < at.z ? clamp(distance / max(radius, 1e-6), 0.0, 1.0) : 0.0;
+        blockers += within * within;
+        near += within * within / max(distance, 1e-4);
+        direction = goldenTurn * direction;
+    }
+    if (blockers == 0.0) return 1.0;
+
+    // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it to
+    // where the sun is, and light the creases of a room; one too narrow hardens the edge of the farther one.
+    float penumbra = blockers / near;
+    stepX *= penumbra;
+    stepY *= penumbra;
+
+    // Each comparison stands for its share of the penumbra. Where that is more than a texel it compares between two coarser
+    // levels of the map (shaders/passes/shadow_level.frag): what a tap tells fades as it crosses an edge, so that no tap is a step.
+    // A wider share would be smoother still, but its few texels know an edge less well.
+    const float share = inversesqrt(float(VCT_FILTER_TAPS));  // of the radius; taps are 1.8 times as far apart
+    float wide = max(min(share * size * max(stepX.x, stepY.y), size / 32.0), 1.0);  // in texels
+    float level = log2(wide);
+    // A coarse texel's depth is that of some place in it.
+    onPlane.z -= rise * 1.5 * (wide - 1.0);
+    // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
+    // that are nearer than their mean.
+    const float ofCone = 0.1;
+    float towardsLight = ofCone * penumbra * toNearPlane;
+    float light = 0.0;
+    direction = vec2(1.0, 0.0);
+    for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
+        TRIP(VCT_COUNTER_FILTER_TAP);
+        float radius = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS));
+        vec2 offset = radius * direction;
+        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
+        light += textureLod(shadowMap, vec3(at.xy, at.z - radius * towardsLight), level);
+        direction = goldenTurn * direction;
+    }
+    return light / float(VCT_FILTER_TAPS);
+}

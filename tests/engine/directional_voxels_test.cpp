@@ -1,0 +1,449 @@
+// Directional coverage voxels: what a face must hold has closed forms; orders, frames and drivers must not
+// matter; the mip levels and the lists are computed again on the CPU.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/error.h"
+#include "lab/cpu_mips.h"
+#include "platform/contexts.h"
+#include "engine/directional/directional_mipmapper.h"
+#include "engine/directional/directional_voxelizer.h"
+#include "engine/frame_uniforms.h"
+#include "engine/programs.h"
+#include "lab/read_back.h"
+#include "scene/camera.h"
+#include "support/faces.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+constexpr int grid = 64;
+
+Settings mobile() {
+    Settings settings = presetSettings("mobile");
+    settings.grid = grid;
+    settings.size = glm::ivec2(16);
+    settings.shadowMapSize = 256;
+    settings.revoxelize = true;
+    return settings;
+}
+
+// World units are voxels, whatever the scene's size: a wall may be larger than the volume.
+Volume voxelsAsWorld() {
+    Volume volume;
+    volume.grid = grid;
+    volume.side = grid;
+    return volume;
+}
+
+// The passes from the shadow map to the mip levels, on their own. `sumUnits`: of the fixed point, 0 for the
+// scene's.
+void voxelize(const Context& context, const Scene& scene, const DirectionalLight& light, const Volume& volume,
+              DirectionalVoxels& into, float sumUnits = 0.0F) {
+    const gl::ShaderLibrary shaders = shaderLibrary(mobile(), context.capabilities, testShaders());
+    shared::FrameUniforms uniforms =
+        frameUniforms(frameScene(scene), light, scene.boundsWorld, volume, mobile());
+    uniforms.faces.x = sumUnits > 0.0F ? sumUnits : faceSumUnits(scene.triangleCount());
+    uniforms.faces.y = faceRadianceRange(scene, light, glm::vec3(0.0F));
+    const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
+    buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+    const GpuScene gpuScene(scene, volume, radianceUnit(light),
+                            context.capabilities.uniformBufferOffsetAlignment, Voxelization::sortedAxes);
+    ShadowMap shadowMap(shaders, gpuScene, mobile().shadowMapSize);
+    DirectionalVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes, 1)
+        .run(gpuScene, shadowMap.draw(gpuScene), into);
+    DirectionalMipmapper mipmapper(shaders);
+    mipmapper.makeLevels(into);
+}
+
+DirectionalVoxels emptyVoxels(const Context& context) {
+    return DirectionalVoxels(shaderLibrary(mobile(), context.capabilities, testShaders()), grid, 0);
+}
+
+std::vector<FaceLevel> facesOf(const Context& context, const Scene& scene, const DirectionalLight& light,
+                               float sumUnits = 0.0F) {
+    DirectionalVoxels voxels = emptyVoxels(context);
+    voxelize(context, scene, light, voxelsAsWorld(), voxels, sumUnits);
+    return readFaces(voxels);
+}
+
+// A quad with this normal around a point; `side` in voxels. Its edges run along no axis, so that what a
+// pixel's centre decides along them averages out.
+Scene quadScene(const glm::dvec3& normal, const glm::dvec3& centre, double side) {
+    const glm::dvec3 helper = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 n = glm::normalize(normal);
+    const glm::dvec3 across = glm::normalize(glm::cross(helper, n));
+    const glm::dvec3 u = side * (std::cos(0.4) * across + std::sin(0.4) * glm::cross(n, across));
+    const glm::dvec3 v = glm::cross(n, u);
+    Scene scene = emptyScene();
+    addQuad(scene, centre - 0.5 * (u + v), u, v);
+    return finished(std::move(scene));
+}
+
+TEST(FaceCoverage, WallAcrossTheVolumeIsOpaqueFromItsFrontOnlyAtEveryLevel) {
+    const Context context = openContext(Backend::egl);
+    constexpr int wall = 21;  // odd: behind its sibling for half of the faces
+    for (int face = 0; face < faceCount; ++face) {
+        glm::dvec3 centre(grid / 2);
+        centre[face / 2] = wall + 0.5;
+        const std::vector<FaceLevel> levels =
+            facesOf(context, quadScene(faceDirection(face), centre, 1.5 * grid), lightFrom({1, 2, 3}));
+        ASSERT_EQ(levels.size(), 7U);
+        for (std::size_t level = 0; level < levels.size(); ++level)
+            levels[level].forEachVoxel([&](const glm::ivec3& voxel) {
+                const bool inWall = voxel[face / 2] == wall >> level;
+                for (int f = 0; f < faceCount; ++f)
+                    ASSERT_EQ(levels[level].at(voxel, f).a, inWall && f == face ? 255 : 0)
+                        << "wall towards " << faceName(face) << ", level " << level << ", face "
+                        << faceName(f) << " of voxel " << voxel.x << " " << voxel.y << " " << voxel.z;
+            });
+    }
+}
+
+// One fragment in each column of voxels along the dominant axis k, and there max(0, n.f) / |n_k|: over the
+// whole surface that is its area as seen from f.
+TEST(FaceCoverage, OfATiltedPlaneIsItsAreaSeenFromEachFace) {
+    const Context context = openContext(Backend::egl);
+    constexpr double side = 30.0;
+    for (const glm::dvec3& direction :
+         {glm::dvec3(1, 2, 3), glm::dvec3(-3, 1, -0.2), glm::dvec3(0.3, -1, 0.5), glm::dvec3(0, 1, 1),
+          glm::dvec3(1, -1, 1), glm::dvec3(std::cos(0.5), 0, std::sin(0.5))}) {
+        const glm::dvec3 n = glm::normalize(direction);
+        const double dominant = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+        const FaceLevel base =
+            facesOf(context, quadScene(n, glm::dvec3(32.2, 31.6, 32.4), side), lightFrom({1, 2, 3}))[0];
+        for (int face = 0; face < faceCount; ++face) {
+            const double share = std::max(0.0, glm::dot(n, faceDirection(face))) / dominant;
+            double area = 0.0;
+            base.forEachVoxel([&](const glm::ivec3& voxel) {
+                const double alpha = base.at(voxel, face).a / 255.0;
+                if (!base.occupied(voxel)) return;
+                // 8 bits, and rounding in fixed point and in the derivatives.
+                ASSERT_NEAR(alpha, share, 0.51 / 255.0) << faceName(face);
+                area += alpha;
+            });
+            // Columns whose centre the edge misses or meets: a per cent of the surface; and the 8 bits.
+            const double seen = side * side * share * dominant;
+            EXPECT_NEAR(area, seen, 0.01 * side * side) << "towards " << direction.x << " " << direction.y
+                                                        << " " << direction.z << ", face " << faceName(face);
+        }
+    }
+}
+
+TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
+    const Context context = openContext(Backend::egl);
+    for (const bool doubleSided : {false, true})
+        for (const double lightY : {1.0, -1.0}) {
+            Scene scene = quadScene({0, 1, 0}, {32, 20.5, 32}, 20.0);
+            scene.materials[0].doubleSided = doubleSided;
+            scene.materials[0].baseColor = glm::vec4(1.0F, 0.5F, 0.25F, 1.0F);
+            const glm::dvec3 towardsLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
+            const DirectionalLight light = lightFrom(towardsLight);
+            const FaceLevel base = facesOf(context, scene, light)[0];
+            const glm::ivec3 voxel(32, 20, 32);
+            for (int face = 0; face < faceCount; ++face) {
+                const double facing = faceDirection(face).y;
+                const bool covered = facing > 0.0 || (facing < 0.0 && doubleSided);
+                ASSERT_EQ(base.at(voxel, face).a, covered ? 255 : 0) << faceName(face);
+                for (int c = 0; c < 3; ++c) {
+                    const double radiance =
+                        covered ? std::max(0.0, facing * towardsLight.y) * scene.materials[0].baseColor[c]
+                                : 0.0;
+                    EXPECT_NEAR(base.at(voxel, face)[c],
+                                255.0 * radiance / faceRadianceRange(scene, light, glm::vec3(0.0F)), 1.0)
+                        << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
+                        << ", light from y " << lightY;
+                }
+            }
+        }
+}
+
+TEST(FaceCoverage, MirroredInstanceKeepsItsFrontInFront) {
+    const Context context = openContext(Backend::egl);
+    // Mirrored along x the front still looks up, mirrored along y it looks down.
+    for (const int axis : {0, 1}) {
+        Scene scene = quadScene({0, 1, 0}, {0, 0, 0}, 20.0);
+        glm::dvec3 scale(1.0);
+        scale[axis] = -1.0;
+        scene.instances[0].worldFromObject =
+            glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(32.3, 20.5, 32.3)), scale);
+        scene = finished(std::move(scene));
+        const FaceLevel base = facesOf(context, scene, lightFrom({1, 2, 3}))[0];
+        const glm::ivec3 voxel(32, 20, 32);
+        for (int face = 0; face < faceCount; ++face)
+            EXPECT_EQ(base.at(voxel, face).a, face == (axis == 0 ? 2 : 3) ? 255 : 0)
+                << faceName(face) << ", mirrored along axis " << axis;
+    }
+}
+
+TEST(FaceSums, NoSumOverAllTrianglesOverflowsAndSmallScenesLoseNothing) {
+    EXPECT_EQ(faceSumUnits(0), 4096.0F);
+    EXPECT_EQ(faceSumUnits(1), 4096.0F);
+    EXPECT_EQ(faceSumUnits((1U << 20) - 1), 4096.0F);
+    EXPECT_LT(faceSumUnits((1U << 20) + 1000), 4096.0F);
+    for (std::uint64_t triangles = 1; triangles < 1ULL << 32; triangles += 1 + triangles / 3)
+        for (const std::uint64_t n : {triangles, triangles + 1}) {
+            const float units = faceSumUnits(n);
+            ASSERT_GE(units, 1.0F) << n;
+            ASSERT_EQ(units, std::floor(units)) << n;
+            ASSERT_LE(static_cast<double>(units) * static_cast<double>(n), 4294967295.0) << n;
+            for (const int samples : {2, 3, 4}) {
+                const double parts = samples * samples;
+                const double whole = std::floor(faceSumUnits(n, samples) / parts + 0.5) * parts;
+                ASSERT_LE(whole * static_cast<double>(n), 4294967295.0) << n << ", " << samples;
+            }
+        }
+    EXPECT_EQ(faceSumUnits((1ULL << 32) - 1), 1.0F);
+}
+
+// `copies` times the same quad, white and a quarter white in turn.
+Scene coincidentQuads(int copies, double sideVoxels) {
+    Scene scene = quadScene({0, 1, 0}, {32.5, 20.5, 32.5}, sideVoxels);
+    Mesh& first = scene.meshes[0];
+    const std::vector<std::uint32_t> quad = first.indices;
+    first.indices.clear();
+    for (int i = 0; i < copies / 2; ++i)
+        first.indices.insert(first.indices.end(), quad.begin(), quad.end());
+    Mesh second = first;
+    second.material = 1;
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].baseColor = glm::vec4(0.25F, 0.25F, 0.25F, 1.0F);
+    scene.instances.push_back({1, glm::dmat4(1.0)});
+    scene.meshes.push_back(std::move(second));
+    return scene;
+}
+
+TEST(FaceSums, ThousandsOfCoincidentTrianglesGiveTheirMean) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = coincidentQuads(4000, 2.0);
+    const DirectionalLight light = lightFrom({0, 1, 0});
+    // The scene's own units, and as many as a sum over all of its triangles has room for: whether the pixel's
+    // centre lies in one or the other of a quad's triangles, a voxel has half of them.
+    const float most = std::floor(4294967295.0F / 4000.0F);
+    for (const float units : {faceSumUnits(scene.triangleCount()), most}) {
+        const FaceLevel base = facesOf(context, scene, light, units)[0];
+        int covered = 0;
+        base.forEachVoxel([&](const glm::ivec3& voxel) {
+            for (int face = 0; face < faceCount; ++face) {
+                const glm::u8vec4& value = base.at(voxel, face);
+                if (value == glm::u8vec4(0)) continue;
+                ++covered;
+                ASSERT_EQ(face, 2) << faceName(face);
+                ASSERT_EQ(value.a, 255) << units;
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F)),
+                                1.0)
+                        << units;
+            }
+        });
+        EXPECT_GE(covered, 1);
+    }
+}
+
+class FaceVoxelsOf : public testing::TestWithParam<const char*> {
+  protected:
+    static Scene scene() { return loadGltf(asset(std::string(GetParam()) + ".glb")); }
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, FaceVoxelsOf, testing::Values("cornell", "courtyard"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// Of a mode that lights no face with what it received: what is seen is what voxelization and mipmapping made.
+constexpr Mode mode = Mode::ao;
+
+std::vector<FaceLevel> facesAfterFrames(Renderer& renderer, const Scene& scene, int frames) {
+    for (int i = 0; i < frames; ++i)
+        renderer.frame(mode, chooseCamera(scene, ""));
+    return readFaces(*renderer.directionalVoxels());
+}
+std::vector<FaceLevel> facesOn(Backend backend, const Scene& scene) {
+    const Context context = openContext(backend);
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    return facesAfterFrames(renderer, scene, 1);
+}
+
+TEST_P(FaceVoxelsOf, AnyOrderOfTrianglesAndInstancesGivesTheSame) {
+    const std::vector<FaceLevel> reference = facesOn(Backend::egl, scene());
+    for (unsigned seed : {1U, 2U}) {
+        Scene shuffled = scene();
+        shuffleTriangles(shuffled, seed);
+        EXPECT_TRUE(facesOn(Backend::egl, shuffled) == reference) << "seed " << seed;
+    }
+}
+
+class FaceVoxelsOn : public testing::TestWithParam<std::tuple<Backend, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Drivers, FaceVoxelsOn,
+                         testing::Combine(testing::Values(Backend::osmesa, Backend::zink),
+                                          testing::Values("cornell", "courtyard")),
+                         [](const auto& test) {
+                             return backendName(std::get<0>(test.param)) + std::string("_") +
+                                    std::get<1>(test.param);
+                         });
+
+TEST_P(FaceVoxelsOn, AreLlvmpipesWithinOneOf255) {
+    const auto [backend, name] = GetParam();
+    VCT_SKIP_IF_ABSENT(backend);
+    const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
+    const std::vector<FaceLevel> reference = facesOn(Backend::egl, scene);
+    const std::vector<FaceLevel> other = facesOn(backend, scene);
+    ASSERT_EQ(other.size(), reference.size());
+    for (std::size_t level = 0; level < reference.size(); ++level) {
+        const int difference = largestDifference(reference[level], other[level]);
+        if (level == 0)
+            std::printf("%s, %s: largest difference at the base %d of 255\n", backendName(backend), name,
+                        difference);
+        EXPECT_LE(difference, 1) << "level " << level;
+        reference[level].forEachVoxel([&](const glm::ivec3& voxel) {
+            ASSERT_EQ(reference[level].occupied(voxel), other[level].occupied(voxel)) << "level " << level;
+        });
+    }
+}
+
+TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
+    const std::vector<FaceLevel> levels = facesOn(Backend::egl, scene());
+    for (std::size_t level = 1; level < levels.size(); ++level)
+        EXPECT_LE(largestDifference(levels[level], mipOnCpu(levels[level - 1])), 1) << "level " << level;
+}
+
+// Each level's list against the places that are marked occupied and against the faces that are not zero.
+void expectListsHoldWhatIsOccupied(const DirectionalVoxels& voxels) {
+    const std::vector<FaceLevel> levels = readFaces(voxels);
+    const std::vector<std::uint32_t> counts = voxels.index().readActiveCounts();
+    ASSERT_EQ(counts.size(), levels.size());
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        const Words index = readVoxels(voxels.index().texture(), static_cast<int>(level));
+        const std::vector<std::uint32_t> entries =
+            readEntries(voxels.index(), static_cast<int>(level), counts[level]);
+        std::vector<std::uint32_t> sorted = entries;
+        std::sort(sorted.begin(), sorted.end());
+        ASSERT_EQ(sorted, entriesOnCpu(index, levels[level].side())) << "level " << level;
+        ASSERT_FALSE(sorted.empty());
+        std::vector<std::uint32_t> occupied;
+        levels[level].forEachVoxel([&](const glm::ivec3& voxel) {
+            if (levels[level].occupied(voxel)) occupied.push_back(shared::packEntry(glm::uvec3(voxel)));
+        });
+        std::sort(occupied.begin(), occupied.end());
+        // At a coarse level little coverage may round to nothing.
+        EXPECT_TRUE(std::includes(sorted.begin(), sorted.end(), occupied.begin(), occupied.end()))
+            << "level " << level << ": faces outside the list";
+        if (level > 0) continue;
+        EXPECT_EQ(occupied, sorted);
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const glm::uvec3 v = shared::unpackEntry(entries[i]);
+            ASSERT_EQ(index[(static_cast<std::size_t>(v.z) * grid + v.y) * grid + v.x], i + 1);
+        }
+    }
+}
+
+TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelOnceAndNothingIsLeftOutside) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = FaceVoxelsOf::scene();
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    for (int frame = 0; frame < 2; ++frame) {
+        facesAfterFrames(renderer, scene, 1);
+        expectListsHoldWhatIsOccupied(*renderer.directionalVoxels());
+    }
+}
+
+TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatTheWordsOccupy) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = FaceVoxelsOf::scene();
+    Renderer faces = makeRenderer(context, scene, chooseLight(scene), mobile());
+    Renderer words = makeRenderer(context, scene, chooseLight(scene), smallSettings(grid, 16));
+    faces.frame(mode, chooseCamera(scene, ""));
+    words.frame(mode, chooseCamera(scene, ""));
+    ASSERT_GT(words.activeVoxels()[0], 1000U);
+    for (int level = 0; level < words.voxels()->levels(); ++level)
+        EXPECT_EQ(entriesOnCpu(readVoxels(faces.directionalVoxels()->index().texture(), level), grid >> level),
+                  entriesOnCpu(readVoxels(words.voxels()->texture(), level), grid >> level))
+            << "level " << level;
+}
+
+TEST(FaceVoxelsOverTime, FrameHundredEqualsFrameOne) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("courtyard.glb"));
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    const std::vector<FaceLevel> first = facesAfterFrames(renderer, scene, 1);
+    const std::vector<std::uint32_t> counts = renderer.activeVoxels();
+    EXPECT_TRUE(facesAfterFrames(renderer, scene, 99) == first);
+    EXPECT_EQ(renderer.activeVoxels(), counts);
+}
+
+// Once a voxel is no longer there, nothing of it may be: the clear goes by the list of the frame before.
+TEST(FaceVoxelsOverTime, AnEarlierSceneLeavesNothingBehind) {
+    const Context context = openContext(Backend::egl);
+    const Scene large = closedBox(20.0);
+    const Scene small = quadScene({0, 1, 0}, {0, 0, 0}, 0.5);
+    const Volume volume = volumeAround(large.boundsWorld, grid);
+    const auto voxelized = [&](const Scene& scene, DirectionalVoxels& into) {
+        voxelize(context, scene, lightFrom({1, 2, 3}), volume, into);
+        return readFaces(into);
+    };
+    DirectionalVoxels voxels = emptyVoxels(context), fresh = emptyVoxels(context);
+    const std::vector<FaceLevel> before = voxelized(large, voxels);
+    const std::vector<FaceLevel> expected = voxelized(small, fresh);
+    ASSERT_FALSE(expected == before);
+    EXPECT_TRUE(voxelized(small, voxels) == expected);
+    expectListsHoldWhatIsOccupied(voxels);
+}
+
+TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    Settings settings = mobile();
+    Renderer roomy = makeRenderer(context, scene, chooseLight(scene), settings);
+    roomy.frame(Mode::gi, chooseCamera(scene, ""));
+    const std::string needed = std::to_string(roomy.activeVoxels()[0]);
+    settings.activeVoxelLimit = 1000;
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    for (int frame = 0; frame < 3; ++frame) {
+        try {
+            renderer.frame(Mode::gi, chooseCamera(scene, ""));
+            renderer.activeVoxels();
+            FAIL() << "an overflow must be reported, frame " << frame;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("--active-voxels " + needed), std::string::npos)
+                << "frame " << frame << ": " << error.what();
+        }
+    }
+    // What found room is all that the faces hold.
+    std::vector<std::uint32_t> entries = readEntries(renderer.directionalVoxels()->index(), 0, 1000);
+    std::sort(entries.begin(), entries.end());
+    const FaceLevel base = readFaces(*renderer.directionalVoxels())[0];
+    base.forEachVoxel([&](const glm::ivec3& voxel) {
+        if (base.occupied(voxel)) {
+            ASSERT_TRUE(
+                std::binary_search(entries.begin(), entries.end(), shared::packEntry(glm::uvec3(voxel))));
+        }
+    });
+}
+
+// A fragment of several in a voxel brings its part only, and none from beyond the triangle.
+TEST(FaceCoverage, OfATiltedPlaneIsTheSameAreaWithMoreSamples) {
+    const Context context = openContext(Backend::egl);
+    const glm::dvec3 n = glm::normalize(glm::dvec3(1, 2, 3));
+    const Scene scene = quadScene(n, glm::dvec3(0.0), 30.0);
+    for (int samples : {1, 2, 3, 4}) {
+        Settings settings = mobile();
+        settings.voxelSamples = samples;
+        Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), settings);
+        renderer.frame(Mode::gi, frameScene(scene));
+        const double voxelSide = renderer.volume().voxelSize();
+        const FaceLevel base = readFaces(*renderer.directionalVoxels())[0];
+        for (int face = 0; face < faceCount; ++face) {
+            double area = 0.0;
+            base.forEachVoxel([&](const glm::ivec3& voxel) { area += base.at(voxel, face).a / 255.0; });
+            const double seen = 30.0 * 30.0 * std::max(0.0, glm::dot(n, faceDirection(face)));
+            EXPECT_NEAR(area * voxelSide * voxelSide, seen, 0.01 * 900.0)
+                << faceName(face) << ", " << samples;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vct::test

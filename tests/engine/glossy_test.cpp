@@ -1,0 +1,257 @@
+// Specular reflection against answers that need no renderer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/error.h"
+#include "engine/renderer.h"
+#include "scene/camera.h"
+#include "support/gathered_frame.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+const glm::dvec3 copper(0.9, 0.6, 0.3);
+
+Settings presetAt(const std::string& preset, glm::ivec2 size) {
+    Settings settings = presetSettings(preset);
+    settings.size = size;
+    settings.shadowMapSize = 256;
+    settings.specular = Specular::cone;
+    return settings;
+}
+
+Material metal(float roughness) {
+    Material material;
+    material.baseColor = glm::vec4(copper, 1.0);
+    material.metallic = 1.0F;
+    material.roughness = roughness;
+    return material;
+}
+
+// The mean of `view` over the surfaces for which `counts(pixel)`.
+template <class Counts>
+glm::dvec3 meanOf(GatheredFrame& frame, int view, const Counts& counts) {
+    const Image image = frame.view(view);
+    const std::vector<SurfacePixel> pixels = frame.pixels();
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (pixels[i].surface && counts(pixels[i])) {
+            sum += glm::dvec3(image.pixels[i]);
+            ++count;
+        }
+    EXPECT_GT(count, 500);
+    return sum / static_cast<double>(count);
+}
+
+constexpr auto everywhere = [](const SurfacePixel&) { return true; };
+
+class Glossy : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Presets, Glossy, testing::Values("mobile"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// Karis's approximation for a head-on view, where the table that it stands for is F0 times nearly 1.
+glm::dvec3 headOnShare(const glm::dvec3& f0, double roughness) {
+    const double x = 1.0 - roughness;
+    const double grazing = std::min(x * x, std::exp2(-9.28)) * x - 0.0275 * roughness + 0.0425;
+    const double scale = -1.04 * grazing - 0.572 * roughness + 1.04;
+    return f0 * scale + (1.04 * grazing + 0.022 * roughness - 0.04);
+}
+
+// A mirror sees what is in front of it: a wall of radiance 1, times F0.
+TEST_P(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
+    const Context context = openContext(Backend::egl);
+    for (const float roughness : {0.0F, 0.2F})
+        for (const double turnDeg : {0.0, 30.0}) {
+            Scene scene = emptyScene();
+            scene.materials.push_back(metal(roughness));
+            scene.materials.push_back(scene.materials[0]);
+            scene.materials[2].emissive = glm::vec3(1.0F);
+            addQuad(scene, {-0.3, 0, -0.3}, {0, 0, 0.6}, {0.6, 0, 0}, 1);
+            addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2);
+            const glm::dmat4 turn = turnScene(scene, turnDeg);
+            scene = finished(scene);
+            const Settings settings = presetAt(GetParam(), {48, 48});
+            // The wall's back is not there for the camera.
+            const Camera camera = lookAt(glm::dvec3(turn * glm::dvec4(0, 1.5, 0.01, 1)),
+                                         glm::dvec3(turn * glm::dvec4(0, 0, 0, 1)), 20);
+            GatheredFrame frame(context, scene, noLight(), settings,
+                                volumeAround(scene.boundsWorld, settings.grid), camera);
+            const glm::dvec3 seen = meanOf(frame, VCT_VIEW_SPECULAR, everywhere);
+            const glm::dvec3 right = headOnShare(copper, roughness);
+            std::printf("  roughness %.1f, turned by %.0f: %.3f %.3f %.3f of %.3f %.3f %.3f\n", roughness,
+                        turnDeg, seen.x, seen.y, seen.z, right.x, right.y, right.z);
+            // At most the transmittance at which a cone ends is missing, 8 bits' rounding, and what passes a
+            // wall that is straight across no axis (measured).
+            const double missing = settings.gather.threshold + (turnDeg == 0.0 ? 0.02 : 0.08);
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_LE(seen[i], right[i] * 1.05);
+                EXPECT_GE(seen[i], right[i] * (1.0 - missing));
+                EXPECT_NEAR(right[i] / copper[i], 1.0, roughness == 0.0F ? 0.06 : 0.13);
+            }
+        }
+}
+
+// Where a room ends the volume does too. Whether a cone's last sample lies before its walls or behind them
+// differs from pixel to pixel, and must not show: a wide cone lost half of such a wall.
+TEST_P(Glossy, AWallOnTheBorderOfTheVolumeIsReflectedWhole) {
+    const Context context = openContext(Backend::egl);
+    for (const float roughness : {0.2F, 0.4F}) {
+        Scene scene = emptyScene();
+        scene.materials.push_back(metal(roughness));
+        scene.materials.push_back(scene.materials[0]);
+        scene.materials[2].emissive = glm::vec3(1.0F);
+        addQuad(scene, {-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 1);
+        addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2);
+        scene = finished(scene);
+        const Settings settings = presetAt(GetParam(), {64, 64});
+        GatheredFrame frame(context, scene, noLight(), settings,
+                            volumeAround(scene.boundsWorld, settings.grid),
+                            lookAt({0, 1.5, 0.01}, {0, -1, 0}, 8));
+        const float right = static_cast<float>(headOnShare(copper, roughness).x);
+        float least = 1e9F, most = 0.0F;
+        for (const Image image = frame.view(VCT_VIEW_SPECULAR); const glm::vec3& pixel : image.pixels) {
+            least = std::min(least, pixel.x);
+            most = std::max(most, pixel.x);
+        }
+        std::printf("  roughness %.1f: %.3f to %.3f of %.3f\n", roughness, least, most, right);
+        EXPECT_GT(least, 0.85F * right) << roughness;
+        EXPECT_LT(most, 1.15F * right) << roughness;
+        EXPECT_LT(most, 1.1F * least) << roughness;
+    }
+}
+
+// Nothing but the mirror itself shines: it must not see its own light.
+TEST_P(Glossy, APlaneDoesNotReflectItself) {
+    const Context context = openContext(Backend::egl);
+    for (const float roughness : {0.0F, 0.3F, 0.6F})
+        for (const double turnDeg : {0.0, 30.0}) {
+            Scene scene = lonePlane(turnDeg);
+            scene.materials[0] = metal(roughness);
+            scene.materials[0].emissive = glm::vec3(1.0F);
+            const Settings settings = presetAt(GetParam(), {48, 48});
+            GatheredFrame frame(context, scene, noLight(), settings,
+                                volumeAround(scene.boundsWorld, settings.grid),
+                                lookAt(glm::dvec3(0.3, 2, 1.5), {0, 0, 0}, 30));
+            const glm::dvec3 seen = meanOf(frame, VCT_VIEW_SPECULAR, everywhere);
+            std::printf("  roughness %.1f, turned by %.0f: %.4f\n", roughness, turnDeg, seen.x);
+            EXPECT_LT(seen.x, 0.02);
+        }
+}
+
+// glTF 2.0, B.3, as it stands there.
+glm::dvec3 reflectedSun(const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v, double roughness) {
+    const double alpha2 = std::pow(roughness, 4.0);
+    const glm::dvec3 h = glm::normalize(l + v);
+    const double nh = glm::dot(n, h), nl = glm::dot(n, l), nv = glm::dot(n, v);
+    const double d = alpha2 / (pi * std::pow(nh * nh * (alpha2 - 1.0) + 1.0, 2.0));
+    const double g = 2.0 * nl / (nl + std::sqrt(alpha2 + (1.0 - alpha2) * nl * nl)) * 2.0 * nv /
+                     (nv + std::sqrt(alpha2 + (1.0 - alpha2) * nv * nv));
+    const glm::dvec3 fresnel = copper + (1.0 - copper) * std::pow(1.0 - glm::dot(v, h), 5.0);
+    return fresnel *
+           (g * d / (4.0 * nl * nv) * pi * nl);  // of irradiance pi: a white Lambert surface has n.l
+}
+
+TEST_P(Glossy, TheSunsReflectionIsThatOfGltf) {
+    const Context context = openContext(Backend::egl);
+    for (const float roughness : {0.25F, 0.5F, 0.8F}) {
+        Scene scene = lonePlane(0.0);
+        scene.materials[0] = metal(roughness);
+        const DirectionalLight light = lightFrom(glm::normalize(glm::dvec3(0.3, 1, -0.4)));
+        const Settings settings = presetAt(GetParam(), {48, 48});
+        const Volume volume = volumeAround(scene.boundsWorld, settings.grid);
+        const glm::dvec3 eye(0.1, 2, 1.4);
+        GatheredFrame frame(context, scene, light, settings, volume, lookAt(eye, {0, 0, 0}, 40));
+        const Image image = frame.view(VCT_MODE_GI);
+        const std::vector<SurfacePixel> pixels = frame.pixels();
+        const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
+        int count = 0;
+        double brightest = 0.0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if (!pixels[i].surface) continue;
+            const glm::dvec3 position(worldFromVolume * glm::dvec4(pixels[i].positionVolume, 1.0));
+            if (std::max(std::abs(position.x), std::abs(position.z)) > 0.9)
+                continue;  // the shadow map's edge
+            const glm::dvec3 right =
+                reflectedSun({0, 1, 0}, light.towardsLight, glm::normalize(eye - position), roughness);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(image.pixels[i][c], right[c], 0.02 * right[c] + 0.01)
+                    << position.x << " " << position.z;
+            brightest = std::max(brightest, right.x);
+            ++count;
+        }
+        EXPECT_GT(count, 500);
+        std::printf("  roughness %.2f: up to %.2f\n", roughness, brightest);
+    }
+}
+
+Image pictureOf(const Context& context, const Scene& scene, Settings settings, Specular specular) {
+    settings.specular = specular;
+    Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
+                      context.capabilities, testShaders());
+    renderer.frame(Mode::giConeShadow, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50));
+    return renderer.radiance();
+}
+
+// A floor and a wall on it.
+Scene corner() {
+    Scene scene = emptyScene();
+    scene.materials.push_back(metal(1.0F));
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 1);
+    addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 1, 0});
+    return finished(scene);
+}
+
+// Roughness 1 is a Lambert surface, a metal too: glTF's default material is one.
+TEST_P(Glossy, RoughMaterialsArePicturesAsBefore) {
+    const Context context = openContext(Backend::egl);
+    const Settings settings = presetAt(GetParam(), {64, 64});
+    const Image with = pictureOf(context, corner(), settings, Specular::cone);
+    EXPECT_EQ(with.pixels, pictureOf(context, corner(), settings, Specular::none).pixels);
+    // Not black: its diffuse light has not been taken from the metal.
+    EXPECT_GT(with.pixels[48 * 64 + 32].x, 0.1F);
+}
+
+// Voxels know no gloss: a glossy floor changes its own pixels and no others.
+TEST_P(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
+    const Context context = openContext(Backend::egl);
+    const Settings settings = presetAt(GetParam(), {64, 64});
+    Scene scene = corner();
+    scene.materials[1].roughness = 0.3F;
+    const Image with = pictureOf(context, scene, settings, Specular::cone);
+    const Image without = pictureOf(context, corner(), settings, Specular::none);
+    GatheredFrame frame(context, scene, noLight(), settings, volumeAround(scene.boundsWorld, settings.grid),
+                        lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50));
+    const std::vector<SurfacePixel> pixels = frame.pixels();
+    int floor = 0, wall = 0, changed = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (pixels[i].surface && pixels[i].normal.y > 0.5) {
+            ++floor;
+            changed += with.pixels[i] != without.pixels[i] ? 1 : 0;
+        } else {
+            ++wall;
+            ASSERT_EQ(with.pixels[i], without.pixels[i]);
+        }
+    }
+    EXPECT_GT(wall, 500);
+    EXPECT_GT(floor, 500);
+    EXPECT_GT(changed, floor * 99 / 100);
+}
+
+TEST(Specular, IsNotOfTheThesis) {
+    Settings settings = presetSettings("thesis");
+    EXPECT_EQ(settings.specular, Specular::none);
+    settings.specular = Specular::cone;
+    EXPECT_THROW(validate(settings), Error);
+    EXPECT_THROW(specularFromText("mirror"), Error);
+    EXPECT_EQ(specularFromText("none"), Specular::none);
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,217 @@
+// The light that faces received, where pixels look it up: in bricks, filtered.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "scene/camera.h"
+#include "support/gathered_frame.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+Settings mobileAt(int pixels) {
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(pixels);
+    settings.shadowMapSize = 256;
+    return settings;
+}
+
+// World units are voxels.
+Volume voxelsAsWorld(int grid) {
+    Volume volume;
+    volume.grid = grid;
+    volume.side = grid;
+    return volume;
+}
+
+// shaders/directional/irradiance.glsl over what the faces hold in memory, without bricks.
+class CpuLookUp {
+  public:
+    explicit CpuLookUp(ReceivedFaces faces) : faces_(std::move(faces)) {
+        for (const auto& [entry, face] : faces_)
+            blocks_.insert(shared::packFace(shared::unpackFaceVoxel(entry) >> 2U, shared::unpackFace(entry)));
+    }
+
+    // Light, and the coverage that it was found by.
+    glm::dvec4 at(const glm::dvec3& positionVoxels, const glm::dvec3& normal) const {
+        glm::dvec4 sum(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double weight = normal[axis] * normal[axis];
+            if (weight < 0.02) continue;
+            const auto face = static_cast<std::uint32_t>(2 * axis + (normal[axis] > 0.0 ? 0 : 1));
+            const glm::uvec3 block(positionVoxels / 4.0);
+            if (blocks_.count(shared::packFace(block, face)) == 0) continue;
+            sum += weight * filtered(positionVoxels - 0.5, face);
+        }
+        return sum.a > 0.0 ? glm::dvec4(glm::dvec3(sum) / sum.a, sum.a) : sum;
+    }
+
+  private:
+    glm::dvec4 filtered(const glm::dvec3& texel, std::uint32_t face) const {
+        const glm::ivec3 first(glm::floor(texel));
+        const glm::dvec3 part = texel - glm::dvec3(first);
+        glm::dvec4 sum(0.0);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+            const auto found = faces_.find(shared::packFace(glm::uvec3(first + offset), face));
+            if (found == faces_.end()) continue;
+            const glm::dvec3 w = glm::mix(1.0 - part, part, glm::dvec3(offset));
+            sum += w.x * w.y * w.z * found->second.coverage * glm::dvec4(found->second.light, 1.0);
+        }
+        return sum;
+    }
+
+    ReceivedFaces faces_;
+    std::set<std::uint32_t> blocks_;
+};
+
+// Every pixel, and so across every border of the bricks.
+TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
+    const Context context = openContext(Backend::egl);
+    for (const char* name : {"cornell", "courtyard"}) {
+        const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
+        const Settings settings = mobileAt(128);
+        GatheredFrame frame(context, scene, chooseLight(scene), settings,
+                            volumeAround(scene.boundsWorld, settings.grid), chooseCamera(scene, ""));
+        frame.step(3, true);
+        const CpuLookUp faces(frame.received());
+        const Image image = frame.view(VCT_VIEW_INDIRECT);
+        const std::vector<SurfacePixel> pixels = frame.pixels();
+        const double range = frame.uniforms().faces.y;
+        int looked = 0, surfaces = 0;
+        double largest = 0.0, sum = 0.0, differences = 0.0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const SurfacePixel& pixel = pixels[i];
+            if (!pixel.surface) continue;
+            ++surfaces;
+            const glm::dvec4 right =
+                faces.at(pixel.positionVolume * static_cast<double>(settings.grid), pixel.normal);
+            // The test knows coverage by 8 bits, which are few where there is little of it.
+            if (right.a < 0.3) continue;
+            ++looked;
+            for (int c = 0; c < 3; ++c) {
+                if (pixel.albedo[c] < 0.05) continue;
+                const double light = image.pixels[i][c] / pixel.albedo[c] / range;
+                largest = std::max(largest, std::abs(light - right[c]) / (right[c] + 1e-3));
+                sum += right[c];
+                differences += light - right[c];
+            }
+        }
+        std::printf("%s: %d of %d pixels, largest difference %.2f %%, bias %.2f %%\n", name, looked, surfaces,
+                    100.0 * largest, 100.0 * differences / sum);
+        EXPECT_GT(looked, surfaces * 8 / 10);
+        EXPECT_LE(largest, 0.01);
+        EXPECT_LE(std::abs(differences), 0.001 * sum);
+    }
+}
+
+// A sloping plane under a ceiling that shines, through many bricks: from pixel to pixel the light changes no
+// more from one brick's voxels to the next one's than between voxels of one.
+TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    Settings settings = mobileAt(256);
+    settings.grid = 64;
+    addQuad(scene, {6, 12, 6}, {0, 3, 50}, {50, 9, 0});
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].emissive = glm::vec3(1.0F);
+    addQuad(scene, {6, 58, 6}, {50, 0, 0}, {0, 0, 50}, 1);
+    scene = finished(std::move(scene));
+    // From the side, between the two.
+    GatheredFrame frame(context, scene, noLight(), settings, voxelsAsWorld(64),
+                        lookAt({31, 50, 31.01}, {31, 16, 31}, 60));
+    const Image image = frame.view(VCT_VIEW_INDIRECT);
+    const std::vector<SurfacePixel> pixels = frame.pixels();
+    struct Jumps {
+        double sum = 0.0, largest = 0.0;
+        int count = 0;
+    } across, within;
+    const auto voxelOf = [&](std::size_t i) { return glm::ivec3(pixels[i].positionVolume * 64.0); };
+    for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
+        if (static_cast<int>(i + 1) % image.width == 0 || !pixels[i].surface || !pixels[i + 1].surface)
+            continue;
+        const glm::ivec3 here = voxelOf(i), next = voxelOf(i + 1);
+        if (here == next) continue;
+        Jumps& jumps = here / 4 == next / 4 ? within : across;
+        const double jump = std::abs(image.pixels[i].x - image.pixels[i + 1].x);
+        jumps.sum += jump;
+        jumps.largest = std::max(jumps.largest, jump);
+        ++jumps.count;
+    }
+    ASSERT_GT(across.count, 2000);
+    std::printf("across borders %.5f, up to %.5f; elsewhere %.5f, up to %.5f\n", across.sum / across.count,
+                across.largest, within.sum / within.count, within.largest);
+    EXPECT_LE(across.sum / across.count, 1.2 * within.sum / within.count);
+    // The largest of thousands of steps of a few halves' last bits: a seam would be ten times as large.
+    EXPECT_LE(across.largest, 2.0 * within.largest);
+    EXPECT_GT(within.sum, 0.0);
+}
+
+// Where rounding decides into which of two voxels, and so bricks, the fragments fall.
+TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
+    const Context context = openContext(Backend::egl);
+    Settings settings = mobileAt(64);
+    settings.skyRadiance = glm::vec3(1.0F);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {1.0, -1.0})
+            for (const double at : {32.0, 20.0, 12.0 + 1e-5, 44.0 - 1e-5, 31.0, 33.5}) {
+                glm::dvec3 corner(8.3), u(0.0), v(0.0), normal(0.0);
+                corner[axis] = at;
+                normal[axis] = side;
+                u[(axis + 1) % 3] = 48.0;
+                v[(axis + 2) % 3] = 48.0;
+                if (side < 0.0) std::swap(u, v);
+                Scene scene = emptyScene();
+                addQuad(scene, corner, u, v);
+                scene = finished(std::move(scene));
+                const glm::dvec3 centre = corner + 0.5 * (u + v);
+                GatheredFrame frame(context, scene, noLight(), settings, voxelsAsWorld(64),
+                                    lookAt(centre + 30.0 * normal + glm::dvec3(1, 2, 3), centre, 60));
+                for (const int view : {VCT_VIEW_INDIRECT, VCT_VIEW_AO}) {
+                    const Image image = frame.view(view);
+                    const std::vector<SurfacePixel> pixels = frame.pixels();
+                    int surfaces = 0, dark = 0;
+                    for (std::size_t i = 0; i < pixels.size(); ++i) {
+                        surfaces += pixels[i].surface ? 1 : 0;
+                        dark += pixels[i].surface && image.pixels[i].x < 0.97F ? 1 : 0;
+                    }
+                    ASSERT_GT(surfaces, 2000);
+                    EXPECT_EQ(dark, 0) << "of " << surfaces << ": axis " << axis << ", side " << side
+                                       << ", at " << at << ", view " << view;
+                }
+            }
+}
+
+// A grille before the sky, thinner than a voxel: some of it has no face that looks as its pixels do.
+TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = emptyScene();
+    for (int i = 0; i < 9; ++i) {
+        const double at = -0.97 + 0.231 * i;
+        addQuad(scene, {at, -1, 0}, {0.018, 0, 0}, {0.3, 2, 0});
+        addQuad(scene, {-1, at, 0.001}, {2, 0.2, 0}, {0, 0.018, 0});
+    }
+    scene = finished(std::move(scene));
+    Settings settings = mobileAt(260);
+    settings.skyRadiance = glm::vec3(1.0F);
+    GatheredFrame frame(context, scene, noLight(), settings, volumeAround(scene.boundsWorld, settings.grid),
+                        lookAt({0, 0, 4}, {0, 0, 0}, 40));
+    const Image light = frame.view(VCT_VIEW_INDIRECT), ambientVisibility = frame.view(VCT_VIEW_AO);
+    const std::vector<SurfacePixel> pixels = frame.pixels();
+    int surfaces = 0, dark = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!pixels[i].surface) continue;
+        ++surfaces;
+        dark += light.pixels[i].x < 0.9F || ambientVisibility.pixels[i].x < 0.9F ? 1 : 0;
+    }
+    ASSERT_GT(surfaces, 4000);
+    EXPECT_EQ(dark, 0) << "of " << surfaces;
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,290 @@
+// What the faces received, from step to step: it comes to rest, nothing is computed then, and what changes is
+// followed without a trace of what was.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "gl/call_log.h"
+#include "scene/camera.h"
+#include "support/received.h"
+#include "support/scenes.h"
+#include "support/playing_scene.h"
+#include "support/voxel_kinds.h"
+
+namespace vct::test {
+namespace {
+
+Settings mobile() {
+    return settingsOf({"mobile", Voxelization::sortedAxes});
+}
+
+ReceivedFaces receivedBy(Renderer& renderer, GatherOf of = GatherOf::light) {
+    return readReceived(*renderer.directionalVoxels(), renderer.received(of)->received());
+}
+
+std::set<std::string> groupsOf(const gl::CallLog& log) {
+    std::set<std::string> groups;
+    for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
+        groups.insert(group);
+    return groups;
+}
+
+void expectAlike(const ReceivedFaces& a, const ReceivedFaces& right, double rms, const std::string& what) {
+    const ReceivedDifference d = differenceOf(a, right);
+    std::printf("  %s: RMS %.2f %%, largest %.1f %% of the mean\n", what.c_str(), 100.0 * d.rms / d.mean,
+                100.0 * d.largest / d.mean);
+    EXPECT_GT(d.common, 500U) << what;
+    EXPECT_LE(d.rms, rms * d.mean) << what;
+}
+
+TEST(ReceivedLight, AStaticScenesStandsStillAndCostsNoDispatch) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    const Settings settings = mobile();
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    const Camera camera = chooseCamera(scene, "");
+    for (const Mode mode : {Mode::ao, Mode::gi, Mode::giConeShadow}) {
+        const int steps = mode == Mode::giConeShadow ? 0 : settings.lightFrames;
+        for (int frame = 0; frame < steps; ++frame) {
+            const gl::CallLog log;
+            renderer.frame(mode, camera);
+            EXPECT_EQ(groupsOf(log).count("irradiance"), 1U) << "step " << frame << " of " << modeName(mode);
+        }
+        renderer.frame(mode, camera);
+        const Image first = renderer.radiance();
+        for (const Camera& from : {camera, lookAt({0.3, 0.2, 1.0}, {0, 0, 0}, 70), camera}) {
+            const gl::CallLog log;
+            renderer.frame(mode, from);
+            const gl::CallSummary calls = gl::summaryOf(log.calls());
+            EXPECT_EQ(calls.dispatches, 0) << modeName(mode);
+            EXPECT_EQ(calls.passes, (std::set<std::string>{"G-buffer", "cone trace"})) << modeName(mode);
+        }
+        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << modeName(mode);
+        renderer.renderConverged(mode, camera);
+        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << modeName(mode);
+    }
+}
+
+TEST(ReceivedLight, AStillPictureIsThatOfAllItsFrames) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    Settings settings = mobile();
+    settings.lightFrames = 20;
+    Renderer still = makeRenderer(context, scene, chooseLight(scene), settings);
+    Renderer frames = makeRenderer(context, scene, chooseLight(scene), settings);
+    const Camera camera = chooseCamera(scene, "");
+    still.still(Mode::gi, camera);
+    for (int i = 0; i < settings.lightFrames; ++i)
+        frames.frame(Mode::gi, camera);
+    EXPECT_TRUE(receivedBy(still) == receivedBy(frames));
+    // Bricks lie in the order of the list of faces, which atomics decide: their texels' coordinates are
+    // rounded differently.
+    const Image one = still.radiance(), other = frames.radiance();
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(one.pixels[i][c], other.pixels[i][c], 2e-3 * (0.1 + one.pixels[i][c])) << i;
+}
+
+class ReceivedInOrder : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, ReceivedInOrder, testing::Values("cornell", "courtyard"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(ReceivedInOrder, AnyOrderOfTrianglesAndInstancesGivesTheSame) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset(std::string(GetParam()) + ".glb"));
+    const Camera camera = chooseCamera(scene, "");
+    Settings settings = mobile();
+    settings.size = glm::ivec2(96);
+    const auto lit = [&](const Scene& of) {
+        Renderer renderer = makeRenderer(context, of, chooseLight(of), settings);
+        for (int step = 0; step < 5; ++step)
+            renderer.frame(Mode::gi, camera);
+        return std::make_pair(receivedBy(renderer), renderer.radiance());
+    };
+    const auto [faces, picture] = lit(scene);
+    ASSERT_GT(faces.size(), 10000U);
+    for (const unsigned seed : {1U, 2U}) {
+        Scene shuffled = scene;
+        shuffleTriangles(shuffled, seed);
+        const auto [otherFaces, otherPicture] = lit(shuffled);
+        EXPECT_TRUE(otherFaces == faces) << "seed " << seed;
+        // Bricks lie elsewhere, and there the coordinates that the filter's weights follow from are rounded
+        // otherwise.
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(otherPicture.pixels[i][c], picture.pixels[i][c],
+                            0.005F * picture.pixels[i][c] + 1e-4F)
+                    << "seed " << seed << ", pixel " << i;
+    }
+}
+
+double brightness(const ReceivedFaces& faces) {
+    double sum = 0.0;
+    for (const auto& [entry, face] : faces)
+        sum += face.coverage * face.light.g;
+    return sum;
+}
+
+// Memory is shortened, not lost; and at the end next to nothing is left of the light before.
+class TurningLight : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Degrees, TurningLight, testing::Values(-30, 30));
+
+TEST_P(TurningLight, IsFollowed) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    const DirectionalLight light = chooseLight(scene);
+    const Settings settings = mobile();
+    const Camera camera = chooseCamera(scene, "");
+    Renderer renderer = makeRenderer(context, scene, light, settings);
+    renderer.renderConverged(Mode::gi, camera);
+    const ReceivedFaces before = receivedBy(renderer);
+    DirectionalLight turned = light;
+    const double angle = glm::radians(static_cast<double>(GetParam()));
+    const glm::dvec3 l = light.towardsLight;
+    turned.towardsLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
+                                                    l.z * std::cos(angle) - l.x * std::sin(angle)));
+    Renderer fresh = makeRenderer(context, scene, turned, settings);
+    fresh.still(Mode::gi, camera);
+    const ReceivedFaces right = receivedBy(fresh);
+    const double change = differenceOf(before, right).rms;
+    renderer.setLightDirection(turned.towardsLight);
+    double last = change;
+    for (int frame = 1; frame <= settings.lightFrames; ++frame) {
+        renderer.frame(Mode::gi, camera);
+        const bool atPower = (frame & (frame - 1)) == 0;
+        if (!atPower) continue;
+        const ReceivedFaces now = receivedBy(renderer);
+        if (frame == 1) {
+            int shortened = 0;
+            for (const auto& [entry, face] : now)
+                shortened += face.steps > 12.0 && face.steps < 20.0 ? 1 : 0;
+            EXPECT_GT(shortened, 99 * static_cast<int>(now.size()) / 100);
+        }
+        const double error = differenceOf(now, right).rms;
+        std::printf("  after %d frames: RMS %.1f %% of the change, mean %.3f of what is right\n", frame,
+                    100.0 * error / change, brightness(now) / brightness(right));
+        EXPECT_LE(error, last) << frame;
+        last = error;
+    }
+    // A twentieth of the change; of a room that has become dark, in which light goes round, more of what is
+    // left there.
+    EXPECT_LE(last, 0.055 * change);
+    const gl::CallLog log;
+    renderer.frame(Mode::gi, camera);
+    EXPECT_EQ(gl::summaryOf(log.calls()).dispatches, 0);
+}
+
+// A box passes over the floor within a second and stands far from where it was.
+Scene passingBox() {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.8F, 0.8F}, {{"translation", {0, 1, -1.9}}, {"scale", {4, 2, 0.2}}});
+    const int box = addCube(builder, {0.9F, 0.1F, 0.1F}, {{"translation", {-1, 0.55, 0.3}}});
+    builder.animate(box, "translation", {0, 1}, {-1, 0.55F, 0.3F, 1.4F, 0.55F, -0.3F});
+    return load(builder);
+}
+
+TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = passingBox();
+    const Settings settings = mobile();
+    for (const Mode mode : {Mode::gi, Mode::ao}) {
+        const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
+        Stage stage(context, scene, settings);
+        stage.stillAt(0.0, mode);
+        for (int frame = 1; frame <= 30; ++frame)
+            stage.frameAt(frame / 30.0, mode);
+        const ReceivedFaces moving = receivedBy(stage.renderer(), of);
+        for (int frame = 0; frame < 16; ++frame)
+            stage.frameAt(1.0, mode);
+        const Scene frozen = frozenAt(scene, 1.0);
+        Stage fresh(context, frozen, settings);
+        fresh.stillAt(0.0, mode);
+        const ReceivedFaces right = receivedBy(fresh.renderer(), of);
+        // What each face remembers by itself: pixels see it together with its block's.
+        expectAlike(moving, right, 0.6, std::string(modeName(mode)) + ", while it moves");
+        ASSERT_EQ(settings.lightFrames, 16);
+        expectAlike(receivedBy(stage.renderer(), of), right, 0.02,
+                    std::string(modeName(mode)) + ", 16 frames later");
+    }
+}
+
+// Voxels that are made anew in the same light find it where they are.
+TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
+    const Context context = openContext(Backend::egl);
+    for (const Scene& scene : {loadGltf(asset("cornell.glb")), passingBox()}) {
+        Settings settings = mobile();
+        settings.revoxelize = true;
+        Stage stage(context, scene, settings);
+        stage.renderer().renderConverged(Mode::gi, chooseCamera(scene, ""));
+        const ReceivedFaces before = receivedBy(stage.renderer());
+        for (int frame = 0; frame < 20; ++frame)
+            stage.frame();
+        const ReceivedFaces after = receivedBy(stage.renderer());
+        ASSERT_EQ(after.size(), before.size());
+        int kept = 0;
+        for (const auto& [entry, face] : after)
+            kept += face.steps > 8.0 ? 1 : 0;
+        EXPECT_GT(kept, 99 * static_cast<int>(after.size()) / 100) << "of " << after.size();
+        // Of what can move, faces begin with what pixels looked up, together with its block's light.
+        const bool moves = !scene.animation.channels.empty();
+        expectAlike(after, before, moves ? 0.3 : 0.15, scene.path + " after 20 frames");
+        EXPECT_NEAR(brightness(after) / brightness(before), 1.0, moves ? 0.03 : 0.02) << scene.path;
+    }
+}
+
+// Of occlusion no face shines.
+TEST(ReceivedLight, OcclusionLightsNoFace) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = passingBox();
+    Stage stage(context, scene, mobile());
+    stage.frameAt(0.0, Mode::gi);
+    stage.frameAt(0.1, Mode::ao);
+    const gl::CallLog log;
+    stage.frameAt(0.2, Mode::ao);
+    EXPECT_EQ(groupsOf(log).count("irradiance"), 1U);
+    EXPECT_EQ(groupsOf(log).count("mipmap again"), 0U);
+}
+
+// Under the floor a box grows to twenty times its voxels: what there is room for grows, and what stands still
+// keeps its memory and its light, which has not changed.
+TEST(ReceivedLight, KeepsItsMemoryWhereItNeedsMoreRoom) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.8F, 0.8F}, {{"translation", {0, 1, -1.9}}, {"scale", {4, 2, 0.2}}});
+    const int box =
+        addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, -1.2, 0}}, {"scale", {0.1, 0.1, 0.1}}});
+    builder.animate(box, "scale", {0, 1}, {0.1F, 0.1F, 0.1F, 3.8F, 2.0F, 3.9F});
+    const Scene scene = load(builder);
+    Stage stage(context, scene, mobile());
+    stage.stillAt(0.0);
+    const auto bytesOf = [&](const std::string& name) {
+        for (const Renderer::Resource& resource : stage.renderer().resources())
+            if (resource.name == name) return resource.bytes;
+        return std::size_t{0};
+    };
+    const std::size_t received = bytesOf("received light"), bricks = bytesOf("irradiance");
+    const ReceivedFaces before = receivedBy(stage.renderer());
+    for (const double seconds : {0.3, 0.6, 1.0})
+        stage.frameAt(seconds);
+    EXPECT_GT(bytesOf("received light"), received);
+    EXPECT_GT(bytesOf("irradiance"), bricks);
+    const ReceivedFaces after = receivedBy(stage.renderer());
+    EXPECT_GT(after.size(), before.size() + 1000);
+    int kept = 0;
+    for (const auto& [entry, face] : before) {
+        const auto now = after.find(entry);
+        // Of a face that begins anew: four.
+        kept += now != after.end() && now->second.steps > 8.0 ? 1 : 0;
+    }
+    EXPECT_GT(kept, 9 * static_cast<int>(before.size()) / 10) << "of " << before.size();
+    expectAlike(after, before, 0.6, "after it has grown");  // three frames' noise
+    const ReceivedDifference d = differenceOf(after, before);
+    EXPECT_NEAR(d.bias / d.mean, 0.0, 0.06);
+    expectFreshLight(stage, context, scene, mobile(), 1.0);
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,334 @@
+// A renderer that goes from pose to pose against a fresh one of a scene that stands still there.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/volume.h"
+#include "support/grids.h"
+#include "support/playing_scene.h"
+#include "support/voxel_kinds.h"
+
+namespace vct::test {
+namespace {
+
+class Moving : public testing::TestWithParam<VoxelKind> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Moving, everyVoxelKind(), nameOfKind);
+
+TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    ASSERT_EQ(std::count_if(scene.instances.begin(), scene.instances.end(),
+                            [](const Instance& instance) { return instance.moves(); }),
+              2);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
+        expectFresh(stage, context, scene, settings, seconds);
+    // And back at rest, as the constructor left it.
+    stage.frameAt(1.0);
+    const Grid moved = gridOf(stage.renderer());
+    stage.frameAt(0.0);
+    EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
+}
+
+// Of modes that light no face with what it received, the radiance of every level's faces too.
+TEST_P(Moving, EveryFramesDirectLightIsThatOfAFreshRenderer) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
+        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+    EXPECT_FALSE(gridOf(stage.renderer()).received);
+}
+
+// What is received stays from pose to pose, and comes to what it is where nothing ever moved.
+TEST(MovingInstances, LeaveNoTraceInTheReceivedLight) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    for (const Mode mode : {Mode::gi, Mode::ao}) {
+        Stage stage(context, scene, settings);
+        for (const double seconds : {0.05, 0.35, 1.7}) {
+            stage.frameAt(seconds - 0.05, mode);
+            expectFreshLight(stage, context, scene, settings, seconds, mode);
+        }
+    }
+}
+
+// Occlusion needs voxels without received light; no shadow needs none.
+TEST_P(Moving, BetweenModesThatTakeTurns) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.1);
+    expectFresh(stage, context, scene, settings, 0.4, Mode::ao);
+    expectFresh(stage, context, scene, settings, 0.7, Mode::ao);
+    expectFresh(stage, context, scene, settings, 0.9);
+    stage.frameAt(1.2, Mode::phong);
+    expectFresh(stage, context, scene, settings, 1.5);
+    expectFresh(stage, context, scene, settings, 1.5, Mode::ao);
+}
+
+// Where two levels are made anew in part.
+TEST(MovingInstances, AtAFinerGrid) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    for (const Mode mode : {Mode::ao, Mode::gi}) {
+        Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+        settings.grid = 128;
+        Stage stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.1, 1.7, 1.6})
+            expectFresh(stage, context, scene, settings, seconds, mode);
+    }
+}
+
+// Cards between blocks: on which side their fragments fall is a matter of rounding. What moves changes the
+// blocks between them, one at a time but for its shadow.
+TEST_P(Moving, BetweenCardsOnTheBordersOfBlocks) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const Settings settings = settingsOf(GetParam());
+    const double block = volumeAround(load(builder).boundsWorld, settings.grid).side / VCT_BLOCKS;
+    const double thickness = 0.0123;
+    for (int i = -8; i <= 8; ++i)
+        for (const double side : {-1.0, 1.0})
+            addCube(builder, {0.7F, 0.7F, 0.2F},
+                    {{"translation", {i * block + side * (0.5 * thickness + 1e-12), 0.9, 0.4 * side}},
+                     {"scale", {thickness, 0.8, 0.7}}});
+    const int box =
+        addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {0, 0.9, 0}}, {"scale", {0.03, 0.03, 0.03}}});
+    const auto start = static_cast<float>(-7.5 * block), step = static_cast<float>(block);
+    builder.animate(box, "translation", {0, 15}, {start, 0.9F, 0, start + 15 * step, 0.9F, 0});
+    const Scene scene = load(builder);
+    Stage stage(context, scene, settings);
+    for (int i = 0; i < 15; ++i) {
+        stage.frameAt(i + 0.1);
+        expectFresh(stage, context, scene, settings, i);
+    }
+}
+
+// Several fragments per voxel along each side, whose places are finer.
+TEST_P(Moving, WithMoreThanOneSamplePerVoxel) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Settings settings = settingsOf(GetParam());
+    settings.voxelSamples = 2;
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.35, 1.7, 0.4})
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+// One second inside, one far away (beyond what the volume was made for), one inside again.
+TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 1, 2, 3}, {0, 1, 0, 0, 1, 0, 900, 300, -40, 0.4F, 1.1F, 0});
+    const Scene scene = load(builder);
+    EXPECT_LT(scene.boundsWorld.max.x, 4.1) << "half of the floor's 4 m beyond its edge";
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    const std::size_t inside = gridOf(stage.renderer()).lists[0].size();
+    expectFresh(stage, context, scene, settings, 2.0);
+    const std::size_t away = gridOf(stage.renderer()).lists[0].size();
+    EXPECT_LT(away + 50, inside);
+    expectFresh(stage, context, scene, settings, 1.01);  // partly outside
+    expectFresh(stage, context, scene, settings, 3.0);
+    EXPECT_GT(gridOf(stage.renderer()).lists[0].size(), away + 50);
+}
+
+// More voxels than the first frame had, by far: nothing may be lost for want of room.
+TEST_P(Moving, WhatShrinksToNothingAndGrows) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0, 0, 0}}});
+    builder.animate(box, "scale", {0, 1, 2}, {0, 0, 0, 3, 1.8F, 3, 0, 0, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    stage.frame();  // at rest, which is nothing
+    for (const double seconds : {0.0, 0.3, 1.0, 2.0, 0.9})
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    // About +X: 60 degrees down, level, 60 degrees up.
+    builder.animate(1, "rotation", {0, 1, 2}, {-0.5F, 0, 0, 0.8660254F, 0, 0, 0, 1, 0.5F, 0, 0, 0.8660254F});
+    builder.animate(2, "translation", {0, 2}, {0, 2.6F, 5.2F, 1.5F, 2.2F, 4.4F});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    const auto brightness = [&] {
+        double sum = 0.0;
+        for (const glm::vec3& p : stage.renderer().radiance().pixels) {
+            EXPECT_TRUE(std::isfinite(p.r + p.g + p.b));
+            sum += p.g;
+        }
+        return sum;
+    };
+    stage.stillAt(0.0);
+    const double day = brightness();
+    for (const double seconds : {0.9, 1.0, 2.0, 0.5})
+        expectFresh(stage, context, scene, settings, seconds);
+    stage.stillAt(2.0);
+    // From below it shines through nothing: on the underside of the floor, which nobody sees.
+    EXPECT_LT(brightness(), 0.05 * day);
+}
+
+// A card with a picture, and the same card turned by half a turn in the same place: the eye sees the one that
+// is drawn first. Half way round the two have changed places.
+TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int texture = builder.texture(encodePng(16));
+    const int material =
+        builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+    const int mesh = builder.mesh(
+        {{"attributes",
+          {{"POSITION", builder.floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0})},
+           {"TEXCOORD_0", builder.floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0}, "VEC2")}}},
+         {"material", material}});
+    const int card = builder.add("nodes", {{"mesh", mesh}});
+    const int turned = builder.add("nodes", {{"mesh", mesh}, {"rotation", {0, 0, 1, 0}}});
+    const int wheel = builder.node({{"children", {card, turned}}, {"translation", {0, 1.2, 0}}});
+    builder.animate(wheel, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 0.70710678F, 0.70710678F, 0, 0, 1, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    const Image before = stage.renderer().radiance();
+    for (const double seconds : {2.0, 0.0, 0.7})
+        expectFresh(stage, context, scene, settings, seconds);
+    for (unsigned seed = 1; seed < 4; ++seed) {
+        Scene shuffled = scene;
+        shuffleTriangles(shuffled, seed);
+        Stage other(context, shuffled, settings);
+        for (const double seconds : {0.0, 2.0, 0.0, 0.7})
+            other.frameAt(seconds);
+        expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
+        expectSamePicture(stage.renderer().radiance(), other.renderer().radiance(), "shuffled");
+    }
+}
+
+// In voxels that the wall occupies, too; the wall is in its shadow before and after. It covers its voxels in
+// part: what is added to it twice is seen.
+TEST_P(Moving, WhatPassesThroughAWall) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.2F},
+            {{"translation", {0, 0.8, 0}}, {"rotation", {0.05, 0.1, 0.08, 0.99}}, {"scale", {0.1, 1.6, 3}}});
+    const int box =
+        addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {-1, 0.7, 0}}, {"scale", {0.4, 0.4, 0.4}}});
+    builder.animate(box, "translation", {0, 2}, {-1, 0.7F, -0.3F, 1, 0.9F, 0.3F});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    for (double seconds = 0.0; seconds <= 2.0; seconds += 0.2)
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+// Along an axis of the voxels: its sides are projected along the way it goes.
+TEST_P(Moving, WhatLeavesTheVolumeAlongAnAxis) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 2}, {0, 1, 0, 30, 1, 0});
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    for (const double seconds : {0.0, 1.0, 2.0})
+        expectFresh(stage, context, scene, settings, seconds);
+    Scene without = scene;
+    without.instances.erase(std::remove_if(without.instances.begin(), without.instances.end(),
+                                           [](const Instance& instance) { return instance.moves(); }),
+                            without.instances.end());
+    Stage floor(context, without, settings);
+    floor.frame();
+    EXPECT_TRUE(gridOf(stage.renderer()).lists == gridOf(floor.renderer()).lists);
+}
+
+// Steps of any size, heights and lights, so that shadows fall on what is near and far.
+TEST_P(Moving, ShadowsThatComeAndGo) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    for (int i = 0; i < 8; ++i)
+        addCube(builder, {0.6F, 0.6F, 0.6F},
+                {{"translation", {-1.5 + 0.45 * i, 0.2 + 0.1 * (i % 3), 1.2 - 0.4 * (i % 5)}},
+                 {"scale", {0.2, 0.3, 0.2}}});
+    const int box =
+        addCube(builder, {0.9F, 0.2F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0.3, 0.2, 0.3}}});
+    std::vector<float> times, places, turns;
+    for (int i = 0; i < 9; ++i) {
+        times.push_back(static_cast<float>(i));
+        places.insert(places.end(), {1.6F * std::sin(2.0F * i), 0.2F + 0.21F * i, 1.6F * std::cos(3.0F * i)});
+        turns.insert(turns.end(), {std::sin(0.4F * i), 0, 0, std::cos(0.4F * i)});
+    }
+    builder.animate(box, "translation", times, places);
+    builder.animate(box, "rotation", times, turns);
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    const auto lit = [&](Renderer& renderer, const Scene& of, double seconds, const glm::dvec3& light) {
+        renderer.setPose(poseAt(of.animation, seconds));
+        renderer.setLightDirection(light);
+        renderer.frame(Mode::gi, chooseCamera(of, ""));
+    };
+    Stage stage(context, scene, settings);
+    for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})
+        // The second light first finds what the last one left, and lights it anew.
+        for (const double seconds : {1.0, 0.0, 0.1, 3.3, 3.4, 7.9, 1.0}) {
+            lit(stage.renderer(), scene, seconds, glm::normalize(light));
+            const Scene frozen = frozenAt(scene, seconds);
+            Stage fresh(context, frozen, settings);
+            lit(fresh.renderer(), frozen, 0.0, glm::normalize(light));
+            expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
+        }
+}
+
+TEST_P(Moving, AThousandAtOnce) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int first = addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {0, 0.5, 0}}});
+    const int mesh = builder.document["nodes"][static_cast<std::size_t>(first)]["mesh"];
+    for (int i = 0; i < 1000; ++i) {
+        const float x = -1.8F + 0.36F * static_cast<float>(i % 10),
+                    y = 0.1F + 0.2F * static_cast<float>(i / 100),
+                    z = -1.8F + 0.36F * static_cast<float>(i / 10 % 10);
+        const int node = builder.node({{"mesh", mesh}, {"scale", {0.1, 0.1, 0.1}}});
+        builder.animate(node, "translation", {0, 1}, {x, y, z, x + 0.2F, y + 0.1F, z - 0.1F});
+    }
+    const Scene scene = load(builder);
+    const Settings settings = settingsOf(GetParam());
+    Stage stage(context, scene, settings);
+    stage.frameAt(0.0);
+    for (const double seconds : {0.2, 1.0})
+        expectFresh(stage, context, scene, settings, seconds);
+}
+
+// A bird at ten times the scene's size is seen, though the volume does not reach it.
+TEST(MovingInstances, AreSeenBeyondTheVolume) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int bird = addCube(builder, {0.9F, 0.1F, 0.1F}, {{"translation", {0, 1, 0}}});
+    builder.animate(bird, "translation", {0, 1}, {0, 1, 0, 0, 0, -40});
+    builder.animate(bird, "scale", {0, 1}, {1, 1, 1, 6, 6, 6});
+    const Scene scene = load(builder);
+    Stage stage(context, scene, settingsOf({"mobile", Voxelization::sortedAxes}));
+    const auto redPixels = [&](double seconds) {
+        stage.frameAt(seconds);
+        const std::vector<glm::vec3>& pixels = stage.renderer().radiance().pixels;
+        return std::count_if(pixels.begin(), pixels.end(),
+                             [](const glm::vec3& p) { return p.r > 0.05F && p.r > 3.0F * p.g; });
+    };
+    EXPECT_GT(redPixels(0.0), 20);
+    EXPECT_GT(redPixels(1.0), 10);
+}
+
+}  // namespace
+}  // namespace vct::test

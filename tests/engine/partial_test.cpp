@@ -1,0 +1,172 @@
+// What frames cost where something moves: visits, memory, room.
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "gl/call_log.h"
+#include "support/grids.h"
+#include "support/playing_scene.h"
+#include "support/voxel_kinds.h"
+
+namespace vct::test {
+namespace {
+
+class Partial : public testing::TestWithParam<VoxelKind> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Partial, everyVoxelKind(), nameOfKind);
+
+TEST_P(Partial, For300FramesLeavesNothingBehindAndTakesNoMoreMemory) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Settings settings = settingsOf(GetParam());
+    settings.size = glm::ivec2(24);
+    Stage stage(context, scene, settings);
+    // Once to and fro: then there is room for every pose, in the memory of received light too.
+    for (int frame = 0; frame <= 96; ++frame)
+        stage.frameAt(std::abs(std::fmod(frame / 24.0, 4.0) - 2.0));
+    const std::size_t bytes = stage.bytes();
+    for (int frame = 0; frame <= 300; ++frame) {
+        const double seconds = std::abs(std::fmod(frame / 24.0, 4.0) - 2.0);  // to and fro
+        if (frame % 50 == 0)
+            expectFresh(stage, context, scene, settings, seconds);
+        else
+            stage.frameAt(seconds);
+        ASSERT_EQ(stage.bytes(), bytes) << "frame " << frame;
+    }
+}
+
+// A room with a hundred cubes in it, the first of which moves.
+Scene room() {
+    GltfBuilder builder = openFloor();
+    const std::vector<float> grey{0.7F, 0.7F, 0.7F};
+    addCube(builder, grey, {{"translation", {0, 1.5, -2}}, {"scale", {4, 3, 0.05}}});
+    addCube(builder, grey, {{"translation", {-2, 1.5, 0}}, {"scale", {0.05, 3, 4}}});
+    addCube(builder, grey, {{"translation", {2, 1.5, 0}}, {"scale", {0.05, 3, 4}}});
+    for (int i = 0; i < 100; ++i) {
+        const float x = -1.6F + 0.36F * static_cast<float>(i % 10),
+                    z = -1.6F + 0.36F * static_cast<float>(i / 10);
+        const int cube =
+            addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {x, 0.06, z}}, {"scale", {0.1, 0.1, 0.1}}});
+        if (i == 0) builder.animate(cube, "translation", {0, 1}, {x, 0.06F, z, x + 0.2F, 0.16F, z + 0.1F});
+    }
+    return load(builder);
+}
+
+// What the shaders count in a frame where that cube moves, without what the faces receive: that is of all of
+// them.
+std::vector<std::uint32_t> countsInTheRoom(const Context& context, const char* preset, bool revoxelize) {
+    Settings settings = settingsOf({preset, Voxelization::geometryShader});
+    settings.grid = 128;
+    settings.shadowMapSize = 512;
+    settings.countInvocations = true;
+    settings.revoxelize = revoxelize;
+    const Scene scene = room();
+    Stage stage(context, scene, settings);
+    const auto frameAt = [&](double seconds) {
+        stage.frameAt(seconds, settings.voxels == Voxels::packed ? Mode::gi : Mode::ao);
+    };
+    for (const double seconds : {0.0, 0.1, 0.2})
+        frameAt(seconds);
+    std::vector<std::uint32_t> counts(VCT_COUNTER_COUNT);
+    const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
+                              counts.data(), GL_DYNAMIC_COPY);
+    counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COUNTERS);
+    frameAt(0.3);
+    counters.read(counts.data(), counters.bytes());
+    return counts;
+}
+
+// By what the shaders count: visits of voxels, and fragments.
+TEST(PartOfTheVoxels, OneOfAHundredVisitsATenthOfTheVoxels) {
+    const Context context = openContext(Backend::egl);
+    const std::vector<std::uint32_t> part = countsInTheRoom(context, "thesis", false),
+                                     all = countsInTheRoom(context, "thesis", true);
+    for (const int voxels : {VCT_COUNTER_SPARSE_CLEAR_VOXEL, VCT_COUNTER_MIPMAPPER_VOXEL}) {
+        EXPECT_GT(part[voxels], 100U);
+        EXPECT_LT(10 * part[voxels], all[voxels]) << voxels;
+    }
+    EXPECT_LT(2 * part[VCT_COUNTER_VOXELIZER], all[VCT_COUNTER_VOXELIZER]);
+}
+
+TEST(PartOfTheVoxels, OneOfAHundredVisitsATenthOfTheFaces) {
+    const Context context = openContext(Backend::egl);
+    const std::vector<std::uint32_t> part = countsInTheRoom(context, "mobile", false),
+                                     all = countsInTheRoom(context, "mobile", true);
+    for (const int visits :
+         {VCT_COUNTER_FACE_CLEAR_BASE_VOXEL, VCT_COUNTER_FACE_CLEAR_BASE_FACE, VCT_COUNTER_FACE_RESOLVE_VOXEL,
+          VCT_COUNTER_FACE_RESOLVE_FACE, VCT_COUNTER_FACE_MIPMAPPER_FACE}) {
+        EXPECT_GT(part[visits], 50U) << visits;
+        EXPECT_LT(10 * part[visits], all[visits]) << visits;
+    }
+    EXPECT_LT(2 * part[VCT_COUNTER_FACE_VOXELIZER], all[VCT_COUNTER_FACE_VOXELIZER]);
+}
+
+// Each has its price, however little is in it: one for the base level's clear, one for its faces, one for
+// each level above.
+TEST(PartOfTheVoxels, AreMadeInAFewDispatches) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Stage stage(context, scene, settingsOf({"mobile", Voxelization::sortedAxes}));
+    stage.frameAt(0.0);
+    stage.frameAt(0.1);
+    gl::CallLog log;
+    stage.frameAt(0.2);
+    const gl::CallSummary frame = gl::summaryOf(log.calls());
+    // 64^3 has levels 0 to 6; and of the received light one that empties its bricks, one that shines, one
+    // that gathers, and one over blocks.
+    EXPECT_EQ(frame.byName.at("DispatchCompute"), 8 + 4);
+}
+
+// What finds no room in the list is taken out too, once it has moved on.
+TEST_P(Partial, AnOverflowIsReportedAndLeavesNothingBehind) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
+    builder.animate(box, "scale", {0, 1}, {0.1F, 0.1F, 0.1F, 1.5F, 1.5F, 1.5F});
+    const Scene scene = load(builder);
+    Settings settings = settingsOf(GetParam());
+    Stage roomy(context, scene, settings);
+    roomy.frameAt(0.2);
+    settings.activeVoxelLimit = roomy.renderer().activeVoxels()[0];
+    Stage stage(context, scene, settings);
+    for (int round = 0; round < 2; ++round) {
+        stage.frameAt(0.0);
+        EXPECT_THROW(
+            {
+                stage.frameAt(1.0);
+                stage.renderer().activeVoxels();
+            },
+            Error);
+        expectFresh(stage, context, scene, settings, 0.1);
+    }
+}
+
+// Head room and triangles of its own are for what moves.
+TEST(PartOfTheVoxels, AStaticSceneTakesLess) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    const Scene frozen = frozenAt(scene, 0.0);
+    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    Stage moving(context, scene, settings), still(context, frozen, settings);
+    moving.frameAt(0.0);
+    still.frame();
+    const auto bytesOf = [](Stage& stage, const std::string& name) {
+        for (const Renderer::Resource& resource : stage.renderer().resources())
+            if (resource.name == name) return resource.bytes;
+        return std::size_t{0};
+    };
+    for (const char* name : {"indices", "voxel face sums", "received light", "irradiance"})
+        EXPECT_LT(bytesOf(still, name), bytesOf(moving, name)) << name;
+    for (const char* name : {"static voxels and faces", "static voxel commands", "changed blocks"}) {
+        EXPECT_GT(bytesOf(moving, name), 0U) << name;
+        EXPECT_EQ(bytesOf(still, name), 0U) << name;
+    }
+    for (const char* name : {"vertices", "draw uniforms", "voxel faces", "active voxels"})
+        EXPECT_EQ(bytesOf(still, name), bytesOf(moving, name)) << name;
+    // A pose of nothing changes nothing.
+    const Grid grid = gridOf(still.renderer());
+    still.renderer().setPose({});
+    still.frame();
+    expectSameGrid(grid, gridOf(still.renderer()), "still");
+}
+
+}  // namespace
+}  // namespace vct::test

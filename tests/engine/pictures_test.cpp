@@ -1,0 +1,122 @@
+// Pictures: across drivers, and against goldens. Of the thesis's preset all modes and stages, of the others
+// the modes that need voxels.
+//
+// Goldens are made by VCT_UPDATE_GOLDENS=1 (scripts/update-goldens.sh), looked at, and committed with the
+// reason. They are llvmpipe's; other drivers are compared with llvmpipe's picture of the same run.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "image/compare.h"
+#include "platform/contexts.h"
+#include "scene/camera.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+namespace {
+
+// Filament's two-number tolerance: a channel may differ by 5/255 anywhere, and by more in 0.1 % of the
+// pixels.
+constexpr float maxDifference = 5.0F / 255.0F;
+constexpr double maxFraction = 0.001;
+
+// What a PNG stores: encoded, clamped and rounded to 8 bits.
+Image asPng(Image image) {
+    for (glm::vec3& pixel : image.pixels)
+        for (int c = 0; c < 3; ++c)
+            pixel[c] = std::round(srgbEncode(pixel[c]) * 255.0F) / 255.0F;
+    return image;
+}
+
+void expectAlike(const Image& a, const Image& b, const std::string& name) {
+    const Difference difference = compareImages(a, b, maxDifference);
+    EXPECT_TRUE(difference.comparable) << name << ": " << difference.reason;
+    EXPECT_LE(difference.fraction, maxFraction) << name << ": largest difference " << difference.largest;
+}
+
+using Pictures = std::vector<std::pair<std::string, Image>>;
+
+Pictures picturesOf(Backend backend, const std::string& sceneName, const std::string& preset) {
+    const Context context = openContext(backend);
+    const Scene scene = loadGltf(asset(sceneName + ".glb"));
+    const bool thesis = preset == "thesis";
+    Settings settings = presetSettings(preset);
+    if (thesis) settings.grid = 128;
+    settings.size = glm::ivec2(200);
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    const Camera camera = chooseCamera(scene, "");
+    Pictures pictures;
+    for (Mode mode : thesis ? allModes() : std::vector<Mode>{Mode::ao, Mode::gi, Mode::giConeShadow}) {
+        renderer.renderConverged(mode, camera);
+        pictures.emplace_back(modeName(mode), renderer.radiance());
+    }
+    if (thesis)
+        for (Renderer::DebugView& stage : renderer.debugViews(camera))
+            pictures.emplace_back("stage_" + stage.name, std::move(stage.image));
+    for (auto& [name, image] : pictures) {
+        for (const glm::vec3& pixel : image.pixels)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_TRUE(std::isfinite(pixel[c])) << name;
+        image = asPng(std::move(image));
+    }
+    return pictures;
+}
+
+const auto scenes = testing::Values("cornell", "courtyard");
+const auto presets = testing::Values("thesis", "mobile", "quality");
+
+using Case = std::tuple<Backend, const char*, const char*>;
+class OtherDriver : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(
+    Pictures, OtherDriver,
+    testing::Combine(testing::Values(Backend::osmesa, Backend::zink), scenes,
+                     // The shaders of `quality` are those of `mobile`, and take minutes there.
+                     testing::Values("thesis", "mobile")),
+    [](const auto& test) {
+        return std::string(backendName(std::get<0>(test.param))) + "_" + std::get<1>(test.param) + "_" +
+               std::get<2>(test.param);
+    });
+
+TEST_P(OtherDriver, ModesAndStagesAreWithinTolerance) {
+    const auto [backend, scene, preset] = GetParam();
+    VCT_SKIP_IF_ABSENT(backend);
+    const Pictures reference = picturesOf(Backend::egl, scene, preset);
+    const Pictures other = picturesOf(backend, scene, preset);
+    ASSERT_EQ(reference.size(), other.size());
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        expectAlike(reference[i].second, other[i].second, reference[i].first);
+}
+
+class Golden : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Pictures, Golden, testing::Combine(scenes, presets), [](const auto& test) {
+    return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+});
+
+TEST_P(Golden, EveryModeAndStageIsUnchanged) {
+    {
+        const Context context = openContext(Backend::egl);
+        if (context.capabilities.renderer.find("llvmpipe") != 0)
+            GTEST_SKIP() << "goldens are llvmpipe's; this machine's EGL gives "
+                         << context.capabilities.renderer;
+    }
+    const auto [scene, preset] = GetParam();
+    const std::string folder = std::string(VCT_SOURCE_DIR "/tests/golden/") + scene +
+                               (preset == std::string("thesis") ? "" : std::string("/") + preset);
+    const bool update = std::getenv("VCT_UPDATE_GOLDENS") != nullptr;
+    if (update) std::filesystem::create_directories(folder);
+    for (const auto& [name, image] : picturesOf(Backend::egl, scene, preset)) {
+        const std::string file = folder + "/" + name + ".png";
+        if (update) {
+            Image linear = image;
+            for (glm::vec3& pixel : linear.pixels)
+                for (int c = 0; c < 3; ++c)
+                    pixel[c] = srgbDecode(pixel[c]);
+            writePng(file, linear);
+        }
+        expectAlike(asPng(readImage(file)), image, file);
+    }
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,159 @@
+// Voxels that are lit anew where only the light moved, against those of a renderer that never saw
+// another light.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "gl/call_log.h"
+#include "scene/camera.h"
+#include "support/grids.h"
+#include "support/moving_scenes.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "support/voxel_kinds.h"
+
+namespace vct::test {
+namespace {
+
+// By day, low, level with the floor, from below, along axes, and back.
+const glm::dvec3 sun(0.4, 1.0, 0.3);
+const std::vector<glm::dvec3> lights{{-0.7, 0.4, 0.2}, {1, 0, 0.1}, {0.2, -1, 0.1},
+                                     {0, 1, 0},        {0, -1, 0},  sun};
+
+double brightness(const Renderer& renderer) {
+    double sum = 0.0;
+    for (const glm::vec3& p : renderer.radiance().pixels)
+        sum += p.g;
+    return sum;
+}
+
+class Relight : public testing::TestWithParam<VoxelKind> {
+  protected:
+    Relight() : context_(openContext(Backend::egl)), settings_(settingsOf(GetParam())) {}
+
+    DirectionalLight lightAlong(const glm::dvec3& towardsLight) const {
+        DirectionalLight light = lightFrom({0, 1, 0});
+        light.towardsLight = glm::normalize(towardsLight);
+        return light;
+    }
+    Renderer rendererOf(const Scene& scene, const glm::dvec3& towardsLight) const {
+        return makeRenderer(context_, scene, lightAlong(towardsLight), settings_);
+    }
+    void expectFresh(Renderer& renderer, const Scene& scene, const glm::dvec3& towardsLight, Mode mode,
+                     const std::string& what) const {
+        const Camera camera = chooseCamera(scene, "");
+        renderer.setLightDirection(glm::normalize(towardsLight));
+        renderer.frame(mode, camera);
+        Renderer fresh = rendererOf(scene, towardsLight);
+        fresh.frame(mode, camera);
+        // The shadow map's mode has none.
+        if (fresh.directionalVoxels() != nullptr || fresh.voxels() != nullptr)
+            expectSameGrid(gridOf(renderer), gridOf(fresh), what);
+        // What faces received remembers the light before: irradiance_steps_test.cpp.
+        if (fresh.directionalVoxels() == nullptr) {
+            EXPECT_TRUE(renderer.radiance().pixels == fresh.radiance().pixels) << what << ": other pixels";
+        }
+    }
+
+    Context context_;
+    Settings settings_;
+};
+INSTANTIATE_TEST_SUITE_P(Voxels, Relight, everyVoxelKind(), nameOfKind);
+
+// Textures, holes, emission, both sides: the courtyard has all of them.
+TEST_P(Relight, EveryLightLeavesTheVoxelsAndThePictureOfAFreshRenderer) {
+    const Scene scene = loadGltf(asset("courtyard.glb"));
+    Renderer renderer = rendererOf(scene, sun);
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    const Grid before = gridOf(renderer);
+    const auto bytes = [&] {
+        const std::vector<Renderer::Resource> resources = renderer.resources();
+        return std::accumulate(resources.begin(), resources.end(), std::size_t{0},
+                               [](std::size_t sum, const auto& resource) { return sum + resource.bytes; });
+    };
+    const std::size_t bytesBefore = bytes();
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        expectFresh(renderer, scene, lights[i], Mode::gi, "light " + std::to_string(i));
+    expectSameGrid(before, gridOf(renderer), "back again");
+    EXPECT_EQ(bytes(), bytesBefore);
+    renderer.setLightDirection(lights[0]);
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    const Grid other = gridOf(renderer);
+    EXPECT_FALSE(other.sums == before.sums && other.words == before.words) << "the light changes nothing";
+}
+
+// Of a mode that lights no face with what it received, the radiance of every level's faces too.
+TEST_P(Relight, EveryLightLeavesTheDirectLightOfAFreshRenderer) {
+    const Scene scene = loadGltf(asset("courtyard.glb"));
+    Renderer renderer = rendererOf(scene, sun);
+    renderer.frame(Mode::ao, chooseCamera(scene, ""));
+    const Grid before = gridOf(renderer);
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        expectFresh(renderer, scene, lights[i], Mode::ao, "light " + std::to_string(i));
+    expectSameGrid(before, gridOf(renderer), "back again");
+    EXPECT_FALSE(before.received);
+}
+
+TEST_P(Relight, FromUnderTheHorizonNothingIsLitAndTheNextDayIsLikeTheFirst) {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.9F, 0.9F, 0.9F}, {{"translation", {0, 0.9, 0}}});
+    const Scene scene = load(builder);
+    const Camera camera = chooseCamera(scene, "");
+    Renderer renderer = rendererOf(scene, sun);
+    renderer.renderConverged(Mode::gi, camera);
+    const double day = brightness(renderer);
+    renderer.setLightDirection({0.0, -1.0, 0.0});
+    renderer.renderConverged(Mode::gi, camera);
+    EXPECT_GT(day, 10.0);
+    // In the last round some light still goes round, of which a share is left.
+    const bool words = renderer.voxels() != nullptr;
+    EXPECT_LE(brightness(renderer), words ? 0.0 : 1e-3 * day);
+    renderer.setLightDirection(glm::normalize(sun));
+    renderer.renderConverged(Mode::gi, camera);
+    EXPECT_NEAR(brightness(renderer), day, words ? 0.0 : 2e-3 * day);
+}
+
+TEST_P(Relight, AfterOtherModesAndPosesToo) {
+    GltfBuilder builder = openFloor();
+    const int box =
+        addCube(builder, {0.9F, 0.2F, 0.1F}, {{"translation", {0, 0.6, 0}}, {"scale", {0.6, 0.6, 0.6}}});
+    builder.animate(box, "translation", {0, 1}, {0, 0.6F, 0, 0.8F, 0.9F, 0.4F});
+    const Scene scene = load(builder);
+    const Scene frozen = frozenAt(scene, 0.5);
+    Renderer renderer = rendererOf(scene, sun);
+    const Camera camera = chooseCamera(scene, "");
+    renderer.frame(Mode::gi, camera);
+    renderer.setPose(poseAt(scene.animation, 0.5));
+    renderer.frame(Mode::gi, camera);
+    std::size_t light = 0;
+    for (const Mode mode : {Mode::gi, Mode::ao, Mode::ao, Mode::gi, Mode::shadowMap, Mode::giConeShadow}) {
+        expectFresh(renderer, frozen, lights[light], mode, modeName(mode) + (" " + std::to_string(light)));
+        ++light;
+    }
+}
+
+TEST_P(Relight, ItsProgramsAreMadeWhenTheLightMoves) {
+    const Scene scene = load(openFloor());
+    const Camera camera = chooseCamera(scene, "");
+    const gl::CallLog log;
+    Renderer renderer = rendererOf(scene, sun);
+    const auto made = [&] {
+        const std::vector<gl::Call>& calls = log.calls();
+        const std::string program = renderer.voxels() != nullptr ? "mipmapper of a light" : "face_darken";
+        return std::count_if(calls.begin(), calls.end(), [&](const gl::Call& call) {
+            return std::string(call.name) == "ObjectLabel" && call.text == program;
+        });
+    };
+    renderer.frame(Mode::gi, camera);
+    renderer.frame(Mode::gi, lookAt({0, 2, 3}, {0, 0, 0}, 40));
+    EXPECT_EQ(made(), 0);
+    for (const glm::dvec3& light : {lights[0], lights[1]}) {
+        renderer.setLightDirection(light);
+        renderer.frame(Mode::gi, camera);
+        EXPECT_EQ(made(), 1);
+    }
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,337 @@
+// What a scene does not need does not exist: calls, programs, bindings and memory are those of a scene that
+// never heard of it.
+#include "scene/scene_features.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+#include "gl/call_log.h"
+#include "scene/camera.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "support/temporary_folder.h"
+
+namespace vct::test {
+namespace {
+
+struct Feature {
+    const char* name;
+    void (*give)(Material& material);
+    const char* code;  // of shaders, without spaces, that only this feature needs
+    const char* preset;
+};
+void PrintTo(const Feature& feature, std::ostream* out) {
+    *out << feature.name << ", " << feature.preset;
+}
+
+const std::vector<Feature>& allFeaturesOfAllPresets() {
+    const std::vector<Feature> features{
+        {"BaseColorTexture", [](Material& m) { m.baseColorTexture = 0; }, "baseColorTexture", ""},
+        {"AlphaMask", [](Material& m) { m.alphaMode = Material::AlphaMode::mask; }, "draw.surface.x", ""},
+        {"Emission", [](Material& m) { m.emissive = glm::vec3(2.0F); }, "draw.emissive", ""},
+        {"EmissiveTexture",
+         [](Material& m) {
+             m.emissive = glm::vec3(2.0F);
+             m.emissiveTexture = 1;
+         },
+         "emissiveTexture", ""},
+        {"Glossy", [](Material& m) { m.roughness = 0.3F; }, "glossTarget", ""},
+        {"DoubleSided", [](Material& m) { m.doubleSided = true; }, "", ""},
+    };
+    static std::vector<Feature> all;
+    if (all.empty())
+        for (const char* preset : {"thesis", "mobile"})
+            for (Feature feature : features) {
+                feature.preset = preset;
+                // Light on both sides: of one colour per voxel, or of each face.
+                if (std::string(feature.name) == "DoubleSided")
+                    feature.code = std::string(preset) == "thesis" ? "abs(facing)" : "baseColor.rgb,-normal)";
+                all.push_back(feature);
+            }
+    return all;
+}
+
+// A floor and a box on it. Materials: 0 of the floor, 1 the featured one, 2 of the box where it is plain.
+Scene sceneWith(const Feature* declared, bool used) {
+    Scene scene = emptyScene();
+    scene.materials.resize(3);
+    if (declared != nullptr) {
+        declared->give(scene.materials[1]);
+        for (int i = 0; i < 2; ++i)
+            scene.textures.push_back({"", 4, 4, std::vector<std::uint8_t>(64, 200)});
+    }
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    addBox(scene, {0.5, 0.5, 0.5}, {0, 0.25, 0}, used ? 1 : 2);
+    return finished(std::move(scene));
+}
+
+// What a renderer asks of GL, from its constructor to its third frame.
+struct Asked {
+    std::vector<std::string> programs;  // built, by name
+    std::vector<std::string> sources;   // compiled
+    gl::CallSummary frame;              // of the third frame
+    std::vector<std::pair<std::string, std::size_t>> bytes;
+};
+
+Settings settingsOf(const std::string& preset) {
+    Settings settings = presetSettings(preset);
+    settings.grid = 64;
+    settings.size = glm::ivec2(32);
+    settings.shadowMapSize = 64;
+    settings.revoxelize = true;
+    return settings;
+}
+
+const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
+
+Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
+    const Context context = openContext(Backend::egl);
+    gl::CallLog log;
+    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), settingsOf(preset));
+    int frames = 0;
+    const auto frame = [&] {
+        if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
+        renderer.frame(mode, camera);
+    };
+    frame();
+    frame();
+    Asked asked;
+    for (const gl::Call& call : log.calls()) {
+        if (std::string(call.name) == "ShaderSource") asked.sources.push_back(call.text);
+        if (std::string(call.name) == "ObjectLabel" && call.arguments[0] == GL_PROGRAM)
+            asked.programs.push_back(call.text);
+    }
+    log.clear();
+    frame();
+    asked.frame = gl::summaryOf(log.calls());
+    for (const Renderer::Resource& resource : renderer.resources())
+        asked.bytes.emplace_back(resource.name, resource.bytes);
+    return asked;
+}
+
+void expectEqual(const Asked& a, const Asked& b) {
+    EXPECT_EQ(a.programs, b.programs);
+    EXPECT_EQ(a.sources, b.sources);
+    EXPECT_EQ(a.frame.byName, b.frame.byName);
+    EXPECT_EQ(a.frame.byGroup, b.frame.byGroup);
+    EXPECT_EQ(a.frame.bindings, b.frame.bindings);
+    EXPECT_EQ(a.bytes, b.bytes);
+}
+
+// What a compiler sees of the sources, once the preprocessor is through.
+std::string preprocessed(const std::vector<std::string>& sources) {
+    TemporaryFolder folder;
+    std::string text;
+    for (const std::string& source : std::set<std::string>(sources.begin(), sources.end())) {
+        writeBytes(folder.file("shader.frag"), source);
+        FILE* pipe = popen(("glslangValidator -E " + folder.file("shader.frag")).c_str(), "r");
+        char buffer[4096];
+        for (std::size_t count; (count = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+            text.append(buffer, count);
+        EXPECT_EQ(pclose(pipe), 0) << source.substr(0, 200);
+    }
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    return text;
+}
+
+// Of the scene that never heard of any feature; once for each preset.
+const Asked& askedByPlain(const std::string& preset) {
+    static std::map<std::string, Asked> known;
+    if (known.count(preset) == 0) known[preset] = askedBy(sceneWith(nullptr, false), preset);
+    return known[preset];
+}
+
+class NeedsOf : public ::testing::TestWithParam<Feature> {};
+
+TEST_P(NeedsOf, WhatNoInstanceHasCostsNothing) {
+    const Feature& feature = GetParam();
+    const Asked& never = askedByPlain(feature.preset);
+    EXPECT_GT(never.frame.calls, 100);
+    EXPECT_FALSE(never.frame.bindings.empty());
+    expectEqual(askedBy(sceneWith(&feature, false), feature.preset), never);
+}
+
+// Of frames that take turns, as the machine may be busy with something else: the fastest.
+TEST(Needs, WhatNoInstanceHasTakesNoTime) {
+    using Clock = std::chrono::steady_clock;
+    const Feature everything{"",
+                             [](Material& m) {
+                                 for (const Feature& feature : allFeaturesOfAllPresets())
+                                     feature.give(m);
+                             },
+                             "", ""};
+    const Scene never = sceneWith(nullptr, false), declared = sceneWith(&everything, false);
+    // The second is where the surfaces' features take most of the time.
+    for (const auto& [preset, mode] : {std::pair{"mobile", Mode::giConeShadow}, {"thesis", Mode::phong}}) {
+        const Context context = openContext(Backend::egl);
+        Settings settings = settingsOf(preset);
+        settings.size = glm::ivec2(192);
+        Renderer plain = makeRenderer(context, never, lightFrom({1, 2, 1}), settings);
+        Renderer other = makeRenderer(context, declared, lightFrom({1, 2, 1}), settings);
+        const auto improve = [&, mode = mode](Renderer& renderer, Clock::duration& fastest) {
+            const Clock::time_point start = Clock::now();
+            renderer.frame(mode, camera);
+            gl::Finish();
+            fastest = std::min(fastest, Clock::now() - start);
+        };
+        Clock::duration plainTime = Clock::duration::max(), otherTime = plainTime;
+        double ratio = 0.0;
+        for (int round = 0; round < 200 && (round < 20 || std::abs(ratio - 1.0) > 0.05); ++round) {
+            improve(plain, plainTime);
+            improve(other, otherTime);
+            ratio = static_cast<double>(otherTime.count()) / static_cast<double>(plainTime.count());
+        }
+        EXPECT_NEAR(ratio, 1.0, 0.1) << preset << ": " << std::chrono::duration<double>(plainTime).count()
+                                     << " s";
+    }
+}
+
+TEST_P(NeedsOf, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
+    const Feature& feature = GetParam();
+    const auto has = [&](const Asked& asked) {
+        return preprocessed(asked.sources).find(feature.code) != std::string::npos;
+    };
+    EXPECT_FALSE(has(askedByPlain(feature.preset)));
+    const bool reflects = std::string(feature.name) != "Glossy" || std::string(feature.preset) != "thesis";
+    EXPECT_EQ(has(askedBy(sceneWith(&feature, true), feature.preset)), reflects);
+}
+
+INSTANTIATE_TEST_SUITE_P(Features, NeedsOf, ::testing::ValuesIn(allFeaturesOfAllPresets()),
+                         [](const ::testing::TestParamInfo<Feature>& test) {
+                             return std::string(test.param.name) + "_" + test.param.preset;
+                         });
+
+const Feature& featureNamed(const std::string& name, const std::string& preset) {
+    for (const Feature& feature : allFeaturesOfAllPresets())
+        if (feature.name == name && feature.preset == preset) return feature;
+    throw Error("no feature " + name);
+}
+
+std::size_t bytesOf(const Asked& asked, const std::string& name) {
+    for (const auto& [resource, bytes] : asked.bytes)
+        if (resource == name) return bytes;
+    return 0;
+}
+
+TEST(Needs, TexturesAddTheirBytesTheirCoordinatesAndOneBindingPerDraw) {
+    const Asked& plain = askedByPlain("mobile");
+    const Asked textured = askedBy(sceneWith(&featureNamed("BaseColorTexture", "mobile"), true), "mobile");
+    EXPECT_EQ(bytesOf(plain, "vertices"), 28U * 24U);
+    EXPECT_EQ(bytesOf(textured, "vertices"), 28U * 32U);
+    EXPECT_EQ(bytesOf(plain, "scene textures"), 0U);
+    EXPECT_EQ(bytesOf(textured, "scene textures"), 4U * (16U + 4U + 1U));
+    // The G-buffer and voxelization; an opaque surface's texture does not matter to its shadow, nor to which
+    // voxels it touches.
+    EXPECT_EQ(textured.frame.byName.at("BindTexture"), plain.frame.byName.at("BindTexture") + 2);
+    EXPECT_EQ(textured.programs.size(), plain.programs.size() + 2);
+}
+
+TEST(Needs, EmissionAndGlossAddATargetEach) {
+    const Asked& plain = askedByPlain("mobile");
+    for (const auto& [feature, target] :
+         {std::pair{"Emission", "G-buffer emissive"}, {"Glossy", "G-buffer gloss"}}) {
+        const Asked with = askedBy(sceneWith(&featureNamed(feature, "mobile"), true), "mobile");
+        EXPECT_EQ(bytesOf(plain, target), 0U);
+        EXPECT_GT(bytesOf(with, target), 0U);
+        EXPECT_EQ(with.frame.byName.at("ClearBufferfv"), plain.frame.byName.at("ClearBufferfv") + 1);
+    }
+}
+
+TEST(Needs, GlossThatIsNotDrawnCostsNothing) {
+    expectEqual(askedBy(sceneWith(&featureNamed("Glossy", "thesis"), true), "thesis"),
+                askedByPlain("thesis"));
+}
+
+TEST(Needs, DoubleSidedAddsOneProgramToVoxelizationAlone) {
+    for (const char* preset : {"thesis", "mobile"}) {
+        const Asked& plain = askedByPlain(preset);
+        const Asked with = askedBy(sceneWith(&featureNamed("DoubleSided", preset), true), preset);
+        EXPECT_EQ(with.programs.size(), plain.programs.size() + 1) << preset;
+        // Received light is remembered for each face that is not empty, and sheets have them on both sides.
+        const auto withoutLight = [](Asked asked) {
+            for (auto& [resource, bytes] : asked.bytes)
+                if (resource == "received light" || resource == "irradiance") bytes = 0;
+            return asked.bytes;
+        };
+        EXPECT_EQ(withoutLight(with), withoutLight(plain)) << preset;
+        EXPECT_EQ(with.frame.byName.at("UseProgram"), plain.frame.byName.at("UseProgram") + 1) << preset;
+        EXPECT_EQ(with.frame.bindings, plain.frame.bindings) << preset;
+    }
+}
+
+TEST(Needs, MaterialsThatDifferInNumbersAloneShareEveryProgram) {
+    Scene one = sceneWith(nullptr, false);
+    Scene several = one;
+    several.materials[2].baseColor = {0.5F, 0.1F, 0.1F, 1.0F};
+    for (Mesh& mesh : one.meshes)
+        mesh.material = 0;
+    ASSERT_EQ(featuresOf(one).materials, 1);
+    ASSERT_EQ(featuresOf(several).materials, 2);
+    for (const char* preset : {"thesis", "mobile"})
+        expectEqual(askedBy(several, preset), askedBy(one, preset));
+}
+
+TEST(Needs, AnAnimationCostsNothingButWhereItMovesAnObject) {
+    Scene scene = sceneWith(nullptr, false);
+    scene.animation.nodes.resize(1);
+    AnimationChannel slide;
+    slide.times = {0.0F, 1.0F};
+    slide.values = {glm::dvec4(0.0), glm::dvec4(0.5, 0.0, 0.0, 0.0)};
+    scene.animation.channels.push_back(slide);
+    scene.animation.durationS = 1.0;
+    scene.lights.push_back(lightFrom({1, 2, 1}));
+    scene.lights[0].node = 0;
+    EXPECT_TRUE(featuresOf(scene).movingLight);
+    EXPECT_FALSE(featuresOf(scene).movingObjects);
+    expectEqual(askedBy(scene, "mobile"), askedByPlain("mobile"));
+
+    scene.instances[1].node = 0;
+    EXPECT_TRUE(featuresOf(scene).movingObjects);
+    const Asked moving = askedBy(scene, "mobile");
+    // Those of parts of the voxels: engine/directional/incremental_update.h.
+    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 5);
+    EXPECT_GT(moving.frame.byName.at("BufferSubData"),
+              askedByPlain("mobile").frame.byName.at("BufferSubData"));
+}
+
+TEST(Needs, AModeBuildsTheProgramsThatItAsksFor) {
+    const Scene scene = sceneWith(nullptr, false);
+    const auto builds = [&](Mode mode, const std::string& program) {
+        const std::vector<std::string> programs = askedBy(scene, "mobile", mode).programs;
+        return std::count(programs.begin(), programs.end(), program) > 0;
+    };
+    EXPECT_FALSE(builds(Mode::phong, "shadow_map"));
+    EXPECT_TRUE(builds(Mode::shadowMap, "shadow_map"));
+    EXPECT_FALSE(builds(Mode::shadowMap, "face_voxelizer"));
+    EXPECT_TRUE(builds(Mode::ao, "face_voxelizer"));
+    EXPECT_FALSE(builds(Mode::ao, "light_shine"));
+    EXPECT_FALSE(builds(Mode::ao, "irradiance"));
+    EXPECT_TRUE(builds(Mode::gi, "light_shine"));
+    EXPECT_FALSE(builds(Mode::gi, "irradiance, occlusion"));
+}
+
+TEST(Needs, OnlyWhatIsPlacedAndSeenCounts) {
+    Scene scene = sceneWith(nullptr, false);
+    Material& material = scene.materials[1];
+    material.emissiveTexture = 0;  // of an emission of zero
+    material.doubleSided = true;
+    scene.textures.resize(1);
+    EXPECT_FALSE(featuresOf(scene).has(featureDoubleSided));
+    scene.meshes[1].material = 1;
+    const SceneFeatures needs = featuresOf(scene);
+    EXPECT_EQ(needs.materialFeatures, (std::vector<unsigned>{0, featureDoubleSided}));
+    EXPECT_EQ(needs.textures, std::vector<bool>{false});
+    EXPECT_FALSE(needs.has(featureEmissive));
+    EXPECT_FALSE(needs.glossy);
+    EXPECT_EQ(needs.materials, 2);
+}
+
+}  // namespace
+}  // namespace vct::test

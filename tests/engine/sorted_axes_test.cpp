@@ -1,0 +1,143 @@
+// Voxelization by triangles sorted by their axis against the geometry shader: the same voxels, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "platform/contexts.h"
+#include "engine/axis_sort.h"
+#include "engine/gpu_scene.h"
+#include "scene/camera.h"
+#include "support/grids.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "support/triangle_soup.h"
+
+namespace vct::test {
+namespace {
+
+Grid voxelized(Backend backend, const Scene& scene, Settings settings, Voxelization voxelization) {
+    const Context context = openContext(backend);
+    settings.voxelization = voxelization;
+    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), settings);
+    // Twice, so that what a frame leaves behind would show.
+    for (int i = 0; i < 2; ++i)
+        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
+    return gridOf(renderer);
+}
+
+Settings settingsFor(const std::string& preset, int grid) {
+    Settings settings = presetSettings(preset);
+    settings.grid = grid;
+    settings.size = glm::ivec2(64);
+    settings.shadowMapSize = 256;
+    return settings;
+}
+
+class SortedAxes : public testing::TestWithParam<std::tuple<Backend, std::string>> {};
+INSTANTIATE_TEST_SUITE_P(BackendsAndScenes, SortedAxes,
+                         testing::Combine(testing::Values(Backend::egl, Backend::zink, Backend::osmesa),
+                                          testing::Values("cornell", "courtyard", "corridor", "soup")),
+                         [](const auto& test) {
+                             return std::string(backendName(std::get<0>(test.param))) + "_" +
+                                    std::get<1>(test.param);
+                         });
+
+TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
+    const auto& [backend, name] = GetParam();
+    VCT_SKIP_IF_ABSENT(backend);
+    const Scene scene = name == "soup" ? triangleSoup(1) : loadGltf(asset(name + ".glb"));
+    for (const char* preset : {"thesis", "mobile"})
+        for (int grid : {64, 128}) {
+            const Settings settings = settingsFor(preset, grid);
+            const Grid byShader = voxelized(backend, scene, settings, Voxelization::geometryShader);
+            const Grid bySorting = voxelized(backend, scene, settings, Voxelization::sortedAxes);
+            ASSERT_GT(byShader.lists[0].size(), 1000U);
+            ASSERT_EQ(byShader.words.size() + byShader.faces.size(), byShader.lists.size());
+            expectSameGrid(bySorting, byShader, preset + (" " + std::to_string(grid)));
+        }
+}
+
+TEST(SortedAxesOfSoups, GiveTheVoxelsOfTheGeometryShaderAt256) {
+    for (unsigned seed = 2; seed <= 4; ++seed) {
+        const Scene scene = triangleSoup(seed);
+        const Settings settings = settingsFor("thesis", 256);
+        const auto byShader = voxelized(Backend::egl, scene, settings, Voxelization::geometryShader);
+        const auto bySorting = voxelized(Backend::egl, scene, settings, Voxelization::sortedAxes);
+        EXPECT_TRUE(bySorting.lists == byShader.lists) << "seed " << seed;
+        EXPECT_TRUE(bySorting.words == byShader.words) << "seed " << seed;
+    }
+}
+
+Mesh triangles(const std::vector<glm::vec3>& corners) {
+    Mesh mesh;
+    for (const glm::vec3& corner : corners) {
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+        mesh.vertices.push_back({corner, {0, 1, 0}, {}, {}});
+    }
+    return mesh;
+}
+
+TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
+    const glm::vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    const AxisSort sorted = sortByAxis(triangles({o, x, y,        // z
+                                                  o, y, z,        // x
+                                                  o, x, x,        // none
+                                                  o, z, x,        // y
+                                                  o, y, x,        // z
+                                                  o, x + y, z}),  // x, by preference over y
+                                       glm::mat4(1.0F));
+    EXPECT_EQ(sorted.indexCounts, (std::array<int, 3>{6, 3, 6}));
+    EXPECT_EQ(sorted.indices,
+              (std::vector<std::uint32_t>{3, 4, 5, 15, 16, 17, 9, 10, 11, 0, 1, 2, 12, 13, 14}));
+}
+
+std::size_t indexBytes(const Scene& scene) {
+    const Volume volume = volumeAround(scene.boundsWorld, 64);
+    const GpuScene gpu(scene, volume, 1.0F, 256, Voxelization::sortedAxes);
+    for (const gl::Buffer* buffer : gpu.buffers())
+        if (buffer->label() == "indices") return buffer->bytes();
+    return 0;
+}
+
+TEST(AxisSort, InstancesOfOneMeshShareItsOrderWhereItIsTheSame) {
+    const Context context = openContext(Backend::egl);
+    const glm::vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    Scene scene = emptyScene();
+    scene.meshes.push_back(triangles({o, x, y, o, y, z}));
+    for (int i = 0; i < 5; ++i) {
+        glm::dmat4 moved(1.0);
+        moved[3] = glm::dvec4(i, 2 * i, 0, 1);
+        scene.instances.push_back({0, moved});
+    }
+    // Its own order, and one for z after x.
+    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+    // x becomes z and z becomes -x: its own order again.
+    scene.instances.push_back({0, glm::dmat4({0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1})});
+    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+}
+
+TEST(Voxelization, ADriverWithoutGeometryShadersIsRefusedOnlyWhereTheSettingsAskForThem) {
+    const Context context = openContext(Backend::egl);
+    gl::Capabilities without = context.capabilities;
+    for (gl::Requirement& row : without.requirements)
+        if (row.name == "GL_EXT_geometry_shader") row.met = false;
+    const Scene scene = lonePlane(0.0);
+    const auto make = [&](const char* preset) {
+        Renderer(scene, lightFrom({1, 2, 3}), settingsFor(preset, 64), without, testShaders());
+    };
+    EXPECT_NO_THROW(without.requireAll());
+    EXPECT_NO_THROW(make("mobile"));
+    EXPECT_NO_THROW(make("quality"));
+    try {
+        make("thesis");
+        FAIL() << "the geometry shader is missing";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("sorted-axes"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("GL_EXT_geometry_shader"), std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace vct::test

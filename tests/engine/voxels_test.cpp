@@ -1,0 +1,209 @@
+// Bit-exact truths of the voxels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "core/error.h"
+#include "gl/debug.h"
+#include "platform/contexts.h"
+#include "lab/read_back.h"
+#include "scene/camera.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "support/voxels.h"
+
+namespace vct::test {
+namespace {
+
+std::vector<Words> readPyramid(Renderer& renderer) {
+    std::vector<Words> levels;
+    for (int level = 0; level < renderer.voxels()->levels(); ++level)
+        levels.push_back(readVoxels(renderer.voxels()->texture(), level));
+    return levels;
+}
+
+// The voxels of a scene file after one frame.
+std::vector<Words> voxelsOf(Backend backend, const std::string& name, int grid, unsigned seed = 0) {
+    const Context context = openContext(backend);
+    Scene scene = loadGltf(asset(name));
+    shuffleTriangles(scene, seed);
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), smallSettings(grid));
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    return readPyramid(renderer);
+}
+
+class Voxels : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, Voxels, testing::Values("cornell.glb", "courtyard.glb"),
+                         [](const auto& test) {
+                             return std::string(test.param).substr(0, std::string(test.param).find('.'));
+                         });
+
+TEST_P(Voxels, BaseLevelHasCountEightAndLightNoneOrEight) {
+    const std::vector<Words> levels = voxelsOf(Backend::egl, GetParam(), 128);
+    std::size_t lit = 0, unlit = 0;
+    for (const std::uint32_t word : levels[0]) {
+        if (word == 0) continue;
+        ASSERT_EQ(shared::voxelCount(word), 8U);
+        const std::uint32_t light = shared::voxelLight(word);
+        ASSERT_TRUE(light == 0 || light == 8) << light;
+        ++(light != 0 ? lit : unlit);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_LE(shared::voxelColor(word)[c], 248U);
+    }
+    EXPECT_GT(lit, 1000U);
+    EXPECT_GT(unlit, 1000U);
+}
+
+TEST_P(Voxels, MipLevelsEqualTheCpusBitForBit) {
+    const std::vector<Words> levels = voxelsOf(Backend::egl, GetParam(), 128);
+    ASSERT_EQ(levels.size(), 8U);
+    Words expected = levels[0];
+    for (std::size_t level = 1; level < levels.size(); ++level) {
+        expected = mipOnCpu(expected, 128 >> (level - 1));
+        ASSERT_EQ(levels[level], expected) << "level " << level;
+    }
+}
+
+TEST_P(Voxels, MipLevelsConserveColourUpToTheirRounding) {
+    const std::vector<Words> levels = voxelsOf(Backend::egl, GetParam(), 128);
+    for (std::size_t level = 1; level < levels.size(); ++level)
+        for (int c = 0; c < 3; ++c) {
+            // What a child passes on is its colour over its count, rounded down to a step of 1/31.
+            double before = 0.0, after = 0.0;
+            std::size_t children = 0;
+            for (const std::uint32_t word : levels[level - 1]) {
+                if (word == 0) continue;
+                before += static_cast<double>(shared::voxelColor(word)[c]) / shared::voxelCount(word);
+                ++children;
+            }
+            for (const std::uint32_t word : levels[level])
+                after += shared::voxelColor(word)[c];
+            EXPECT_LE(after, before) << "level " << level;
+            EXPECT_GT(after, before - static_cast<double>(children)) << "level " << level;
+        }
+}
+
+TEST_P(Voxels, ListHoldsEachOccupiedVoxelOnceAtEveryLevel) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset(GetParam()));
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), smallSettings(128));
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    const std::vector<Words> levels = readPyramid(renderer);
+    const std::vector<std::uint32_t> counts = renderer.activeVoxels();
+    ASSERT_EQ(counts.size(), levels.size());
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+        std::vector<std::uint32_t> entries =
+            readEntries(*renderer.voxels(), static_cast<int>(level), counts[level]);
+        std::sort(entries.begin(), entries.end());
+        const std::vector<std::uint32_t> expected = entriesOnCpu(levels[level], 128 >> level);
+        ASSERT_EQ(entries, expected) << "level " << level;
+    }
+}
+
+TEST_P(Voxels, ShuffledTrianglesGiveTheIdenticalGrid) {
+    const std::vector<Words> reference = voxelsOf(Backend::egl, GetParam(), 128);
+    for (unsigned seed : {1U, 2U, 3U})
+        EXPECT_EQ(voxelsOf(Backend::egl, GetParam(), 128, seed), reference) << "seed " << seed;
+}
+
+TEST_P(Voxels, OccupancyIsIdenticalOnOsmesa) {
+    VCT_SKIP_IF_ABSENT(Backend::osmesa);
+    const auto occupied = [](Words words) {
+        for (std::uint32_t& word : words)
+            word = word != 0;
+        return words;
+    };
+    EXPECT_EQ(occupied(voxelsOf(Backend::osmesa, GetParam(), 128)[0]),
+              occupied(voxelsOf(Backend::egl, GetParam(), 128)[0]));
+}
+
+TEST_P(Voxels, OccupancyIsIdenticalOnZink) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    const auto occupied = [](Words words) {
+        for (std::uint32_t& word : words)
+            word = word != 0;
+        return words;
+    };
+    EXPECT_EQ(occupied(voxelsOf(Backend::zink, GetParam(), 128)[0]),
+              occupied(voxelsOf(Backend::egl, GetParam(), 128)[0]));
+}
+
+TEST(VoxelsOverTime, FrameHundredEqualsFrameOne) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("courtyard.glb"));
+    Settings settings = smallSettings();
+    settings.revoxelize = true;
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    const Camera camera = chooseCamera(scene, "");
+    renderer.frame(Mode::gi, camera);
+    const std::vector<Words> first = readPyramid(renderer);
+    const Image firstImage = renderer.radiance();
+    const std::vector<std::uint32_t> firstCounts = renderer.activeVoxels();
+    for (int i = 2; i <= 100; ++i)
+        renderer.frame(Mode::gi, camera);
+    EXPECT_EQ(readPyramid(renderer), first);
+    EXPECT_EQ(renderer.activeVoxels(), firstCounts);
+    EXPECT_EQ(renderer.radiance().pixels, firstImage.pixels);
+}
+
+TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("cornell.glb"));
+    Settings settings = smallSettings();
+    settings.activeVoxelLimit = 1000;
+    settings.revoxelize = true;
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    const auto expectReport = [&] {
+        try {
+            renderer.activeVoxels();
+            FAIL() << "an overflow must be reported";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("--active-voxels"), std::string::npos) << error.what();
+        }
+    };
+    expectReport();
+    const Words first = readVoxels(renderer.voxels()->texture(), 0);
+    // Level 1's list lies behind level 0's and is not full: what was behind its last entry before a second
+    // frame must be there after it.
+    const VoxelPyramid& pyramid = *renderer.voxels();
+    ASSERT_EQ(pyramid.firstEntry(1), 1000U);
+    std::set<std::uint32_t> parents;
+    for (std::uint32_t entry : readEntries(pyramid, 0, 1000))
+        parents.insert(shared::packEntry(shared::unpackEntry(entry) / 2U));
+    ASSERT_LT(parents.size(), 900U);
+    const std::vector<std::uint32_t> untouched(100, 0xC0FFEEU);
+    pyramid.activeVoxels().bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, (1000 + 900) * sizeof(std::uint32_t), 100 * sizeof(std::uint32_t),
+                      untouched.data());
+    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    expectReport();
+    EXPECT_EQ(readVoxels(renderer.voxels()->texture(), 0), first);
+    const std::vector<std::uint32_t> level1 = readEntries(pyramid, 1, 1000);
+    EXPECT_EQ(std::vector<std::uint32_t>(level1.end() - 100, level1.end()), untouched);
+}
+
+TEST(VoxelizerHardCases, DegenerateAndEdgeOnTrianglesMakeNoNaNAndNoExtraVoxel) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = closedBox(0.0);
+    const auto before = [&] {
+        Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), smallSettings());
+        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
+        for (const glm::vec3& pixel : renderer.radiance().pixels)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_TRUE(std::isfinite(pixel[c]));
+        return readVoxels(renderer.voxels()->texture(), 0);
+    };
+    const Words reference = before();
+    Mesh needle = scene.meshes[0];
+    needle.vertices[1] = needle.vertices[0];  // two corners in one place
+    needle.vertices[2] = needle.vertices[3] = needle.vertices[0];
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+    scene.meshes.push_back(needle);
+    EXPECT_EQ(before(), reference);
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,84 @@
+// The self-test passes on every driver here, and fails where a shader is wrong in the way that a driver could
+// be.
+#include <gtest/gtest.h>
+
+#include "lab/self_test.h"
+#include "platform/contexts.h"
+#include "support/renderers.h"
+
+namespace vct::test {
+namespace {
+
+class SelfTestOn : public testing::TestWithParam<Backend> {};
+INSTANTIATE_TEST_SUITE_P(Backends, SelfTestOn, testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
+                         [](const auto& test) { return std::string(backendName(test.param)); });
+
+TEST_P(SelfTestOn, Passes) {
+    VCT_SKIP_IF_ABSENT(GetParam());
+    const Context context = openContext(GetParam());
+    const SelfTest result = runSelfTest(context.capabilities, testShaders());
+    EXPECT_TRUE(result.passed) << result.text;
+    EXPECT_NE(result.text.find("7 levels"), std::string::npos) << result.text;
+}
+
+// `from` in a shader becomes `to`, as if the driver computed the other thing.
+SelfTest withBrokenShader(const std::string& file, const std::string& from, const std::string& to) {
+    const Context context = openContext(Backend::egl);
+    bool found = false;
+    const SelfTest result = runSelfTest(context.capabilities, [&](const std::string& path) {
+        std::string text = testShaders()(path);
+        const std::size_t at = path == file ? text.find(from) : std::string::npos;
+        if (at != std::string::npos) {
+            text.replace(at, from.size(), to);
+            found = true;
+        }
+        return text;
+    });
+    EXPECT_TRUE(found) << file << " has no " << from;
+    return result;
+}
+
+void expectWrong(const SelfTest& result, const std::string& text) {
+    EXPECT_FALSE(result.passed);
+    EXPECT_NE(result.text.find(text), std::string::npos) << result.text;
+}
+
+TEST(SelfTestBroken, AtomicMaxThatKeepsTheLastFragment) {
+    expectWrong(withBrokenShader("packed/voxelizer.frag", "if (imageAtomicMax(voxels, voxel, word) == 0u)",
+                                 "if (imageAtomicExchange(voxels, voxel, word) == 0u)"),
+                "level 0");
+}
+
+TEST(SelfTestBroken, AtomicAddThatLosesColours) {
+    expectWrong(withBrokenShader(
+                    "packed/mipmapper.comp", "childContribution(word)) == 0u;",
+                    "(voxel.x & 1u) == 0u ? childContribution(word) : packVoxel(0u, 1u, uvec3(0u))) == 0u;"),
+                "level 1");
+}
+
+TEST(SelfTestBroken, IndirectDispatchThatForgetsGroups) {
+    expectWrong(withBrokenShader("packed/mipmapper.comp", "i < count; i += stride",
+                                 "i < min(count, 64u); i += stride"),
+                "level 1");
+}
+
+TEST(SelfTestBroken, ClearThatForgets) {
+    expectWrong(
+        withBrokenShader("packed/clear.comp", "void main() {", "void main() { if (level > 0u) return;"),
+        "second frame");
+}
+
+TEST(SelfTestBroken, ListWithAnEntryTwice) {
+    expectWrong(withBrokenShader(
+                    "packed/voxelizer.frag", "appendVoxel(0u, uvec3(voxel));",
+                    "{ appendVoxel(0u, uvec3(voxel)); if (voxel.x == 2) appendVoxel(0u, uvec3(voxel)); }"),
+                "level 0: the list");
+}
+
+TEST(SelfTestBroken, ShaderThatDoesNotCompile) {
+    expectWrong(withBrokenShader("packed/mipmapper.comp", "void main() {", "void main() { nonsense;"),
+                "packed/mipmapper.comp");
+}
+
+}  // namespace
+}  // namespace vct::test

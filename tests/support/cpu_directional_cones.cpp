@@ -1,0 +1,146 @@
+#include "support/cpu_directional_cones.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/cpu_mips.h"
+#include "shared/layout.h"
+
+namespace vct::test {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+FacePlane unpackPlane(std::uint32_t word) {
+    const auto step = [&](int shift) { return static_cast<double>(word >> shift & 255U); };
+    // The octahedron unfolded into a square.
+    const double x = step(8) / 127.0 - 1.0, y = step(0) / 127.0 - 1.0;
+    const double z = 1.0 - std::abs(x) - std::abs(y);
+    glm::dvec3 normal(x, y, z);
+    if (z < 0.0) normal = {std::copysign(1.0 - std::abs(y), x), std::copysign(1.0 - std::abs(x), y), z};
+    return {glm::normalize(normal), step(16) / 127.5 - 1.0};
+}
+
+// Hammersley: the hemisphere around +y, weighted by the cosine.
+glm::dvec3 directionOf(int i, int directions) {
+    double reversed = 0.0;
+    for (int bit = 0; bit < 32; ++bit)
+        if ((i >> bit & 1) != 0) reversed += std::exp2(-1 - bit);
+    const double height = reversed + 0.5 / directions, phi = 2.0 * pi / directions * i;
+    return {std::sqrt(height) * std::cos(phi), std::sqrt(1.0 - height), std::sqrt(height) * std::sin(phi)};
+}
+
+}  // namespace
+
+std::map<std::uint32_t, FacePlane> readPlanes(const DirectionalVoxels& voxels) {
+    const std::vector<std::uint32_t> entries =
+        readEntries(voxels.index(), 0, voxels.index().readActiveCounts()[0]);
+    std::map<std::uint32_t, std::size_t> index;
+    for (std::size_t slot = 0; slot < entries.size(); ++slot)
+        index[entries[slot]] = slot;
+    std::vector<std::uint32_t> words(entries.size() * VCT_SLOT_WORDS);
+    voxels.sums().read(words.data(), words.size() * sizeof words[0]);
+    std::map<std::uint32_t, FacePlane> planes;
+    for (const std::uint32_t entry : voxels.readFaceList(0)) {
+        const std::size_t slot = index.at(shared::packEntry(shared::unpackFaceVoxel(entry)));
+        const std::size_t last =
+            slot * VCT_SLOT_WORDS + (shared::unpackFace(entry) + 1U) * VCT_FACE_SUM_WORDS;
+        planes[entry] = unpackPlane(words[last]);
+    }
+    return planes;
+}
+
+// What lies outside of a face's block is its border's.
+glm::dvec4 CpuFaceCones::faceAt(const glm::dvec3& texel, int face, int level) const {
+    const FaceLevel& faces = levels_[static_cast<std::size_t>(level)];
+    const glm::dvec3 at = glm::clamp(texel, 0.0, faces.side() - 1.0);
+    const glm::ivec3 first(glm::floor(at));
+    const glm::dvec3 part = at - glm::dvec3(first);
+    glm::dvec4 sum(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+        const glm::dvec3 weight = glm::mix(1.0 - part, part, glm::dvec3(offset));
+        const glm::ivec3 voxel = glm::min(first + offset, glm::ivec3(faces.side() - 1));
+        sum += weight.x * weight.y * weight.z / 255.0 * glm::dvec4(faces.at(voxel, face));
+    }
+    return sum;
+}
+
+CpuFaceCones::Met CpuFaceCones::sample(const glm::dvec3& positionVoxels, const glm::dvec3& direction,
+                                       const glm::dvec3& share, int level) const {
+    const glm::dvec3 texel = positionVoxels / std::exp2(level) - 0.5;
+    glm::dvec4 shining(0.0);
+    double coverage = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        // The face that looks against the ray.
+        const glm::dvec4 face = faceAt(texel, 2 * axis + (direction[axis] > 0.0 ? 1 : 0), level);
+        shining += share[axis] * share[axis] * face;
+        coverage += share[axis] * face.a;
+    }
+    return {glm::dvec3(shining) * (coverage / std::max(shining.a, 1e-4)), coverage};
+}
+
+CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
+                                           const glm::dvec3& direction) const {
+    const GatherSettings& s = settings_;
+    const double grid = levels_[0].side();
+    const glm::dvec3 share = glm::abs(direction);
+    glm::dvec3 nearShare = share;
+    double reach = 2.0 * grid;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool ofBack = hasBack && std::abs(normal[axis]) >= 0.3;
+        if (direction[axis] * normal[axis] < 0.0 || ofBack) nearShare[axis] = 0.0;
+        const double end = direction[axis] >= 0.0 ? grid : 0.0;
+        reach = std::min(reach, (end - start[axis]) / direction[axis]);
+    }
+    const double rise = glm::dot(direction, normal);
+    Gathered result{glm::dvec3(0.0), 1.0};
+    bool ended = false;
+    for (double distance = s.firstSample; distance < reach && !ended;) {
+        const double height = s.startOffset + distance * rise;
+        const int level = std::clamp(static_cast<int>(std::floor(std::log2(s.height * height))), 0,
+                                     static_cast<int>(levels_.size()) - 1);
+        const bool near = height < s.ownSurface * std::exp2(level);
+        const Met met = sample(start + direction * distance, direction, near ? nearShare : share, level);
+        const double taken =
+            std::min<double>(s.extinction * s.step * std::min(met.coverage, 1.0), result.sky);
+        result.light += met.light * (taken / std::max(met.coverage, 1e-4));
+        result.sky -= taken;
+        ended = result.sky < s.threshold;
+        distance += s.step * std::exp2(level);
+    }
+    if (ended) {  // in the rest it met what it met before
+        result.light /= 1.0 - result.sky;
+        result.sky = 0.0;
+    }
+    return result;
+}
+
+CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane& plane, const FacePlane* back,
+                                            int direction, int cones) const {
+    const glm::ivec3 voxel(shared::unpackFaceVoxel(face));
+    const int golden = (settings_.directions * 618 / 1000) | 1;
+    const glm::dvec3 n = plane.normal;
+    const glm::dvec3 start = glm::dvec3(voxel) + 0.5 + n * (plane.offset + settings_.startOffset);
+    // Duff et al. 2017.
+    const double sign = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (sign + n.z), b = n.x * n.y * a;
+    const glm::dvec3 tangent(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    const glm::dmat3 frame(tangent, n, glm::cross(tangent, n));
+    const int axis = static_cast<int>(shared::unpackFace(face) >> 1);
+    const int first = direction + (voxel[(axis + 1) % 3] & 3) + 4 * (voxel[(axis + 2) % 3] & 3);
+    const int number = static_cast<int>(shared::unpackFace(face));
+    const bool hasBack = back != nullptr && glm::dot(back->normal, plane.normal) < -0.8 &&
+                         levels_[0].at(voxel, number ^ 1).a > 0.5 * levels_[0].at(voxel, number).a;
+    Gathered sum;
+    for (int i = first; i < first + cones; ++i) {
+        const Gathered cone =
+            trace(start, n, hasBack,
+                  frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions));
+        sum.light += cone.light / static_cast<double>(cones);
+        sum.sky += cone.sky / cones;
+    }
+    return sum;
+}
+
+}  // namespace vct::test

@@ -1,0 +1,68 @@
+#include "support/playing_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "support/grids.h"
+#include "support/received.h"
+
+namespace vct::test {
+
+Camera Stage::moveTo(double seconds) {
+    const Pose pose = poseAt(scene_.animation, seconds);
+    renderer_.setPose(pose);
+    renderer_.setLightDirection(posed(chooseLight(scene_), pose).towardsLight);
+    return posed(chooseCamera(scene_, ""), pose);
+}
+
+void Stage::frameAt(double seconds, Mode mode) {
+    renderer_.frame(mode, moveTo(seconds));
+}
+
+void Stage::stillAt(double seconds, Mode mode) {
+    renderer_.still(mode, moveTo(seconds));
+}
+
+std::size_t Stage::bytes() const {
+    std::size_t sum = 0;
+    for (const Renderer::Resource& resource : renderer_.resources())
+        sum += resource.bytes;
+    return sum;
+}
+
+void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+                 double seconds, Mode mode) {
+    const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
+    stage.frameAt(seconds, mode);
+    const Scene frozen = frozenAt(scene, seconds);
+    Stage fresh(context, frozen, settings);
+    fresh.frame(mode);
+    expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
+    if (stage.renderer().received(GatherOf::light) == nullptr &&
+        stage.renderer().received(GatherOf::occlusion) == nullptr)
+        expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
+}
+
+void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings, double seconds,
+                      Mode mode) {
+    const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
+    stage.stillAt(seconds, mode);
+    const Scene frozen = frozenAt(scene, seconds);
+    Stage fresh(context, frozen, settings);
+    fresh.stillAt(0.0, mode);
+    const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
+    const auto received = [&](Stage& of_) {
+        return readReceived(*of_.renderer().directionalVoxels(), of_.renderer().received(of)->received());
+    };
+    const ReceivedFaces now = received(stage), right = received(fresh);
+    ASSERT_EQ(now.size(), right.size()) << what;
+    const ReceivedDifference d = differenceOf(now, right);
+    EXPECT_EQ(d.common, right.size()) << what;
+    std::printf("  %s: RMS %.2f %%, largest %.1f %% of the mean\n", what.c_str(), 100.0 * d.rms / d.mean,
+                100.0 * d.largest / d.mean);
+    EXPECT_LE(d.rms, 0.05 * d.mean) << what;
+    EXPECT_LE(d.largest, 0.5 * d.mean) << what;
+}
+
+}  // namespace vct::test
