@@ -1,4 +1,5 @@
 #include "cli/pictures.h"
+#include "lab/debug_view.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +36,7 @@ void write(const Pictures& pictures, const PictureOptions& options, OutputFolder
         writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
     if (!pictures.debugViews.empty()) {
         OutputFolder views(out.file("debug_views"));
-        for (const Renderer::DebugView& view : pictures.debugViews) {
+        for (const DebugView& view : pictures.debugViews) {
             writePng(views.file(view.name + ".png"), view.image);
             if (view.hasUnits) writeExr(views.file(view.name + ".exr"), view.image);
         }

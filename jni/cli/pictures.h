@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "engine/renderer.h"
 #include "image/image.h"
+#include "lab/debug_view.h"
 
 namespace vct::cli {
 
@@ -23,7 +24,7 @@ struct PictureOptions {
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
     std::vector<std::pair<std::string, Image>> lightParts;  // likewise
-    std::vector<Renderer::DebugView> debugViews;
+    std::vector<DebugView> debugViews;
 };
 
 // NAME.png and NAME.exr.

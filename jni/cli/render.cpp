@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "core/number_text.h"
 #include "engine/renderer.h"
+#include "lab/debug_view.h"
 #include "lab/options.h"
 #include "lab/timings.h"
 #include "platform/context.h"
@@ -118,12 +119,12 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
     report.resources = renderer.resources();
     if (options.lightParts) {
         const Progress progress("light parts");
-        for (Renderer::DebugView& part : renderer.lightParts(camera))
+        for (DebugView& part : lightParts(renderer, camera))
             pictures.lightParts.emplace_back(part.name, std::move(part.image));
     }
     if (options.pictures.debugViews) {
         const Progress progress("debug views");
-        pictures.debugViews = renderer.debugViews(camera);
+        pictures.debugViews = debugViews(renderer, camera);
     }
     const Progress progress("writing the pictures");
     write(pictures, options.pictures, out);

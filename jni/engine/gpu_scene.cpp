@@ -390,11 +390,15 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& 
     }
 }
 
-std::vector<const gl::Texture*> GpuScene::textures() const {
-    std::vector<const gl::Texture*> result;
+Resources GpuScene::resources() const {
+    Resources resources;
+    for (const gl::Buffer* buffer : {&vertices_, &indices_, &uniforms_})
+        add(resources, *buffer);
+    std::size_t textureBytes = 0;
     for (const gl::Texture& texture : textures_)
-        result.push_back(&texture);
-    return result;
+        textureBytes += texture.bytes();
+    if (textureBytes > 0) resources.push_back({"scene textures", textureBytes});
+    return resources;
 }
 
 MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/directional/dirty_blocks.h"
+#include "engine/resource.h"
 #include "engine/settings.h"
 #include "engine/volume.h"
 #include "gl/objects.h"
@@ -55,8 +56,7 @@ class GpuScene {
     void drawForVoxels(const MaterialPrograms& programs) const { drawForVoxels(programs, {}, {}); }
 
     const SceneFeatures& features() const { return features_; }
-    std::vector<const gl::Texture*> textures() const;
-    const std::vector<const gl::Buffer*> buffers() const { return {&vertices_, &indices_, &uniforms_}; }
+    Resources resources() const;
 
   private:
     struct IndexRange {

@@ -9,16 +9,19 @@ namespace vct {
 
 namespace {
 
-// The features in `features & used`, as defines, and others. A pass that does not read a feature is not
-// forked by it.
+// What a material has of the features that a pass reads, `used`, as shared/material.glsl wants it, behind
+// other defines. A pass that does not read a feature is not forked by it.
 std::vector<std::string> featureDefines(unsigned features, unsigned used,
                                         std::vector<std::string> defines = {}) {
     features &= used;
-    if (features & featureBaseColorTexture) defines.push_back("VCT_BASE_COLOR_TEXTURE");
-    if (features & featureAlphaMask) defines.push_back("VCT_ALPHA_MASK");
-    if (features & featureEmissive) defines.push_back("VCT_EMISSIVE");
-    if (features & featureEmissiveTexture) defines.push_back("VCT_EMISSIVE_TEXTURE");
-    if (features & featureDoubleSided) defines.push_back("VCT_DOUBLE_SIDED");
+    const auto define = [&](const char* name, bool has) {
+        defines.push_back(std::string(name) + (has ? " true" : " false"));
+    };
+    define("VCT_ALPHA_MASK", features & featureAlphaMask);
+    define("VCT_EMISSIVE", features & featureEmissive);
+    define("VCT_DOUBLE_SIDED", features & featureDoubleSided);
+    if (features & featureBaseColorTexture) defines.emplace_back("VCT_BASE_COLOR_TEXTURE");
+    if (features & featureEmissiveTexture) defines.emplace_back("VCT_EMISSIVE_TEXTURE");
     return defines;
 }
 
@@ -114,11 +117,12 @@ gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxeliza
 }
 
 gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, ~0U), voxelization);
+    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT false"}),
+                      voxelization);
 }
 
 gl::ProgramDescription directionalResolveProgram() {
-    return {"directional/resolve", {"directional/resolve.comp"}, {}};
+    return {"directional/resolve", {"directional/resolve.comp"}, {"VCT_STATIC false"}};
 }
 
 gl::ProgramDescription clearRadianceProgram() {
@@ -126,39 +130,45 @@ gl::ProgramDescription clearRadianceProgram() {
 }
 
 gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT"}), voxelization);
+    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT true"}),
+                      voxelization);
 }
 
 gl::ProgramDescription relightResolveProgram() {
-    return {"directional/resolve of a light", {"directional/resolve.comp"}, {"VCT_RELIGHT"}};
+    return {"directional/relight", {"directional/relight.comp"}, {}};
 }
 
 gl::ProgramDescription staticVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_STATIC"}), voxelization);
+    return voxelizing("directional/voxelizer",
+                      featureDefines(features, ~0U, {"VCT_RELIGHT false", "VCT_DIRTY_BLOCKS"}), voxelization);
 }
 
 gl::ProgramDescription staticResolveProgram() {
-    return {"directional/resolve of what is static", {"directional/resolve.comp"}, {"VCT_STATIC"}};
+    return {"directional/resolve of what is static", {"directional/resolve.comp"}, {"VCT_STATIC true"}};
 }
 
 gl::ProgramDescription dirtyResolveProgram() {
-    return {"directional/resolve of a part", {"directional/resolve.comp"}, {"VCT_PART"}};
+    return {"directional/resolve_dirty", {"directional/resolve_dirty.comp"}, {}};
 }
 
 gl::ProgramDescription dirtyMipmapperProgram() {
-    return {"directional/levels of a part", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS", "VCT_PART"}};
+    return {"directional/mipmapper_dirty", {"directional/mipmapper_dirty.comp"}, {}};
 }
 
 gl::ProgramDescription dirtyClearBaseProgram() {
-    return {"directional/clear_base of a part", {"directional/clear_base.comp"}, {"VCT_PART"}};
+    return {"directional/clear_base_dirty", {"directional/clear_base_dirty.comp"}, {}};
+}
+
+gl::ProgramDescription clearDynamicProgram() {
+    return {"directional/clear_dynamic", {"directional/clear_dynamic.comp"}, {}};
 }
 
 gl::ProgramDescription directionalLevelsProgram() {
-    return {"directional/levels", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS"}};
+    return {"directional/levels", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS true"}};
 }
 
 gl::ProgramDescription directionalMipmapperProgram() {
-    return {"directional/mipmapper", {"directional/mipmapper.comp"}, {}};
+    return {"directional/mipmapper", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS false"}};
 }
 
 gl::ProgramDescription directionalClearProgram() {
@@ -176,7 +186,8 @@ gl::ProgramDescription lightProgram(const std::string& name) {
 gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
-    if (of == GatherOf::occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
+    defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
+                                                   : "VCT_GATHER_OCCLUSION false");
     return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
             {"directional/irradiance.comp"},
             defines};
@@ -239,6 +250,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  dirtyResolveProgram(),
                                                  dirtyMipmapperProgram(),
                                                  dirtyClearBaseProgram(),
+                                                 clearDynamicProgram(),
                                                  clearRadianceProgram(),
                                                  relightResolveProgram()};
     for (unsigned features : allFeatures()) {

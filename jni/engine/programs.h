@@ -10,8 +10,8 @@
 
 namespace vct {
 
-// Where the passes of one renderer take their shaders from, with the defines that the settings' experiments
-// and the driver's arithmetic ask of all of them (shaders/shared/precision.glsl).
+// Where the passes of one renderer take their shaders from, with the defines that the driver's arithmetic
+// asks of all of them.
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
                                 gl::ReadShader read);
 
@@ -44,6 +44,7 @@ gl::ProgramDescription staticResolveProgram();
 gl::ProgramDescription dirtyResolveProgram();
 gl::ProgramDescription dirtyMipmapperProgram();
 gl::ProgramDescription dirtyClearBaseProgram();
+gl::ProgramDescription clearDynamicProgram();
 gl::ProgramDescription directionalLevelsProgram();  // and the next level's lists
 gl::ProgramDescription directionalMipmapperProgram();
 gl::ProgramDescription directionalClearProgram();

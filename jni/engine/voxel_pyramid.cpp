@@ -73,6 +73,14 @@ std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity) {
            listBytes(emptyCommands(grid, levels, baseCapacity));
 }
 
+Resources VoxelPyramid::resources() const {
+    Resources resources;
+    add(resources, texture_);
+    add(resources, activeVoxels_);
+    add(resources, commands_);
+    return resources;
+}
+
 void VoxelPyramid::clear() {
     zero();
     emptyLists();

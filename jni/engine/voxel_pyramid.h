@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/resource.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "shared/layout.h"
@@ -16,6 +17,7 @@ class VoxelPyramid {
     // volume has about 6 grid^2). A parent has at least one active child, so no other level needs more.
     VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity);
 
+    Resources resources() const;
     // What the texture and the list take.
     static std::size_t bytesFor(int grid, std::uint32_t baseCapacity);
 

@@ -1,19 +1,25 @@
 #include "lab/debug_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/objects.h"
 #include "lab/read_back.h"
+#include "lab/voxel_view.h"
 
 namespace vct {
 
-Image drawDebugView(const gl::ShaderLibrary& shaders, int stage, glm::ivec2 size) {
-    const gl::DebugGroup group("stage view");
-    const gl::Program program(shaders, debugViewProgram(stage));
-    const gl::Texture color = gl::Texture::make2d("stage view", GL_RGBA16F, size.x, size.y);
-    const gl::Framebuffer framebuffer("stage view", {&color}, nullptr);
+namespace {
+
+// Draws one target through lab/debug_view.frag, the textures being bound by the caller. `view`:
+// VCT_DEBUG_VIEW_*.
+Image draw(const gl::ShaderLibrary& shaders, int view, glm::ivec2 size) {
+    const gl::DebugGroup group("debug view");
+    const gl::Program program(shaders, debugViewProgram(view));
+    const gl::Texture color = gl::Texture::make2d("debug view", GL_RGBA16F, size.x, size.y);
+    const gl::Framebuffer framebuffer("debug view", {&color}, nullptr);
     const gl::VertexArray noVertices;
     framebuffer.bind();
     gl::Disable(GL_DEPTH_TEST);
@@ -24,7 +30,9 @@ Image drawDebugView(const gl::ShaderLibrary& shaders, int stage, glm::ivec2 size
     return readImage(color);
 }
 
-Image stretchDepth(const Image& depth) {
+// Grey values between the smallest and the largest below 1 stretched to the whole range: depths lie close
+// together. What is 1 (nothing there) stays white.
+Image stretchDepth(Image depth) {
     float low = 1.0F;
     float high = 0.0F;
     for (const glm::vec3& p : depth.pixels)
@@ -32,11 +40,65 @@ Image stretchDepth(const Image& depth) {
             low = std::min(low, p.x);
             high = std::max(high, p.x);
         }
-    Image stretched = depth;
     if (high > low)
-        for (glm::vec3& p : stretched.pixels)
+        for (glm::vec3& p : depth.pixels)
             if (p.x < 1.0F) p = glm::vec3(0.8F * (p.x - low) / (high - low));
-    return stretched;
+    return depth;
+}
+
+}  // namespace
+
+std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera) {
+    std::vector<DebugView> parts;
+    const auto add = [&](const char* name, Picture view, bool allBounces, float unit) {
+        renderer.renderPart(view, camera, allBounces);
+        parts.push_back({name, readImage(renderer.output(), unit), true});
+    };
+    const float unit = renderer.radianceScale();
+    add("ambient_occlusion", VCT_VIEW_AO, true, 1.0F);
+    add("indirect_light", VCT_VIEW_INDIRECT, false, unit);
+    add("cone_shadow", VCT_VIEW_CONE_SHADOW, true, 1.0F);
+    if (renderer.surface().gloss != nullptr) add("specular_light", VCT_VIEW_SPECULAR, true, unit);
+    return parts;
+}
+
+std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera) {
+    renderer.renderConverged(Mode::giConeShadow, camera);
+    const gl::ShaderLibrary& shaders = renderer.shaders();
+    const glm::ivec2 size = renderer.settings().size;
+    const GBuffer::Targets surface = renderer.surface();
+    std::vector<DebugView> views;
+
+    surface.albedo->bind(VCT_TEX_G_ALBEDO);
+    surface.normal->bind(VCT_TEX_G_NORMAL);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
+    const gl::Texture& shadow = renderer.shadowMapTexture();
+    shadow.bind(VCT_TEX_SHADOW_MAP);
+    // The map is read as a picture here, not compared.
+    shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    const glm::ivec2 shadowSize(renderer.settings().shadowMapSize);
+    views.push_back(
+        {"shadow_map", stretchDepth(draw(shaders, VCT_DEBUG_VIEW_SHADOW_MAP, shadowSize)), false});
+    shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+
+    views.push_back({"g_buffer_albedo", draw(shaders, VCT_DEBUG_VIEW_ALBEDO, size), true});
+    views.push_back({"g_buffer_normal", draw(shaders, VCT_DEBUG_VIEW_NORMAL, size), false});
+    views.push_back({"g_buffer_depth", stretchDepth(draw(shaders, VCT_DEBUG_VIEW_DEPTH, size)), false});
+    if (surface.emissive != nullptr) {
+        surface.emissive->bind(VCT_TEX_G_EMISSIVE);
+        views.push_back({"g_buffer_emissive", draw(shaders, VCT_DEBUG_VIEW_EMISSIVE, size), false});
+    }
+
+    VoxelView voxelView(shaders, size);
+    const VoxelPyramid& occupancy = renderer.occupancy();
+    for (int level = 0; level < occupancy.levels(); ++level)
+        views.push_back(
+            {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(occupancy, level)), false});
+
+    for (DebugView& part : lightParts(renderer, camera))
+        views.push_back(std::move(part));
+    gl::checkErrors("debug views");
+    return views;
 }
 
 }  // namespace vct

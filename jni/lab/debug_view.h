@@ -1,17 +1,24 @@
 // The intermediates of a frame as pictures for people.
 #pragma once
 
-#include "gl/program.h"
+#include <string>
+#include <vector>
+
+#include "engine/renderer.h"
 #include "image/image.h"
 
 namespace vct {
 
-// Draws one target through lab/debug_view.frag (`stage`: VCT_STAGE_*), the textures being bound by the
-// caller.
-Image drawDebugView(const gl::ShaderLibrary& shaders, int stage, glm::ivec2 size);
+struct DebugView {
+    std::string name;  // "g_buffer_albedo": a file name without its ending
+    Image image;       // linear RGB, scaled for the eye
+    bool hasUnits;     // false: made for the eye only, no use as data
+};
 
-// Grey values between the smallest and the largest below 1 stretched to the whole range: depths lie close
-// together. What is 1 (nothing there) stays white.
-Image stretchDepth(const Image& depth);
+// What the cones see, each alone, from `camera` when the light stands still: ambient_occlusion,
+// indirect_light (of one bounce), cone_shadow, and specular_light where something is glossy.
+std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera);
+// Every intermediate, the light parts among them.
+std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera);
 
 }  // namespace vct

@@ -124,7 +124,7 @@ const std::vector<SceneFeature>& allSceneFeatures() {
 
 std::size_t FrameCost::bytes() const {
     std::size_t sum = 0;
-    for (const Renderer::Resource& resource : resources)
+    for (const Resource& resource : resources)
         sum += resource.bytes;
     return sum;
 }

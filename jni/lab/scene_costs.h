@@ -24,7 +24,7 @@ const std::vector<SceneFeature>& allSceneFeatures();
 
 struct FrameCost {
     gl::CallSummary calls;  // of one frame, when every pass has been made
-    std::vector<Renderer::Resource> resources;
+    std::vector<Resource> resources;
 
     int passes() const { return static_cast<int>(calls.passes.size()); }
     int programs() const { return static_cast<int>(calls.programs.size()); }

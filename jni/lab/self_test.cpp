@@ -119,7 +119,7 @@ std::string compare(const Words& found, const Words& expected, int level) {
 
 // "" where all is right.
 std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels) {
-    const VoxelPyramid& pyramid = *renderer.voxels();
+    const VoxelPyramid& pyramid = renderer.packed()->occupancy();
     const std::vector<std::uint32_t> counts = renderer.activeVoxels();
     for (int level = 0; level < pyramid.levels(); ++level) {
         const int side = grid >> level;
@@ -158,7 +158,8 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
             const std::string wrong = wrongVoxels(renderer, expectedBase(scene, renderer.volume()), voxels);
             if (!wrong.empty()) return {false, frame + wrong};
         }
-        return {true, std::to_string(voxels) + " voxels of " + std::to_string(renderer.voxels()->levels()) +
+        return {true, std::to_string(voxels) + " voxels of " +
+                          std::to_string(renderer.packed()->occupancy().levels()) +
                           " levels and their lists are those of the CPU"};
     } catch (const gl::ContextLost&) {
         throw;

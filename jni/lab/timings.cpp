@@ -144,12 +144,12 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     }
     json["active_voxels"] = report.activeVoxels;
     std::size_t gBufferBytes = 0;
-    for (const Renderer::Resource& resource : report.resources)
+    for (const Resource& resource : report.resources)
         if (resource.name.rfind("G-buffer ", 0) == 0) gBufferBytes += resource.bytes;
     json["g_buffer_bytes_per_pixel"] =
         gBufferBytes / (static_cast<std::size_t>(report.settings.size.x) * report.settings.size.y);
     json["resources"] = ordered_json::array();
-    for (const Renderer::Resource& resource : report.resources)
+    for (const Resource& resource : report.resources)
         json["resources"].push_back({{"name", resource.name}, {"bytes", resource.bytes}});
     return json;
 }

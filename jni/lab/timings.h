@@ -26,7 +26,7 @@ struct TimingsReport {
     std::vector<std::pair<Mode, StepTimes>> modes;
     int timedFrames = vct::timedFrames;  // of each mode
     std::vector<std::uint32_t> activeVoxels;
-    std::vector<Renderer::Resource> resources;
+    std::vector<Resource> resources;
 };
 
 nlohmann::ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& capabilities);

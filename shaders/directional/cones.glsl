@@ -1,6 +1,6 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
 // the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*. VCT_CONE_COUNTER: what counts their steps.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/counters.glsl"

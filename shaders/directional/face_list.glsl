@@ -17,11 +17,11 @@ void listFace(uint level, ivec3 voxel, int face) {
     faceSums[commands[level].firstFace + reserveFaces(level, 1u)] = packFace(uvec3(voxel), uint(face));
 }
 
-// Lists the faces of a voxel that are not empty (bits). `trips`: the counter of its loop.
-void listFaces(uint level, ivec3 voxel, uint faces, int trips) {
+// Lists the faces of a voxel that are not empty (bits). `counter`: that of the loop.
+void listFaces(uint level, ivec3 voxel, uint faces, int counter) {
     uint index = commands[level].firstFace + reserveFaces(level, uint(bitCount(faces)));
     for (uint left = faces; left != 0u; left &= left - 1u) {
-        COUNT(trips);
+        COUNT(counter);
         faceSums[index++] = packFace(uvec3(voxel), uint(findLSB(left)));
     }
 }
@@ -42,24 +42,6 @@ ListedFace unpackListed(uint entry) {
 ListedFace listedFace(uint level, uint i) {
     return unpackListed(faceSums[commands[level].firstFace + i]);
 }
-
-// Those that a pass visits, as visitedCount() and visitedEntry() do.
-#ifdef VCT_PART
-uint visitedFaces(uint level) {
-    return partVisited(faceCount(level));
-}
-ListedFace visitedFace(uint level, uint i) {
-    if (isMoving(i)) return listedFace(level, firstMoving + i - staticVisited());
-    return unpackListed(staticEntries[firstStatic + i]);
-}
-#else
-uint visitedFaces(uint level) {
-    return faceCount(level);
-}
-ListedFace visitedFace(uint level, uint i) {
-    return listedFace(level, i);
-}
-#endif
 
 // Occupied voxels that have sums.
 uint voxelPlaces() {

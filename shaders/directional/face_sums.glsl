@@ -1,7 +1,7 @@
 // What the fragments of each occupied voxel add up to, per face, in fixed point. One unit is 1 / frame.faces.x, chosen
 // so that the sum over all triangles of the scene fits 32 bits: the fragments of a triangle in a voxel are one face at
 // most together. Behind the sums: directional/face_list.glsl.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "shared/octahedral.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {

@@ -1,6 +1,6 @@
 // One step of the received light: each face of the base level gathers, by a few cones from the middle of its surface, adds
-// what they meet to its mean, and writes that into its brick. VCT_GATHER_OCCLUSION: how open the surroundings are, in place
-// of light.
+// what they meet to its mean, and writes that into its brick. VCT_GATHER_OCCLUSION
+// (true or false): how open the surroundings are, in place of light.
 #define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
 #include "shared/counters.glsl"
 #include "directional/face_list.glsl"
@@ -13,6 +13,8 @@ layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
+
+const bool occlusion = VCT_GATHER_OCCLUSION;
 
 shared uint groupSums[4];
 
@@ -37,11 +39,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int con
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
     ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
     int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
-#ifdef VCT_GATHER_OCCLUSION
-    float reach = frame.cone.y * float(frame.grid.x);
-#else
-    float reach = 2.0 * float(frame.grid.x);
-#endif
+    float reach = (occlusion ? frame.cone.y : 2.0) * float(frame.grid.x);
     vec3 ownBelow = ownFaces(plane.normal, hasBack);
     Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -130,24 +128,20 @@ void main() {
         // A face without a memory looks into more directions, unless there is hardly anything of it.
         bool isNew = known == 0.0 && coverage > 0.02;
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
-#ifdef VCT_GATHER_OCCLUSION
-        vec3 light = vec3(now.sky);
-#else
-        vec3 light = now.light + now.sky * frame.skyRadiance.rgb / frame.faces.y;
-        uvec4 sums = uvec4(vec4(now.light, now.sky) * (coverage * lightStep.sumUnits) + 0.5);
-        for (int c = 0; c < 4; ++c)
-            atomicAdd(groupSums[c], sums[c]);
-#endif
+        vec3 light = occlusion ? vec3(now.sky) : now.light + now.sky * frame.skyRadiance.rgb / frame.faces.y;
+        if (!occlusion) {
+            uvec4 sums = uvec4(vec4(now.light, now.sky) * (coverage * lightStep.sumUnits) + 0.5);
+            for (int c = 0; c < 4; ++c)
+                atomicAdd(groupSums[c], sums[c]);
+        }
         addToBlock(listed, light, coverage);
         Received mean = nextMean(receivedOf(i), known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
         storeReceived(i, mean);
         vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
         storeInBricks(listed, vec4(smoothed(mean.light, mean.nearness, listed, inVoxels), 1.0) * coverage);
     }
-#ifndef VCT_GATHER_OCCLUSION
     barrier();
-    if (gl_LocalInvocationIndex < 4u)
+    if (!occlusion && gl_LocalInvocationIndex < 4u)
         atomicAdd(received[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);
-#endif
 }

@@ -3,7 +3,7 @@
 // side, so that the texture unit can filter between them. A texel holds the face's coverage in alpha, and in rgb the mean
 // over the hemisphere, weighted by the cosine, relative to E/pi over frame.faces.y, times alpha: in halves, as in 8 bits the
 // filter itself would make stairs of it, which swim as the camera moves.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "shared/counters.glsl"
 

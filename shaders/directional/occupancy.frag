@@ -2,24 +2,17 @@
 // list; the place in the list is where the second pass adds up what the voxel holds.
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "shared/commands.glsl"
 
 in vec3 fragmentPosition;
-#ifdef VCT_BASE_COLOR_TEXTURE
-in vec2 fragmentUv;
-#else
-const vec2 fragmentUv = vec2(0.0);
-#endif
 
 // 0: empty, else the place in the list + 1. While that is being found out it is 1, which the maximum then replaces.
 layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 
 void main() {
     COUNT(VCT_COUNTER_FACE_TOUCH);
-#ifdef VCT_ALPHA_MASK
-    if (materialIsHole(materialBaseColor(fragmentUv).a)) discard;
-#endif
+    if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
     ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
     if (imageAtomicMax(index, voxel, 1u) == 0u) imageAtomicMax(index, voxel, appendVoxel(0u, uvec3(voxel)) + 1u);
 }

@@ -1,27 +1,21 @@
 // Second of two passes over the triangles: each fragment adds its coverage, albedo, plane and radiance to the faces of its
-// voxel that it looks towards. Sums of integers: the order of the fragments changes nothing. VCT_RELIGHT: the radiance
-// alone, the rest is there.
+// voxel that it looks towards. Sums of integers: the order of the fragments changes nothing. VCT_RELIGHT (true or
+// false): the radiance alone, as the rest is there.
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
 #include "directional/face_list.glsl"
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
-#ifdef VCT_STATIC  // of a scene where something else moves: in the blocks that this frame makes anew
+#ifdef VCT_DIRTY_BLOCKS
 #include "directional/dirty_blocks.glsl"
+#else
+bool isDirty(ivec3 voxel) {
+    return true;
+}
 #endif
 
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
-#ifdef VCT_BASE_COLOR_TEXTURE
-in vec2 fragmentUv;
-#else
-const vec2 fragmentUv = vec2(0.0);
-#endif
-#ifdef VCT_EMISSIVE_TEXTURE
-in vec2 fragmentEmissiveUv;
-#else
-const vec2 fragmentEmissiveUv = vec2(0.0);
-#endif
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 
@@ -32,36 +26,32 @@ vec3 directRadiance(vec3 albedo, vec3 normal) {
     return albedo * cosTheta * light * frame.lightColor.rgb;
 }
 
+const bool relight = VCT_RELIGHT;
+
 // One side of the surface. `weights`: of the faces towards +x, +y, +z where positive, -x, -y, -z where negative. `normal`:
 // of this side; `fromMiddle`: to the surface, in voxels.
 void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo, vec3 radiance) {
-#ifdef VCT_RELIGHT
-    if (radiance == vec3(0.0)) return;
-#endif
+    if (relight && radiance == vec3(0.0)) return;
     uint marked = 0u;
     for (int axis = 0; axis < 3; ++axis)
         if (fixedCoverage(abs(weights[axis])) > 0u) marked |= 1u << uint(2 * axis + (weights[axis] > 0.0 ? 0 : 1));
-#ifndef VCT_RELIGHT
-    if (marked != 0u) markFaces(slot, marked);
-#ifdef VCT_EMISSIVE
-    if (marked != 0u) markGlowing(slot, marked);
-#endif
-#endif
+    if (!relight && marked != 0u) {
+        markFaces(slot, marked);
+        if (materialEmits) markGlowing(slot, marked);
+    }
     // Most surfaces face along one axis.
     for (uint left = marked; left != 0u; left &= left - 1u) {
         COUNT(VCT_COUNTER_FACE_VOXELIZER_AXIS);
         int face = findLSB(left);
         float weight = abs(weights[face >> 1]);
-#ifndef VCT_RELIGHT
-        addSurface(slot, face, weight, albedo, normal, dot(normal, fromMiddle));
-#endif
+        if (!relight) addSurface(slot, face, weight, albedo, normal, dot(normal, fromMiddle));
         addRadiance(slot, face, weight, radiance);
     }
 }
 
 void main() {
     COUNT(VCT_COUNTER_FACE_VOXELIZER);
-    vec4 baseColor = materialBaseColor(fragmentUv);
+    vec4 baseColor = materialBaseColor();
     // Before any discard: derivatives need the whole quad. This is the face's normal over its component along the
     // projection, times a pixel's area in voxels: what the surface covers of each of the voxel's cross-sections.
     vec3 positionVoxels = fragmentPosition * float(frame.grid.x);
@@ -70,17 +60,14 @@ void main() {
     if (materialIsHole(baseColor.a)) discard;
 
     ivec3 voxel = clamp(ivec3(floor(positionVoxels)), ivec3(0), ivec3(frame.grid.x - 1));
-#ifdef VCT_STATIC
-    if (!isChanged(voxel)) discard;
-#endif
+    if (!isDirty(voxel)) discard;
     uint slot = texelFetch(index, voxel, 0).r - 1u;
     if (slot >= voxelPlaces()) return;  // no room in the list: reported by the program
 
     vec3 normal = safeNormalize(fragmentNormal);
-    vec3 emissive = materialEmissive(fragmentEmissiveUv);
+    vec3 emissive = materialEmissive();
     vec3 fromMiddle = positionVoxels - vec3(voxel) - 0.5;
     addSide(slot, coverage, normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, normal) + emissive);
-#ifdef VCT_DOUBLE_SIDED
-    addSide(slot, -coverage, -normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, -normal) + emissive);
-#endif
+    if (materialIsDoubleSided)
+        addSide(slot, -coverage, -normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, -normal) + emissive);
 }

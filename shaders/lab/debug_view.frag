@@ -9,21 +9,20 @@ layout(binding = VCT_TEX_G_DEPTH) uniform sampler2D depthTarget;
 layout(binding = VCT_TEX_G_EMISSIVE) uniform sampler2D emissiveTarget;
 layout(location = 0) out vec4 outColor;
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 color;
-#if VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_SHADOW_MAP
-    color = vec3(texelFetch(shadowMapDepth, pixel, 0).r);
-#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_ALBEDO
-    vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
-    color = root * root;
-#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_NORMAL
+const int view = VCT_DEBUG_VIEW;
+
+vec3 color(ivec2 pixel) {
+    if (view == VCT_DEBUG_VIEW_SHADOW_MAP) return vec3(texelFetch(shadowMapDepth, pixel, 0).r);
+    if (view == VCT_DEBUG_VIEW_DEPTH) return vec3(texelFetch(depthTarget, pixel, 0).r);
+    if (view == VCT_DEBUG_VIEW_EMISSIVE) return texelFetch(emissiveTarget, pixel, 0).rgb;
+    if (view == VCT_DEBUG_VIEW_ALBEDO) {
+        vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
+        return root * root;
+    }
     bool surface = texelFetch(depthTarget, pixel, 0).r < 1.0;
-    color = surface ? decodeNormal(texelFetch(normalTarget, pixel, 0).rg) * 0.5 + 0.5 : vec3(0.0);
-#elif VCT_DEBUG_VIEW == VCT_DEBUG_VIEW_DEPTH
-    color = vec3(texelFetch(depthTarget, pixel, 0).r);
-#else
-    color = texelFetch(emissiveTarget, pixel, 0).rgb;
-#endif
-    outColor = vec4(color, 1.0);
+    return surface ? decodeNormal(texelFetch(normalTarget, pixel, 0).rg) * 0.5 + 0.5 : vec3(0.0);
+}
+
+void main() {
+    outColor = vec4(color(ivec2(gl_FragCoord.xy)), 1.0);
 }

@@ -14,11 +14,6 @@ bool outsideVolume(vec3 p, int level) {
     return max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + 0.5 / float(frame.grid.x >> level);
 }
 
-struct Gather {
-    mediump vec3 radiance;   // weighted sum over the cones, relative to E/pi
-    mediump float ambientVisibility;  // 1 - ambient occlusion
-};
-
 const int diffuseConeCount = 6;
 // One cone along the normal and five around it at 60 degrees, 60 degrees wide each; y is the normal.
 const vec3 diffuseCones[diffuseConeCount] = vec3[diffuseConeCount](

@@ -10,14 +10,13 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
     COUNT(VCT_COUNTER_MIPMAPPER);
-    uint count = visitedCount(level);
+    uint count = activeVoxelCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_MIPMAPPER_VOXEL);
-        uvec3 voxel = unpackEntry(visitedEntry(level, i));
+        uvec3 voxel = activeVoxel(level, i);
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;
-        bool isNew = imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u;
-        if (isNew) appendVoxel(level + 1u, parent);
+        if (imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u) appendVoxel(level + 1u, parent);
     }
 }

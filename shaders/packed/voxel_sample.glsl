@@ -1,6 +1,6 @@
 // Reading the packed pyramid. Integer textures cannot be filtered, so the eight texels around a position are
 // fetched and weighted by hand.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D voxels;
 

@@ -1,6 +1,6 @@
 // Specular reflection of glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2,
 // Schlick's Fresnel term): of the sun as it stands there, of everything else by one cone along the mirror direction.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "directional/cones.glsl"
 
 // From here to there the cone gives way to the gather, whose cones together fit a wide lobe better than one cone does

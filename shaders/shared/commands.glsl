@@ -29,47 +29,15 @@ uint activeVoxelCount(uint level) {
     return min(commands[level].instanceCount, commands[level].capacity);
 }
 
-// Those that a pass visits: how many, and the i-th of them. With VCT_PART first some of what the static geometry
-// occupies, from a list of its own, then what moves, from the level's list on; or one of the two.
-#ifdef VCT_PART
-layout(std430, binding = VCT_SSBO_STATIC_ENTRIES) readonly buffer StaticEntryBlock {
-    uint staticEntries[];
-};
-layout(location = VCT_UNIFORM_FIRST) uniform uint firstStatic;
-layout(location = VCT_UNIFORM_END) uniform uint endStatic;
-layout(location = VCT_UNIFORM_MOVING) uniform uint firstMoving;  // in the level's list, or VCT_NO_ENTRY
-uint staticVisited() {
-    return endStatic - firstStatic;
+uvec3 activeVoxel(uint level, uint i) {
+    return unpackEntry(activeVoxels[commands[level].firstEntry + i]);
 }
-bool isMoving(uint i) {
-    return i >= staticVisited();
-}
-// `count`: of the entries in the level's list.
-uint partVisited(uint count) {
-    return staticVisited() + (count > firstMoving ? count - firstMoving : 0u);
-}
-uint visitedCount(uint level) {
-    return partVisited(activeVoxelCount(level));
-}
-uint visitedEntry(uint level, uint i) {
-    return isMoving(i) ? activeVoxels[commands[level].firstEntry + firstMoving + i - staticVisited()]
-                       : staticEntries[firstStatic + i];
-}
-#else
-uint visitedCount(uint level) {
-    return activeVoxelCount(level);
-}
-uint visitedEntry(uint level, uint i) {
-    return activeVoxels[commands[level].firstEntry + i];
-}
-#endif
 
 // What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
 // found no room in it is not empty either.
 uint voxelsToEmpty(uint level, uint side) {
-    return overflowed(level) ? side * side * side : visitedCount(level);
+    return overflowed(level) ? side * side * side : activeVoxelCount(level);
 }
 uvec3 voxelToEmpty(uint level, uint side, uint i) {
-    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side))
-                             : unpackEntry(visitedEntry(level, i));
+    return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side)) : activeVoxel(level, i);
 }

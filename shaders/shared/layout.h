@@ -39,7 +39,7 @@ using glm::vec4;
 // Uniform blocks.
 #define VCT_UBO_FRAME 0
 #define VCT_UBO_DRAW 1
-#define VCT_UBO_CHANGED_BLOCKS 2
+#define VCT_UBO_DIRTY_BLOCKS 2
 #define VCT_UBO_LIGHT 3
 
 // Shader storage blocks.
@@ -123,9 +123,7 @@ using glm::vec4;
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_FACES 2
-#define VCT_IMAGE_EMPTIED_VOXELS 0  // ES 3.1 guarantees four units, and no pass needs both
-#define VCT_IMAGE_EMPTIED_FACES 3
-#define VCT_IMAGE_IRRADIANCE 2  // likewise
+#define VCT_IMAGE_IRRADIANCE 2  // ES 3.1 guarantees four units, and no pass needs both
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_BLOCK_LIGHT 2
 
@@ -144,8 +142,6 @@ using glm::vec4;
 #define VCT_UNIFORM_FIRST 1
 #define VCT_UNIFORM_END 2
 #define VCT_UNIFORM_MOVING 3
-#define VCT_UNIFORM_EMPTIED 4
-#define VCT_UNIFORM_EMPTIED_END 5
 #define VCT_UNIFORM_AXIS 0
 
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9

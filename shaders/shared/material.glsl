@@ -1,39 +1,47 @@
-// The surface under a fragment. VCT_BASE_COLOR_TEXTURE, VCT_ALPHA_MASK, VCT_EMISSIVE, VCT_EMISSIVE_TEXTURE
-// and VCT_DOUBLE_SIDED are defined where the material has them: the rest costs nothing.
+// The surface under a fragment. What its material does not have costs nothing: VCT_BASE_COLOR_TEXTURE and
+// VCT_EMISSIVE_TEXTURE are defined where there is one, and VCT_ALPHA_MASK, VCT_EMISSIVE and VCT_DOUBLE_SIDED are true or
+// false.
 #include "shared/draw.glsl"
 
+const bool materialHasHoles = VCT_ALPHA_MASK;
+const bool materialEmits = VCT_EMISSIVE;
+const bool materialIsDoubleSided = VCT_DOUBLE_SIDED;
+
 #ifdef VCT_BASE_COLOR_TEXTURE
+in vec2 fragmentUv;
 layout(binding = VCT_TEX_BASE_COLOR) uniform sampler2D baseColorTexture;
+vec4 baseColorFactor() {
+    return texture(baseColorTexture, fragmentUv);
+}
+#else
+vec4 baseColorFactor() {
+    return vec4(1.0);
+}
 #endif
+
 #ifdef VCT_EMISSIVE_TEXTURE
+in vec2 fragmentEmissiveUv;
 layout(binding = VCT_TEX_EMISSIVE) uniform sampler2D emissiveTexture;
+vec3 emissiveFactor() {
+    return texture(emissiveTexture, fragmentEmissiveUv).rgb;
+}
+#else
+vec3 emissiveFactor() {
+    return vec3(1.0);
+}
 #endif
 
 // Linear RGB and alpha.
-vec4 materialBaseColor(vec2 uv) {
-#ifdef VCT_BASE_COLOR_TEXTURE
-    return draw.baseColor * texture(baseColorTexture, uv);
-#else
-    return draw.baseColor;
-#endif
+vec4 materialBaseColor() {
+    return draw.baseColor * baseColorFactor();
 }
 
 // Whether an alpha-masked surface has a hole here.
 bool materialIsHole(float alpha) {
-#ifdef VCT_ALPHA_MASK
-    return alpha < draw.surface.x;
-#else
-    return false;
-#endif
+    return materialHasHoles && alpha < draw.surface.x;
 }
 
 // Emitted radiance relative to E/pi.
-vec3 materialEmissive(vec2 uv) {
-#if defined(VCT_EMISSIVE_TEXTURE)
-    return draw.emissive.rgb * texture(emissiveTexture, uv).rgb;
-#elif defined(VCT_EMISSIVE)
-    return draw.emissive.rgb;
-#else
-    return vec3(0.0);
-#endif
+vec3 materialEmissive() {
+    return materialEmits ? draw.emissive.rgb * emissiveFactor() : vec3(0.0);
 }

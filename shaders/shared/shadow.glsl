@@ -1,5 +1,5 @@
 // The shadow map's answer: how much of the directional light reaches a point.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 

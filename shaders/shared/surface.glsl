@@ -1,5 +1,5 @@
 // The surface under a pixel, from the G-buffer.
-#include "directional/blocks.glsl"
+#include "shared/frame.glsl"
 #include "shared/octahedral.glsl"
 
 layout(binding = VCT_TEX_G_NORMAL) uniform usampler2D normalTarget;

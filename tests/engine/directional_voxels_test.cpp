@@ -254,7 +254,7 @@ constexpr Mode mode = Mode::ao;
 std::vector<FaceLevel> facesAfterFrames(Renderer& renderer, const Scene& scene, int frames) {
     for (int i = 0; i < frames; ++i)
         renderer.frame(mode, chooseCamera(scene, ""));
-    return readFaces(*renderer.directionalVoxels());
+    return readFaces(renderer.directional()->voxels());
 }
 std::vector<FaceLevel> facesOn(Backend backend, const Scene& scene) {
     const Context context = openContext(backend);
@@ -341,7 +341,7 @@ TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelOnceAndNothingIsLeftOutside) {
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
     for (int frame = 0; frame < 2; ++frame) {
         facesAfterFrames(renderer, scene, 1);
-        expectListsHoldWhatIsOccupied(*renderer.directionalVoxels());
+        expectListsHoldWhatIsOccupied(renderer.directional()->voxels());
     }
 }
 
@@ -353,10 +353,9 @@ TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatTheWordsOccupy) {
     faces.frame(mode, chooseCamera(scene, ""));
     words.frame(mode, chooseCamera(scene, ""));
     ASSERT_GT(words.activeVoxels()[0], 1000U);
-    for (int level = 0; level < words.voxels()->levels(); ++level)
-        EXPECT_EQ(
-            entriesOnCpu(readVoxels(faces.directionalVoxels()->index().texture(), level), grid >> level),
-            entriesOnCpu(readVoxels(words.voxels()->texture(), level), grid >> level))
+    for (int level = 0; level < words.occupancy().levels(); ++level)
+        EXPECT_EQ(entriesOnCpu(readVoxels(faces.occupancy().texture(), level), grid >> level),
+                  entriesOnCpu(readVoxels(words.occupancy().texture(), level), grid >> level))
             << "level " << level;
 }
 
@@ -408,9 +407,9 @@ TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
         }
     }
     // What found room is all that the faces hold.
-    std::vector<std::uint32_t> entries = readEntries(renderer.directionalVoxels()->index(), 0, 1000);
+    std::vector<std::uint32_t> entries = readEntries(renderer.directional()->voxels().index(), 0, 1000);
     std::sort(entries.begin(), entries.end());
-    const FaceLevel base = readFaces(*renderer.directionalVoxels())[0];
+    const FaceLevel base = readFaces(renderer.directional()->voxels())[0];
     base.forEachVoxel([&](const glm::ivec3& voxel) {
         if (base.occupied(voxel)) {
             ASSERT_TRUE(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lab/debug_view.h"
 #include "lab/read_back.h"
 #include "scene/camera.h"
 #include "support/renderers.h"
@@ -23,7 +24,7 @@ const double maxAbsolute = std::exp2(-8);  // of a value up to 1, anywhere
 constexpr double maxPngSteps = 1.0;        // of 255, anywhere in the five modes
 
 struct Pictures {
-    std::vector<Renderer::DebugView> images;
+    std::vector<DebugView> images;
     std::vector<Words> voxels;
 };
 
@@ -37,10 +38,10 @@ Pictures picturesOf(const gl::Capabilities& capabilities, const Scene& scene) {
         renderer.frame(mode, camera);
         pictures.images.push_back({modeName(mode), renderer.radiance(), true});
     }
-    for (Renderer::DebugView& part : renderer.lightParts(camera))
+    for (DebugView& part : lightParts(renderer, camera))
         pictures.images.push_back(std::move(part));
-    for (int level = 0; level < renderer.voxels()->levels(); ++level)
-        pictures.voxels.push_back(readVoxels(renderer.voxels()->texture(), level));
+    for (int level = 0; level < renderer.packed()->occupancy().levels(); ++level)
+        pictures.voxels.push_back(readVoxels(renderer.packed()->occupancy().texture(), level));
     return pictures;
 }
 

@@ -22,7 +22,7 @@ Settings mobile() {
 }
 
 ReceivedFaces receivedBy(Renderer& renderer, GatherOf of = GatherOf::light) {
-    return readReceived(*renderer.directionalVoxels(), renderer.received(of)->received());
+    return readReceived(renderer.directional()->voxels(), renderer.directional()->received(of)->received());
 }
 
 std::set<std::string> groupsOf(const gl::CallLog& log) {
@@ -261,7 +261,7 @@ TEST(ReceivedLight, KeepsItsMemoryWhereItNeedsMoreRoom) {
     Stage stage(context, scene, mobile());
     stage.stillAt(0.0);
     const auto bytesOf = [&](const std::string& name) {
-        for (const Renderer::Resource& resource : stage.renderer().resources())
+        for (const Resource& resource : stage.renderer().resources())
             if (resource.name == name) return resource.bytes;
         return std::size_t{0};
     };

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "lab/debug_view.h"
 #include "scene/camera.h"
 #include "support/cpu_directional_cones.h"
 #include "support/gathered_frame.h"
@@ -424,7 +425,7 @@ TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
         const Camera camera = lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60);
         renderer.renderConverged(Mode::gi, camera);
         const double all = meanOf(renderer.radiance());
-        return Lit{meanOf(renderer.lightParts(camera)[1].image), all};
+        return Lit{meanOf(lightParts(renderer, camera)[1].image), all};
     };
     const Lit one = lit(1.0F), ten = lit(10.0F);
     std::printf("sky of 1: %.3f, with bounces %.3f; sky of 10: %.3f, %.3f\n", one.first, one.all, ten.first,

@@ -80,7 +80,7 @@ Comparison compareOccupancy(const Scene& scene, int grid) {
     const Settings settings = smallSettings(grid, 16);
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     renderer.frame(Mode::gi, frameScene(scene));
-    const Words words = readVoxels(renderer.voxels()->texture(), 0);
+    const Words words = readVoxels(renderer.packed()->occupancy().texture(), 0);
 
     // Holes of an alpha mask are the texture's to say: a masked surface may fill a voxel and need not.
     const auto everything = [](const Material&) { return true; };

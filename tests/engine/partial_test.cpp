@@ -149,7 +149,7 @@ TEST(PartOfTheVoxels, AStaticSceneTakesLess) {
     moving.frameAt(0.0);
     still.frame();
     const auto bytesOf = [](Stage& stage, const std::string& name) {
-        for (const Renderer::Resource& resource : stage.renderer().resources())
+        for (const Resource& resource : stage.renderer().resources())
             if (resource.name == name) return resource.bytes;
         return std::size_t{0};
     };

@@ -1,5 +1,5 @@
-// Pictures: across drivers, and against goldens. Of the thesis's preset all modes and stages, of the others
-// the modes that need voxels.
+// Pictures: across drivers, and against goldens. Of the thesis's preset all modes and debug views, of the
+// others the modes that need voxels.
 //
 // Goldens are made by VCT_UPDATE_GOLDENS=1 (scripts/update-goldens.sh), looked at, and committed with the
 // reason. They are llvmpipe's; other drivers are compared with llvmpipe's picture of the same run.
@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "image/compare.h"
+#include "lab/debug_view.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/renderers.h"
@@ -52,8 +53,8 @@ Pictures picturesOf(Backend backend, const std::string& sceneName, const std::st
         pictures.emplace_back(modeName(mode), renderer.radiance());
     }
     if (thesis)
-        for (Renderer::DebugView& stage : renderer.debugViews(camera))
-            pictures.emplace_back("stage_" + stage.name, std::move(stage.image));
+        for (DebugView& stage : debugViews(renderer, camera))
+            pictures.emplace_back("view_" + stage.name, std::move(stage.image));
     for (auto& [name, image] : pictures) {
         for (const glm::vec3& pixel : image.pixels)
             for (int c = 0; c < 3; ++c)
@@ -78,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                std::get<2>(test.param);
     });
 
-TEST_P(OtherDriver, ModesAndStagesAreWithinTolerance) {
+TEST_P(OtherDriver, ModesAndDebugViewsAreWithinTolerance) {
     const auto [backend, scene, preset] = GetParam();
     VCT_SKIP_IF_ABSENT(backend);
     const Pictures reference = picturesOf(Backend::egl, scene, preset);
@@ -93,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Golden, testing::Combine(scenes, presets), []
     return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
 });
 
-TEST_P(Golden, EveryModeAndStageIsUnchanged) {
+TEST_P(Golden, EveryModeAndDebugViewIsUnchanged) {
     {
         const Context context = openContext(Backend::egl);
         if (context.capabilities.renderer.find("llvmpipe") != 0)

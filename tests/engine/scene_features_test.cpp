@@ -111,7 +111,7 @@ Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::g
     log.clear();
     frame();
     asked.frame = gl::summaryOf(log.calls());
-    for (const Renderer::Resource& resource : renderer.resources())
+    for (const Resource& resource : renderer.resources())
         asked.bytes.emplace_back(resource.name, resource.bytes);
     return asked;
 }

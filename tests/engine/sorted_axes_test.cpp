@@ -95,8 +95,8 @@ TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
 std::size_t indexBytes(const Scene& scene) {
     const Volume volume = volumeAround(scene.boundsWorld, 64);
     const GpuScene gpu(scene, volume, 1.0F, 256, Voxelization::sortedAxes);
-    for (const gl::Buffer* buffer : gpu.buffers())
-        if (buffer->label() == "indices") return buffer->bytes();
+    for (const Resource& resource : gpu.resources())
+        if (resource.name == "indices") return resource.bytes;
     return 0;
 }
 

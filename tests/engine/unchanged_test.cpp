@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "gl/call_log.h"
+#include "lab/debug_view.h"
 #include "lab/options.h"
 #include "scene/camera.h"
 #include "support/grids.h"
@@ -148,7 +149,7 @@ TEST_P(Unchanged, LightAndOcclusionAreReceivedEachOnItsOwn) {
     EXPECT_EQ(made(Mode::gi), received);
     EXPECT_EQ(made(Mode::ao), "nothing");
     EXPECT_EQ(made(Mode::gi), "nothing");
-    renderer_.lightParts(chooseCamera(scene_, ""));
+    lightParts(renderer_, chooseCamera(scene_, ""));
     EXPECT_EQ(made(Mode::gi), received);
     EXPECT_EQ(made(Mode::ao), "nothing");
     EXPECT_EQ(made(Mode::gi), "nothing");

@@ -19,8 +19,8 @@ namespace {
 
 std::vector<Words> readPyramid(Renderer& renderer) {
     std::vector<Words> levels;
-    for (int level = 0; level < renderer.voxels()->levels(); ++level)
-        levels.push_back(readVoxels(renderer.voxels()->texture(), level));
+    for (int level = 0; level < renderer.packed()->occupancy().levels(); ++level)
+        levels.push_back(readVoxels(renderer.packed()->occupancy().texture(), level));
     return levels;
 }
 
@@ -95,7 +95,7 @@ TEST_P(Voxels, ListHoldsEachOccupiedVoxelOnceAtEveryLevel) {
     ASSERT_EQ(counts.size(), levels.size());
     for (std::size_t level = 0; level < levels.size(); ++level) {
         std::vector<std::uint32_t> entries =
-            readEntries(*renderer.voxels(), static_cast<int>(level), counts[level]);
+            readEntries(renderer.packed()->occupancy(), static_cast<int>(level), counts[level]);
         std::sort(entries.begin(), entries.end());
         const std::vector<std::uint32_t> expected = entriesOnCpu(levels[level], 128 >> level);
         ASSERT_EQ(entries, expected) << "level " << level;
@@ -165,10 +165,10 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
         }
     };
     expectReport();
-    const Words first = readVoxels(renderer.voxels()->texture(), 0);
+    const Words first = readVoxels(renderer.packed()->occupancy().texture(), 0);
     // Level 1's list lies behind level 0's and is not full: what was behind its last entry before a second
     // frame must be there after it.
-    const VoxelPyramid& pyramid = *renderer.voxels();
+    const VoxelPyramid& pyramid = renderer.packed()->occupancy();
     ASSERT_EQ(pyramid.firstEntry(1), 1000U);
     std::set<std::uint32_t> parents;
     for (std::uint32_t entry : readEntries(pyramid, 0, 1000))
@@ -180,7 +180,7 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
                       untouched.data());
     renderer.frame(Mode::gi, chooseCamera(scene, ""));
     expectReport();
-    EXPECT_EQ(readVoxels(renderer.voxels()->texture(), 0), first);
+    EXPECT_EQ(readVoxels(renderer.packed()->occupancy().texture(), 0), first);
     const std::vector<std::uint32_t> level1 = readEntries(pyramid, 1, 1000);
     EXPECT_EQ(std::vector<std::uint32_t>(level1.end() - 100, level1.end()), untouched);
 }
@@ -194,7 +194,7 @@ TEST(VoxelizerHardCases, DegenerateAndEdgeOnTrianglesMakeNoNaNAndNoExtraVoxel) {
         for (const glm::vec3& pixel : renderer.radiance().pixels)
             for (int c = 0; c < 3; ++c)
                 EXPECT_TRUE(std::isfinite(pixel[c]));
-        return readVoxels(renderer.voxels()->texture(), 0);
+        return readVoxels(renderer.packed()->occupancy().texture(), 0);
     };
     const Words reference = before();
     Mesh needle = scene.meshes[0];

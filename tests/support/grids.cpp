@@ -47,22 +47,22 @@ std::vector<FaceLevel> coverageOf(const Grid& grid) {
 
 Grid gridOf(Renderer& renderer) {
     Grid grid;
-    const VoxelPyramid& pyramid =
-        renderer.voxels() != nullptr ? *renderer.voxels() : renderer.directionalVoxels()->index();
+    const VoxelPyramid& pyramid = renderer.occupancy();
     const std::vector<std::uint32_t> counts = pyramid.readActiveCounts();
     for (int level = 0; level < pyramid.levels(); ++level) {
         grid.lists.push_back(readEntries(pyramid, level, counts[static_cast<std::size_t>(level)]));
         std::sort(grid.lists.back().begin(), grid.lists.back().end());
-        if (renderer.voxels() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
+        if (renderer.packed() != nullptr) grid.words.push_back(readVoxels(pyramid.texture(), level));
     }
-    if (const DirectionalVoxels* voxels = renderer.directionalVoxels()) {
-        grid.faces = readFaces(*voxels);
-        for (int level = 0; level < voxels->levels(); ++level) {
-            grid.faceLists.push_back(voxels->readFaceList(level));
+    if (renderer.directional() != nullptr) {
+        const DirectionalVoxels& voxels = renderer.directional()->voxels();
+        grid.faces = readFaces(voxels);
+        for (int level = 0; level < voxels.levels(); ++level) {
+            grid.faceLists.push_back(voxels.readFaceList(level));
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
-        grid.sums = sumsOf(*voxels, counts[0]);
-        grid.received = renderer.received(GatherOf::light) != nullptr;
+        grid.sums = sumsOf(voxels, counts[0]);
+        grid.received = renderer.directional()->received(GatherOf::light) != nullptr;
     }
     return grid;
 }

@@ -26,7 +26,7 @@ void Stage::stillAt(double seconds, Mode mode) {
 
 std::size_t Stage::bytes() const {
     std::size_t sum = 0;
-    for (const Renderer::Resource& resource : renderer_.resources())
+    for (const Resource& resource : renderer_.resources())
         sum += resource.bytes;
     return sum;
 }
@@ -39,8 +39,9 @@ void expectFresh(Stage& stage, const Context& context, const Scene& scene, const
     Stage fresh(context, frozen, settings);
     fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
-    if (stage.renderer().received(GatherOf::light) == nullptr &&
-        stage.renderer().received(GatherOf::occlusion) == nullptr)
+    const DirectionalVolume* directional = stage.renderer().directional();
+    if (directional == nullptr || (directional->received(GatherOf::light) == nullptr &&
+                                   directional->received(GatherOf::occlusion) == nullptr))
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 
@@ -53,7 +54,8 @@ void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, 
     fresh.stillAt(0.0, mode);
     const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
     const auto received = [&](Stage& of_) {
-        return readReceived(*of_.renderer().directionalVoxels(), of_.renderer().received(of)->received());
+        return readReceived(of_.renderer().directional()->voxels(),
+                            of_.renderer().directional()->received(of)->received());
     };
     const ReceivedFaces now = received(stage), right = received(fresh);
     ASSERT_EQ(now.size(), right.size()) << what;

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> sortByBlock(BlockLists::List& list) {
 }  // namespace
 
 BlockLists::BlockLists(const std::string& label, std::vector<List> lists)
-    : mask_("changed blocks", GL_UNIFORM_BUFFER, blockCount / 8, nullptr, GL_DYNAMIC_DRAW) {
+    : mask_("dirty blocks", GL_UNIFORM_BUFFER, blockCount / 8, nullptr, GL_DYNAMIC_DRAW) {
     std::vector<std::uint32_t> all;
     std::size_t inBlocks = 0;  // which are copied behind the others, where they are chosen
     for (List& list : lists) {
@@ -58,7 +58,7 @@ void BlockLists::choose(const BlockMask* changed) {
     const BlockMask mask = changed != nullptr ? *changed : BlockMask::all();
     mask_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(mask_.bytes()), mask.rows().data());
-    mask_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_CHANGED_BLOCKS);
+    mask_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_DIRTY_BLOCKS);
 
     chosen_.clear();
     std::vector<std::uint32_t> copied;
@@ -80,14 +80,12 @@ void BlockLists::choose(const BlockMask* changed) {
                       static_cast<GLsizeiptr>(copied.size() * sizeof copied[0]), copied.data());
 }
 
-void BlockLists::dispatchOver(const Range& still, const Moving& moving, std::size_t level) const {
-    std::uint32_t entries = still.end - still.first;
-    if (moving.first != VCT_NO_ENTRY) entries += std::max(moving.about, 1U);
-    if (entries == 0) return;
+void BlockLists::dispatchOver(const Range& chosen, const Moving& moving, std::size_t level) const {
+    const std::uint32_t entries = chosen.end - chosen.first + std::max(moving.about, 1U);
     entries_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_STATIC_ENTRIES);
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
-    gl::Uniform1ui(VCT_UNIFORM_FIRST, still.first);
-    gl::Uniform1ui(VCT_UNIFORM_END, still.end);
+    gl::Uniform1ui(VCT_UNIFORM_FIRST, chosen.first);
+    gl::Uniform1ui(VCT_UNIFORM_END, chosen.end);
     gl::Uniform1ui(VCT_UNIFORM_MOVING, moving.first);
     // Enough to keep a GPU busy; each invocation takes as many entries as there are for it.
     constexpr GLuint mostGroups = 1024;

@@ -40,13 +40,13 @@ class BlockLists {
     Range chosen(std::size_t list) const { return chosen_[list]; }
     // What moves, in the level's own list.
     struct Moving {
-        std::uint32_t first = VCT_NO_ENTRY;  // VCT_NO_ENTRY: none of it
+        std::uint32_t first;
         // How many there may be, as the GPU alone knows: so many invocations, each of which takes as many
         // entries as there are for it.
-        std::uint32_t about = 2048;
+        std::uint32_t about;
     };
-    // Runs the current program, one that was compiled with VCT_PART, over both in one dispatch.
-    void dispatchOver(const Range& still, const Moving& moving, std::size_t level) const;
+    // Runs the current program, one that includes directional/static_entries.glsl, over both in one dispatch.
+    void dispatchOver(const Range& chosen, const Moving& moving, std::size_t level) const;
 
     std::vector<const gl::Buffer*> buffers() const { return {&entries_, &mask_}; }
 

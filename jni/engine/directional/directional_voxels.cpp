@@ -74,6 +74,13 @@ std::uint32_t withHeadRoom(std::uint32_t count) {
     return count + count / 4;
 }
 
+Resources DirectionalVoxels::resources() const {
+    Resources resources = index_.resources();
+    add(resources, faces_);
+    add(resources, sums_);
+    return resources;
+}
+
 void DirectionalVoxels::clear() {
     const gl::DebugGroup group("clear faces");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |

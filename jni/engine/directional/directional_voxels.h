@@ -24,6 +24,7 @@ class DirectionalVoxels {
     // `listCapacity`: of the base level's list, as for VoxelPyramid.
     DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity);
 
+    Resources resources() const;
     static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
     // Faces of a grid, as those below.
     static constexpr int blocksX = 3, blocksY = 2;

@@ -12,6 +12,7 @@ using Of = ScenePart::Of;
 IncrementalUpdate::IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                                      Voxelization voxelization)
     : clearBase_(shaders, dirtyClearBaseProgram()),
+      clearDynamic_(shaders, clearDynamicProgram()),
       resolve_(shaders, dirtyResolveProgram()),
       resolveStatic_(shaders, staticResolveProgram()),
       mipmap_(shaders, dirtyMipmapperProgram()),
@@ -28,11 +29,11 @@ void IncrementalUpdate::voxelize(const GpuScene& scene, const gl::Texture& shado
         changed = nullptr;
     }
     const gl::DebugGroup group("voxelize");
-    replaceMoving(scene, changed, voxelizer, voxels);
+    replaceDynamic(scene, changed, voxelizer, voxels);
     const BlockMask mask = changed != nullptr ? *changed : BlockMask::all();
     voxelizer.accumulate(scene, {Of::staticOnly, &mask}, static_, shadowMap, voxels);
     voxelizer.accumulate(scene, {Of::moving}, voxelizer.programs(), shadowMap, voxels);
-    voxelizer.resolve(resolve_, voxels, [&] { dispatchOverPart(0, 2, voxels); });
+    voxelizer.resolve(resolve_, voxels, [&] { dispatchOverPart(0); });
 }
 
 // Which voxels and faces the static geometry fills, as no light and no pose changes that; and makes room for
@@ -62,17 +63,18 @@ void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& s
 }
 
 // In the base level's list; of the static voxels there and in `changed`, empties the sums.
-void IncrementalUpdate::replaceMoving(const GpuScene& scene, const BlockMask* changed,
-                                      DirectionalVoxelizer& voxelizer, DirectionalVoxels& voxels) {
+void IncrementalUpdate::replaceDynamic(const GpuScene& scene, const BlockMask* changed,
+                                       DirectionalVoxelizer& voxelizer, DirectionalVoxels& voxels) {
     staticEntries_->choose(changed);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_TEXTURE_FETCH_BARRIER_BIT);
     voxels.bindLists();
+    clearDynamic(voxels);
     voxels.index().texture().bind(VCT_TEX_VOXELS);
     clearBase_.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    voxels.index().bindLevel(VCT_IMAGE_VOXELS_NEXT, 0, GL_WRITE_ONLY);
-    dispatchOverPart(0, 1, voxels);
+    voxels.index().bindLevel(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    dispatchOverPart(0);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
     voxels.setCommands(staticCommands_);
@@ -88,36 +90,43 @@ bool IncrementalUpdate::mipmap(DirectionalVoxels& voxels) {
         voxels.bindLevel(VCT_IMAGE_FACES, level);
         if (level + 1 < voxels.levels())
             voxels.index().bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
-        dispatchOverPart(level, level + 2, voxels);
+        dispatchOverPart(level);
         gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                           GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
     gl::MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     lastCommands_ = voxels.index().readCommands();
-    if (voxels.index().activeCounts(lastCommands_)[0] <= voxels.places()) return true;
-    staticEntries_.reset();  // more room is made by emptying everything
-    return false;
+    const bool hadRoom = lastCommands_[0].instanceCount <= voxels.places();
+    if (!hadRoom) staticEntries_.reset();        // more room is made by emptying everything
+    voxels.index().activeCounts(lastCommands_);  // throws where the list itself is too short
+    return hadRoom;
 }
 
-// Of the base level voxels, of coarser levels faces: those that were chosen, and what moves. Meanwhile the
-// level `emptied`, where nothing has been put in again yet, is emptied of what moved.
-void IncrementalUpdate::dispatchOverPart(int level, int emptied, const DirectionalVoxels& voxels) const {
-    const auto list = static_cast<std::size_t>(level);
-    const std::uint32_t still = staticEntries_->count(list);
-    // As many as in the last frame, give or take a few.
-    const std::uint32_t last = level == 0 ? lastCommands_[0].instanceCount : lastCommands_[list].faceCount;
-    const BlockLists::Moving moving{still, last - still};
-    std::uint32_t firstEmptied = 0, endEmptied = 0;
-    if (emptied < voxels.levels()) {
-        voxels.bindLevel(VCT_IMAGE_EMPTIED_FACES, emptied);
-        voxels.index().bindLevel(VCT_IMAGE_EMPTIED_VOXELS, emptied, GL_READ_WRITE);
-        const shared::LevelCommands& commands = lastCommands_[static_cast<std::size_t>(emptied)];
-        firstEmptied = staticEntries_->count(static_cast<std::size_t>(emptied));
-        endEmptied = std::min(commands.faceCount, commands.faceCapacity);
+// Of the levels above the base level.
+void IncrementalUpdate::clearDynamic(const DirectionalVoxels& voxels) const {
+    clearDynamic_.use();
+    for (int level = 1; level < voxels.levels(); ++level) {
+        const auto list = static_cast<std::size_t>(level);
+        const std::uint32_t first = staticEntries_->count(list);
+        const std::uint32_t end = std::min(lastCommands_[list].faceCount, lastCommands_[list].faceCapacity);
+        if (first >= end) continue;
+        voxels.bindLevel(VCT_IMAGE_FACES, level);
+        voxels.index().bindLevel(VCT_IMAGE_VOXELS, level, GL_READ_WRITE);
+        gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+        gl::Uniform1ui(VCT_UNIFORM_FIRST, first);
+        gl::Uniform1ui(VCT_UNIFORM_END, end);
+        gl::DispatchCompute((end - first - 1) / VCT_LIST_GROUP + 1, 1, 1);
     }
-    gl::Uniform1ui(VCT_UNIFORM_EMPTIED, firstEmptied);
-    gl::Uniform1ui(VCT_UNIFORM_EMPTIED_END, endEmptied);
-    staticEntries_->dispatchOver(staticEntries_->chosen(list), moving, list);
+}
+
+// Runs the current program over the static entries that were chosen, and what moves: over voxels of the base
+// level, over faces of coarser ones.
+void IncrementalUpdate::dispatchOverPart(int level) const {
+    const auto list = static_cast<std::size_t>(level);
+    const std::uint32_t staticCount = staticEntries_->count(list);
+    // What moves is as much as in the last frame, give or take a few.
+    const std::uint32_t last = level == 0 ? lastCommands_[0].instanceCount : lastCommands_[list].faceCount;
+    staticEntries_->dispatchOver(staticEntries_->chosen(list), {staticCount, last - staticCount}, list);
 }
 
 std::vector<const gl::Buffer*> IncrementalUpdate::buffers() const {

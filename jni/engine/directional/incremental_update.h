@@ -1,5 +1,7 @@
-// Static and moving geometry apart, in voxels that are faces: as partial_voxels.h for those that are words.
-// The static voxels come first in the lists, and keep their places there, which are those of their sums.
+// Directional voxels of a scene where something moves. What moves is removed from them and put in again; of
+// the static geometry only the blocks that what moves, or its shadow, can have changed are made anew. The
+// voxels are the same as if all were made anew. The static ones come first in the lists, and keep their
+// places there, which are those of their sums.
 #pragma once
 
 #include <optional>
@@ -24,7 +26,7 @@ class IncrementalUpdate {
     bool mipmap(DirectionalVoxels& voxels);
 
     // Of the base level's list of faces: those of the static geometry, which keep their places; 0 where they
-    // were learnt in the last voxelize().
+    // were found out in the last voxelize().
     std::uint32_t keptFaces() const { return keptFaces_; }
 
     std::vector<const gl::Buffer*> buffers() const;
@@ -32,11 +34,12 @@ class IncrementalUpdate {
   private:
     void recordStatic(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxelizer& voxelizer,
                       DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
-    void replaceMoving(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
-                       DirectionalVoxels& voxels);
-    void dispatchOverPart(int level, int emptied, const DirectionalVoxels& voxels) const;
+    void replaceDynamic(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
+                        DirectionalVoxels& voxels);
+    void clearDynamic(const DirectionalVoxels& voxels) const;
+    void dispatchOverPart(int level) const;
 
-    gl::Program clearBase_, resolve_, resolveStatic_, mipmap_;
+    gl::Program clearBase_, clearDynamic_, resolve_, resolveStatic_, mipmap_;
     MaterialPrograms static_;
     // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
     std::optional<BlockLists> staticEntries_;

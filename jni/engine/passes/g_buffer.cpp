@@ -41,4 +41,11 @@ GBuffer::Targets GBuffer::targets() const {
     return {&albedo_, &normal_, emissive_ ? &*emissive_ : nullptr, gloss_ ? &*gloss_ : nullptr, &depth_};
 }
 
+Resources GBuffer::resources() const {
+    Resources resources;
+    for (const gl::Texture* target : {&albedo_, &normal_, targets().emissive, targets().gloss, &depth_})
+        if (target != nullptr) add(resources, *target);
+    return resources;
+}
+
 }  // namespace vct

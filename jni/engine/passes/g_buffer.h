@@ -5,6 +5,7 @@
 
 #include "engine/gpu_scene.h"
 #include "engine/programs.h"
+#include "engine/resource.h"
 #include "gl/objects.h"
 
 namespace vct {
@@ -23,6 +24,7 @@ class GBuffer {
     Targets draw(const GpuScene& scene);
 
     Targets targets() const;
+    Resources resources() const;
 
   private:
     MaterialPrograms programs_;

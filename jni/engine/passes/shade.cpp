@@ -12,19 +12,20 @@ Shade::Shade(gl::ShaderLibrary shaders, const Settings& settings)
       radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, settings.size.x, settings.size.y)),
       framebuffer_("radiance", {&radiance_}, nullptr) {}
 
-const gl::Program& Shade::program(int mode, const GBuffer::Targets& surface) {
+const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surface) {
     const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr};
-    const auto key = std::make_tuple(mode, targets.emissive, targets.gloss);
+    const auto key = std::make_tuple(picture, targets.emissive, targets.gloss);
     auto found = programs_.find(key);
     if (found == programs_.end())
-        found = programs_.emplace(key, gl::Program(shaders_, shadeProgram(mode, targets, settings_))).first;
+        found =
+            programs_.emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, settings_))).first;
     return found->second;
 }
 
-const gl::Texture& Shade::draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                               const Light& light) {
+const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
+                               const VoxelLight& light) {
     const gl::DebugGroup group("cone trace");
-    program(mode, surface).use();
+    program(picture, surface).use();
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);
@@ -38,7 +39,7 @@ const gl::Texture& Shade::draw(int mode, const GBuffer::Targets& surface, const 
         shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
         plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     }
-    if (light.voxels != nullptr) light.voxels->bind(VCT_TEX_VOXELS);
+    if (light.packed != nullptr) light.packed->bind(VCT_TEX_VOXELS);
     if (light.irradiance != nullptr) {
         light.irradiance->bind(VCT_TEX_IRRADIANCE);
         light.bricks->bind(VCT_TEX_BRICKS);

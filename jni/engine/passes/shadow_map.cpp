@@ -1,5 +1,7 @@
 #include "engine/passes/shadow_map.h"
 
+#include <utility>
+
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "shared/layout.h"
@@ -25,6 +27,19 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
     depth_.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+}
+
+const gl::Texture& ShadowMap::update(const GpuScene& scene, const SceneState& now, Picture picture,
+                                     bool remake, StepTimer& timer) {
+    if (remake || drawn_ != now) {
+        drawn_.reset();
+        timer.time(Step::shadowMap, [&] { draw(scene); });
+        levelsAreDrawn_ = false;
+        drawn_ = now;
+    }
+    if (showsSoftShadow(picture) && depth_.levels() > 1 && !std::exchange(levelsAreDrawn_, true))
+        timer.time(Step::shadowMap, [&] { makeLevels(); });
+    return depth_;
 }
 
 const gl::Texture& ShadowMap::draw(const GpuScene& scene) {

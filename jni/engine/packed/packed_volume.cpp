@@ -1,0 +1,28 @@
+#include "engine/packed/packed_volume.h"
+
+#include <utility>
+
+namespace vct {
+
+PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings)
+    : pyramid_(shaders, settings.grid, settings.activeVoxelLimit),
+      voxelizer_(shaders, scene, settings.grid, settings.voxelization),
+      mipmapper_(shaders) {}
+
+VoxelLight PackedVolume::update(const Inputs& inputs, StepTimer& timer) {
+    const std::optional<SceneState> before = std::exchange(made_, {});
+    if (inputs.remake || before != inputs.now) {
+        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.shadowMap, pyramid_); });
+        timer.time(Step::mipmap, [&] { mipmapper_.run(pyramid_); });
+    }
+    made_ = inputs.now;
+    VoxelLight light;
+    light.packed = &pyramid_.texture();
+    return light;
+}
+
+Resources PackedVolume::resources() const {
+    return pyramid_.resources();
+}
+
+}  // namespace vct
