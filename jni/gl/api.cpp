@@ -8,7 +8,7 @@
 
 namespace vct::gl {
 
-#define VCT_GL_DEFINE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
+#define VCT_GL_DEFINE(NAME) decltype(&::gl##NAME) NAME = nullptr;
 VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
@@ -35,8 +35,8 @@ bool hasExtension(const char* name) {
 
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user) {
     std::string missing;
-#define VCT_GL_LOAD(TYPE, NAME)                                                   \
-    NAME = reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress("gl" #NAME, user)); \
+#define VCT_GL_LOAD(NAME)                                                      \
+    NAME = reinterpret_cast<decltype(NAME)>(getProcAddress("gl" #NAME, user)); \
     if (!NAME) missing += missing.empty() ? "gl" #NAME : ", gl" #NAME;
     VCT_GL_FUNCTIONS(VCT_GL_LOAD)
 #undef VCT_GL_LOAD
@@ -49,17 +49,17 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
     const bool core = version.atLeast(3, 2, 4, 3);
     const bool extension = !core && hasExtension("GL_KHR_debug");
     const std::string suffix = extension && !version.desktop ? "KHR" : "";
-#define VCT_GL_LOAD_OPTIONAL(TYPE, NAME)                                                                  \
-    NAME = core || extension                                                                              \
-               ? reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress(("gl" #NAME + suffix).c_str(), user)) \
+#define VCT_GL_LOAD_OPTIONAL(NAME)                                                                     \
+    NAME = core || extension                                                                           \
+               ? reinterpret_cast<decltype(NAME)>(getProcAddress(("gl" #NAME + suffix).c_str(), user)) \
                : nullptr;
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_LOAD_OPTIONAL)
 #undef VCT_GL_LOAD_OPTIONAL
 
-    GetQueryObjectui64v = hasExtension("GL_EXT_disjoint_timer_query")
-                              ? reinterpret_cast<PFNGLGETQUERYOBJECTUI64VEXTPROC>(
-                                    getProcAddress("glGetQueryObjectui64vEXT", user))
-                              : nullptr;
+    GetQueryObjectui64v = nullptr;
+    if (hasExtension("GL_EXT_disjoint_timer_query"))
+        GetQueryObjectui64v =
+            reinterpret_cast<decltype(GetQueryObjectui64v)>(getProcAddress("glGetQueryObjectui64vEXT", user));
 }
 
 }  // namespace vct::gl

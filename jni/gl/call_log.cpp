@@ -86,14 +86,14 @@ const char* textureTarget(std::int64_t target) {
 CallLog::CallLog() {
     assert(current == nullptr);
     current = this;
-#define VCT_GL_INSTALL(TYPE, NAME) Hook<&NAME>::install(#NAME);
+#define VCT_GL_INSTALL(NAME) Hook<&NAME>::install(#NAME);
     VCT_GL_FUNCTIONS(VCT_GL_INSTALL)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_INSTALL)
 #undef VCT_GL_INSTALL
 }
 
 CallLog::~CallLog() {
-#define VCT_GL_REMOVE(TYPE, NAME) Hook<&NAME>::remove();
+#define VCT_GL_REMOVE(NAME) Hook<&NAME>::remove();
     VCT_GL_FUNCTIONS(VCT_GL_REMOVE)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_REMOVE)
 #undef VCT_GL_REMOVE
