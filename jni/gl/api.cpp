@@ -1,7 +1,6 @@
 #include "gl/api.h"
 
-#include <cstring>
-#include <string>
+#include <algorithm>
 
 #include "core/error.h"
 #include "gl/version.h"
@@ -14,24 +13,21 @@ VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
 PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
 
-namespace {
-
-std::string currentVersion() {
-    const GLubyte* text = GetString(GL_VERSION);
-    return text ? reinterpret_cast<const char*>(text) : "";
+std::string stringOf(GLenum name) {
+    const GLubyte* text = GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
-bool hasExtension(const char* name) {
+std::vector<std::string> extensionNames() {
     GLint count = 0;
     GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    std::vector<std::string> names;
     for (GLint i = 0; i < count; ++i) {
-        const GLubyte* extension = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0) return true;
+        const GLubyte* name = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (name) names.emplace_back(reinterpret_cast<const char*>(name));
     }
-    return false;
+    return names;
 }
-
-}  // namespace
 
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user) {
     std::string missing;
@@ -45,7 +41,11 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
 
     // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
     // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
-    const Version version = parseVersion(currentVersion());
+    const Version version = parseVersion(stringOf(GL_VERSION));
+    const std::vector<std::string> extensions = extensionNames();
+    const auto hasExtension = [&](const char* name) {
+        return std::find(extensions.begin(), extensions.end(), name) != extensions.end();
+    };
     const bool core = version.atLeast(3, 2, 4, 3);
     const bool extension = !core && hasExtension("GL_KHR_debug");
     const std::string suffix = extension && !version.desktop ? "KHR" : "";

@@ -6,6 +6,9 @@
 
 #include <GLES2/gl2ext.h>  // after the types of gl32.h
 
+#include <string>
+#include <vector>
+
 namespace vct::gl {
 
 // One list of what is used; the types are those of the prototypes in gl32.h, which nothing links to. Entry
@@ -45,5 +48,10 @@ using Proc = void (*)();
 // Resolves every entry point; throws vct::Error naming all required ones that the driver lacks.
 // Optional ones are also looked for under their KHR suffix.
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user);
+
+// Of the current context: GL_RENDERER or another string, "unknown" where the driver has none, and
+// GL_EXTENSIONS.
+std::string stringOf(GLenum name);
+std::vector<std::string> extensionNames();
 
 }  // namespace vct::gl
