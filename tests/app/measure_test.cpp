@@ -168,14 +168,11 @@ TEST(MeasureInTheApp, ALostContextFailsIt) {
 }
 
 TEST(MeasureInTheApp, AScenePushedIntoTheFilesFolderCanBeMeasured) {
-    TemporaryFolder files;
+    Measuring android("bench scene=mine.glb size=16x16 grid=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
     std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("my own.glb"));
     std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("mine.glb"));
     writeBytes(files.file("notes.txt"), "no scene");
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench scene=mine.glb size=16x16 grid=64 repeat=1";
-    android.start(96, 64);
     android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(readJson(files, "timings.json").at("scene"), "mine.glb");

@@ -72,7 +72,7 @@ void StandIn::framesUntilLogged(const std::string& text, int most) {
     });
 }
 
-void StandIn::input(const AInputEvent& input) {
+void StandIn::input(AInputEvent input) {
     event([this, input]() mutable {
         timeNs_ += 16'000'000;
         input.timeNs = timeNs_;

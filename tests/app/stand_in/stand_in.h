@@ -108,7 +108,7 @@ class StandIn {
   private:
     // The app learns of it by `what`, when it asks for events.
     void event(std::function<void()> what);
-    void input(const AInputEvent& input);
+    void input(AInputEvent input);
     void deliver(int command);
     void takeWindow();
 
