@@ -46,7 +46,7 @@ void run(android_app* glue) {
 }  // namespace
 
 void android_main(android_app* glue) {
-    vct::setTraceFunctions({ATrace_beginSection, ATrace_endSection});
+    vct::traceFunctions = {ATrace_beginSection, ATrace_endSection};
     try {
         run(glue);
     } catch (const std::exception& error) {

@@ -50,9 +50,7 @@ class App {
         Choices choices;
         std::shared_ptr<const Scene> scene;
         glm::ivec2 window{0};
-        bool operator==(const Wanted& other) const {
-            return choices == other.choices && scene == other.scene && window == other.window;
-        }
+        bool operator==(const Wanted& other) const = default;
     };
 
     void prepare();

@@ -59,26 +59,14 @@ bool startsWith(const Call& call, const char* start) {
     return std::strncmp(call.name, start, std::strlen(start)) == 0;
 }
 
-const char* bufferName(std::int64_t target) {
-    switch (target) {
-        case GL_UNIFORM_BUFFER:
-            return "uniform buffer ";
-        case GL_SHADER_STORAGE_BUFFER:
-            return "storage buffer ";
-        default:
-            return "other buffer ";
-    }
+std::string bufferName(std::int64_t target) {
+    if (target == GL_UNIFORM_BUFFER) return "uniform buffer ";
+    return target == GL_SHADER_STORAGE_BUFFER ? "storage buffer " : "other buffer ";
 }
 
-const char* textureTarget(std::int64_t target) {
-    switch (target) {
-        case GL_TEXTURE_2D:
-            return "2D";
-        case GL_TEXTURE_3D:
-            return "3D";
-        default:
-            return "other";
-    }
+std::string textureTarget(std::int64_t target) {
+    if (target == GL_TEXTURE_2D) return "2D";
+    return target == GL_TEXTURE_3D ? "3D" : "other";
 }
 
 }  // namespace
