@@ -75,7 +75,9 @@ std::string glslang(const std::vector<Source>& sources) {
         std::filesystem::temp_directory_path() / ("vct_glslang_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     for (std::size_t i = 0; i < sources.size(); ++i)
-        std::ofstream(folder / (std::to_string(i) + "_" + sources[i].path)) << sources[i].text;
+        std::ofstream(folder /
+                      (std::to_string(i) + "_" + std::filesystem::path(sources[i].path).filename().string()))
+            << sources[i].text;
     FILE* pipe = popen(("glslangValidator " + folder.string() + "/* 2>&1").c_str(), "r");
     std::string output;
     char buffer[512];
