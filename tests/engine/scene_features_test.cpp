@@ -309,8 +309,8 @@ TEST(SceneFeatures, AModeBuildsTheProgramsThatItAsksFor) {
     };
     EXPECT_FALSE(builds(Mode::phong, "shadow_map"));
     EXPECT_TRUE(builds(Mode::shadowMap, "shadow_map"));
-    EXPECT_FALSE(builds(Mode::shadowMap, "face_voxelizer"));
-    EXPECT_TRUE(builds(Mode::ao, "face_voxelizer"));
+    EXPECT_FALSE(builds(Mode::shadowMap, "directional/voxelizer"));
+    EXPECT_TRUE(builds(Mode::ao, "directional/voxelizer"));
     EXPECT_FALSE(builds(Mode::ao, "light_shine"));
     EXPECT_FALSE(builds(Mode::ao, "irradiance"));
     EXPECT_TRUE(builds(Mode::gi, "light_shine"));
