@@ -2,8 +2,8 @@
 #include <android/trace.h>
 #include <android_native_app_glue.h>
 
+#include "app/activity.h"
 #include "app/app.h"
-#include "app/intent.h"
 #include "app/log.h"
 #include "core/trace.h"
 
@@ -46,7 +46,7 @@ void run(android_app* glue) {
 }  // namespace
 
 void android_main(android_app* glue) {
-    vct::setTraceFunctions({ATrace_beginSection, ATrace_endSection});
+    vct::traceFunctions = {ATrace_beginSection, ATrace_endSection};
     try {
         run(glue);
     } catch (const std::exception& error) {

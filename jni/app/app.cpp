@@ -1,12 +1,10 @@
 #include "app/app.h"
 
-#include <android/window.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
+#include "app/activity.h"
 #include "app/log.h"
 #include "gl/debug.h"
 #include "scene/camera.h"
@@ -18,34 +16,16 @@ namespace {
 constexpr const char* firstScene = "cornell.glb";
 const glm::vec3 background(0.08F);
 
-float pixelsPerDp(AConfiguration* configuration) {
-    const int density = AConfiguration_getDensity(configuration);
-    // Special values mark "any" and "none".
-    return density > 0 && density < ACONFIGURATION_DENSITY_ANY ? static_cast<float>(density) / 160.0F : 1.0F;
-}
-
-std::string filesFolder(const ANativeActivity& activity) {
-    for (const char* path : {activity.externalDataPath, activity.internalDataPath})
-        if (path != nullptr && *path != '\0') {
-            std::error_code ignored;
-            std::filesystem::create_directories(path, ignored);
-            return path;
-        }
-    return "";
-}
-
 }  // namespace
 
 App::App(android_app& glue, const std::string& command)
     : glue_(glue),
       folder_(filesFolder(*glue.activity)),
-      loader_(glue.activity->assetManager),
-      pixelsPerDp_(pixelsPerDp(glue.config)),
-      hud_(pixelsPerDp_),
-      touch_(pixelsPerDp_),
+      scenes_(glue.activity->assetManager, folder_),
+      hud_(pixelsPerDp(glue.config)),
+      touch_(pixelsPerDp(glue.config)),
       lastFrame_(std::chrono::steady_clock::now()) {
     log("vct " VCT_VERSION ", files in " + folder_);
-    rescan();
     std::string scene = firstScene;
     if (command.rfind("show", 0) == 0) {
         try {
@@ -58,13 +38,13 @@ App::App(android_app& glue, const std::string& command)
             fail(error.what());
         }
     }
-    const auto first = findScene(scene);
-    if (!scenes_.empty()) chooseScene(first == scenes_.end() ? scenes_.front() : *first);
+    const int first = std::max(scenes_.find(scene), 0);
+    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[static_cast<std::size_t>(first)]);
     if (!command.empty() && command.rfind("show", 0) != 0) startMeasuring(command);
 }
 
 App::~App() {
-    loader_.cancel();
+    scenes_.cancel();
     bench_.reset();  // in its context
     gl_.reset();
     log("the app ends");
@@ -149,7 +129,7 @@ void App::draw() {
     if (!gl_->missing().empty()) return drawMessage();
 
     testDriver();
-    const bool measuring = request_ && !loader_.busy() && selfTest_;
+    const bool measuring = request_ && !scenes_.loading() && selfTest_;
     if (measuring)
         measure();
     else
@@ -167,7 +147,8 @@ void App::drawMessage() {
     if (request_) endMeasuring(gl_->missing());
     const glm::ivec2 window = surface_->size();
     clearWindow(window, background);
-    hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window, freeArea());
+    hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window,
+                      freeArea(glue_.contentRect, window));
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("message");
 }
@@ -179,29 +160,29 @@ void App::drawHud(double passedS) {
 
     HudContent content;
     content.choices = &choices_;
-    int scene = sceneIndex();
+    int scene = scenes_.find(scenePath());
     const int sceneBefore = scene;
     content.scene = &scene;
-    content.scenes = &scenes_;
+    content.scenes = &scenes_.all();
     if (scene_) content.sceneLightDeg = lightAnglesDeg(chooseLight(*scene_));
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
     content.animated = scene_ && !scene_->animation.channels.empty();
     content.measuring = request_.has_value();
-    if (loader_.busy())
-        content.status = "loading " + loading_.name;
+    if (scenes_.loading())
+        content.status = "loading " + scenes_.loaded().name;
     else if (!selfTest_)
         content.status = "testing the driver";
     else if (bench_)
         content.status = "measuring " + bench_->progress();
     content.message = message_;
-    const HudActions actions = hud_.build(content, window, freeArea(), passedS);
+    const HudActions actions = hud_.build(content, window, freeArea(glue_.contentRect, window), passedS);
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("display");
 
-    if (scene != sceneBefore) chooseScene(scenes_[static_cast<std::size_t>(scene)]);
-    if (actions.rescan) rescan();
+    if (scene != sceneBefore) scenes_.load(scenes_.all()[static_cast<std::size_t>(scene)]);
+    if (actions.rescan) scenes_.rescan();
     if (actions.resetView && scene_) view_.emplace(*scene_);
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
@@ -213,9 +194,8 @@ void App::drawHud(double passedS) {
 void App::drawScene() {
     const Wanted wanted{choices_, scene_, surface_->size()};
     if (!scene_ || (failed_ && *failed_ == wanted)) return;
-    const glm::ivec2 window = surface_->size();
-    try {
-        Renderer& renderer = gl_->rendererFor(scene_, choices_, window);
+    const std::string failure = failureOf([&] {
+        Renderer& renderer = gl_->rendererFor(scene_, choices_, wanted.window);
         if (const Animation& animation = scene_->animation; !animation.channels.empty()) {
             const double length = animation.durationS;
             const Pose pose = poseAt(animation, length > 0.0 ? std::fmod(animationS_, length) : 0.0);
@@ -223,7 +203,7 @@ void App::drawScene() {
             renderer.setLightDirection(posed(lightFor(choices_, *scene_), pose).towardsLight);
             if (!scene_->cameras.empty()) view_->follow(posed(scene_->cameras.front(), pose));
         }
-        const glm::dvec2 size(settingsFor(choices_, window).size);
+        const glm::dvec2 size(settingsFor(choices_, wanted.window).size);
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(size.x / size.y));
         stepMs_.reset();
@@ -233,13 +213,21 @@ void App::drawScene() {
             for (std::size_t i = 0; i < stepCount; ++i)
                 (*stepMs_)[i] = times.stepMs[i].back();
         }
-        good_ = wanted;
-        failed_.reset();
+    });
+    if (!failure.empty()) return revert(failure);
+    good_ = wanted;
+    failed_.reset();
+}
+
+std::string App::failureOf(const std::function<void()>& part) {
+    try {
+        part();
+        return "";
     } catch (const gl::ContextLost&) {
         throw;
     } catch (const std::exception& error) {
         if (gl::GetError() == GL_CONTEXT_LOST) throw gl::ContextLost(error.what());
-        revert(error.what());
+        return error.what();
     }
 }
 
@@ -304,103 +292,13 @@ void App::fail(const std::string& message) {
     log(LogLevel::error, message);
 }
 
-// Once, and not before the window has shown something: it takes a moment.
-void App::testDriver() {
-    if (selfTest_ || shownFrames_ == 0) return;
-    selfTest_ = runSelfTest(gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager));
-    const std::string text =
-        (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
-    if (selfTest_->passed)
-        log(text);
-    else
-        fail(text);
-}
-
-void App::startMeasuring(const std::string& command) {
-    log(command);
-    try {
-        results_ = std::make_unique<ResultsFolder>(folder_ + "/results");
-        BenchRequest request = benchRequestFromText(command);
-        rescan();
-        const std::string current = loader_.busy() ? loading_.path : scene_ ? scene_->path : "";
-        const auto found = findScene(request.scene.empty() ? current : request.scene);
-        if (found == scenes_.end())
-            throw Error("there is no scene " + request.scene + "; copy it into " + folder_);
-        request.scene = found->name;
-        if (found->path != current) chooseScene(*found);
-        request_ = request;
-        // A screen that goes dark pauses the app.
-        ANativeActivity_setWindowFlags(glue_.activity, AWINDOW_FLAG_KEEP_SCREEN_ON, 0);
-    } catch (const std::exception& error) {
-        endMeasuring(error.what());
-    }
-}
-
-// A frame of it.
-void App::measure() {
-    try {
-        if (!bench_) {
-            gl_->dropRenderer();
-            stepMs_.reset();
-            bench_ = std::make_unique<BenchRun>(
-                BenchRun::Input{*request_, scene_, gl_->capabilities(),
-                                shadersFromAssets(glue_.activity->assetManager), "android",
-                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
-                *results_);
-        }
-        if (!bench_->advance()) endMeasuring("");
-    } catch (const gl::ContextLost&) {
-        throw;
-    } catch (const std::exception& error) {
-        if (gl::GetError() == GL_CONTEXT_LOST) throw gl::ContextLost(error.what());
-        endMeasuring(error.what());
-    }
-}
-
-void App::endMeasuring(const std::string& failure) {
-    bench_.reset();
-    request_.reset();
-    ANativeActivity_setWindowFlags(glue_.activity, 0, AWINDOW_FLAG_KEEP_SCREEN_ON);
-    if (failure.empty()) {
-        message_ = "measured: " + folder_ + "/results";
-        log(message_);
-    } else {
-        fail("measuring failed: " + failure);
-    }
-    try {
-        if (results_ && failure.empty()) results_->done(selfTest_->text);
-        if (results_ && !failure.empty()) results_->failed(failure);
-    } catch (const Error& error) {
-        fail(error.what());
-    }
-    results_.reset();
-}
-
-void App::rescan() {
-    scenes_ = findScenes(glue_.activity->assetManager, folder_);
-}
-
-std::vector<SceneFile>::const_iterator App::findScene(const std::string& nameOrPath) const {
-    return std::find_if(scenes_.begin(), scenes_.end(), [&](const SceneFile& scene) {
-        return scene.name == nameOrPath || scene.path == nameOrPath;
-    });
-}
-
-int App::sceneIndex() const {
-    const std::string path = loader_.busy() ? loading_.path : scene_ ? scene_->path : "";
-    const auto found = std::find_if(scenes_.begin(), scenes_.end(),
-                                    [&](const SceneFile& scene) { return scene.path == path; });
-    return found == scenes_.end() ? -1 : static_cast<int>(found - scenes_.begin());
-}
-
-void App::chooseScene(const SceneFile& scene) {
-    loading_ = scene;
-    log("loading " + scene.path);
-    loader_.start(scene);
+std::string App::scenePath() const {
+    if (scenes_.loading()) return scenes_.loaded().path;
+    return scene_ ? scene_->path : "";
 }
 
 void App::takeLoadedScene() {
-    std::optional<SceneLoader::Result> result = loader_.take();
+    const std::optional<Scenes::Result> result = scenes_.take();
     if (!result) return;
     if (!result->scene) {
         if (request_)
@@ -409,10 +307,10 @@ void App::takeLoadedScene() {
             fail(result->error);
         return;
     }
-    for (const std::string& warning : result->scene->warnings)
-        log(LogLevel::warning, warning);
-    log(result->file.path + ": " + std::to_string(result->scene->triangleCount()) + " triangles");
     scene_ = result->scene;
+    for (const std::string& warning : scene_->warnings)
+        log(LogLevel::warning, warning);
+    log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");
     view_.emplace(*scene_);
     choices_.lightAnglesDeg.reset();
     message_.clear();
@@ -420,18 +318,10 @@ void App::takeLoadedScene() {
 
 bool App::onInput(const AInputEvent* event) {
     if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return false;
-    const int action = AMotionEvent_getAction(event);
-    const int kind = action & AMOTION_EVENT_ACTION_MASK;
-    const auto lifted = static_cast<std::size_t>((action & AMOTION_EVENT_ACTION_POINTER_INDEX_MASK) >>
-                                                 AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT);
-    std::vector<TouchPoint> points;
-    const bool none = kind == AMOTION_EVENT_ACTION_UP || kind == AMOTION_EVENT_ACTION_CANCEL;
-    for (std::size_t i = 0; !none && i < AMotionEvent_getPointerCount(event); ++i)
-        if (kind != AMOTION_EVENT_ACTION_POINTER_UP || i != lifted)
-            points.push_back({AMotionEvent_getPointerId(event, i),
-                              {AMotionEvent_getX(event, i), AMotionEvent_getY(event, i)}});
-    if (kind == AMOTION_EVENT_ACTION_CANCEL) touch_.cancel();
-    finger(points, 1e-9 * static_cast<double>(AMotionEvent_getEventTime(event)));
+    const bool cancelled =
+        (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) == AMOTION_EVENT_ACTION_CANCEL;
+    if (cancelled) touch_.cancel();
+    finger(fingersAfter(event), 1e-9 * static_cast<double>(AMotionEvent_getEventTime(event)));
     return true;
 }
 
@@ -448,16 +338,6 @@ void App::finger(const std::vector<TouchPoint>& points, double timeS) {
     const bool down = found != points.end();
     if (down) displayFinger_ = *found;
     hud_.touch(displayFinger_.position, down);
-}
-
-glm::ivec4 App::freeArea() const {
-    const glm::ivec2 window = surface_->size();
-    const ARect& r = glue_.contentRect;
-    const glm::ivec4 free =
-        glm::clamp(glm::ivec4(r.left, r.top, r.right, r.bottom), glm::ivec4(0), glm::ivec4(window, window));
-    // Before the first layout, and just after a rotation, it says nothing of use.
-    const bool plausible = free.z - free.x > window.x / 2 && free.w - free.y > window.y / 2;
-    return plausible ? free : glm::ivec4(0, 0, window);
 }
 
 }  // namespace vct::app

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +18,7 @@
 #include "app/gl_objects.h"
 #include "app/hud.h"
 #include "app/orbit_view.h"
-#include "app/scene_loader.h"
+#include "app/scenes.h"
 #include "app/touch.h"
 #include "lab/bench_run.h"
 #include "lab/self_test.h"
@@ -49,9 +50,7 @@ class App {
         Choices choices;
         std::shared_ptr<const Scene> scene;
         glm::ivec2 window{0};
-        bool operator==(const Wanted& other) const {
-            return choices == other.choices && scene == other.scene && window == other.window;
-        }
+        bool operator==(const Wanted& other) const = default;
     };
 
     void prepare();
@@ -60,34 +59,32 @@ class App {
     void drawScene();
     void drawHud(double passedS);
     void show();
+    // Runs a part of a frame; returns why it failed, or "". Throws gl::ContextLost where that is the reason:
+    // a driver that has lost the context may complain of anything first.
+    static std::string failureOf(const std::function<void()>& part);
 
     void dropSurface();
     void loseContext(const std::string& how);
     void halt(const std::string& why);
     void revert(const std::string& why);
 
+    // In app_measuring.cpp.
     void testDriver();
     void startMeasuring(const std::string& command);
     void measure();
     void endMeasuring(const std::string& failure);  // "": all is written
 
-    void rescan();
-    std::vector<SceneFile>::const_iterator findScene(const std::string& nameOrPath) const;
-    void chooseScene(const SceneFile& scene);
-    int sceneIndex() const;  // of what is being loaded or shown; -1: it is not among the scenes any more
+    std::string scenePath() const;  // of what is being loaded or shown
     void takeLoadedScene();
     void fail(const std::string& message);
     void finger(const std::vector<TouchPoint>& points, double timeS);
-    glm::ivec4 freeArea() const;
 
     android_app& glue_;
     std::string folder_;  // the app's files on the device that others can reach
     bool resumed_ = false;
     bool halted_ = false;  // nothing can be drawn until there is another window
 
-    std::vector<SceneFile> scenes_;
-    SceneFile loading_;
-    SceneLoader loader_;
+    Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
     std::optional<OrbitView> view_;
 
@@ -103,7 +100,6 @@ class App {
     std::unique_ptr<BenchRun> bench_;         // in the context, as gl_
     int shownFrames_ = 0;
 
-    float pixelsPerDp_;
     Hud hud_;
     Touch touch_;
     bool touching_ = false, touchesDisplay_ = false;

@@ -10,16 +10,9 @@ namespace vct::app {
 
 namespace {
 
-struct CloseAsset {
-    void operator()(AAsset* asset) const { AAsset_close(asset); }
-};
-struct CloseAssetDir {
-    void operator()(AAssetDir* folder) const { AAssetDir_close(folder); }
-};
-
 std::vector<unsigned char> readAsset(AAssetManager* assets, const std::string& path) {
-    const std::unique_ptr<AAsset, CloseAsset> asset(
-        AAssetManager_open(assets, path.c_str(), AASSET_MODE_STREAMING));
+    const std::unique_ptr<AAsset, decltype(&AAsset_close)> asset(
+        AAssetManager_open(assets, path.c_str(), AASSET_MODE_STREAMING), AAsset_close);
     if (!asset) throw Error("cannot read " + path + ": the APK has no such file; install it again");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(AAsset_getLength64(asset.get())));
     std::size_t done = 0;
@@ -47,7 +40,8 @@ gl::ReadShader shadersFromAssets(AAssetManager* assets) {
 
 std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder) {
     std::vector<SceneFile> scenes;
-    const std::unique_ptr<AAssetDir, CloseAssetDir> bundled(AAssetManager_openDir(assets, "scenes"));
+    const std::unique_ptr<AAssetDir, decltype(&AAssetDir_close)> bundled(
+        AAssetManager_openDir(assets, "scenes"), AAssetDir_close);
     if (bundled)
         while (const char* name = AAssetDir_getNextFileName(bundled.get()))
             if (isScene(name)) scenes.push_back({name, std::string("scenes/") + name, true});

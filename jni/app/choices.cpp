@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
-#include <tuple>
 
 #include "core/error.h"
 #include "scene/camera.h"
@@ -18,14 +17,6 @@ const std::vector<Resolution>& resolutions() {
                                              {"1/4 of the window", 4, {}},
                                              {"400x400, as the thesis", 0, {400, 400}}};
     return all;
-}
-
-bool Choices::operator==(const Choices& other) const {
-    const auto all = [](const Choices& c) {
-        return std::tie(c.preset, c.mode, c.grid, c.coneAngleDeg, c.resolution, c.lightAnglesDeg, c.timeSteps,
-                        c.play, c.revoxelize);
-    };
-    return all(*this) == all(other);
 }
 
 ShowRequest showRequestFromText(const std::string& text) {

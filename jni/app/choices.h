@@ -31,8 +31,7 @@ struct Choices {
     bool play = true;  // the scene's animation; else it stands still
     bool revoxelize = false;
 
-    bool operator==(const Choices& other) const;
-    bool operator!=(const Choices& other) const { return !(*this == other); }
+    bool operator==(const Choices& other) const = default;
 };
 
 // What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off

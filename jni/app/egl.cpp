@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 
 #include "core/error.h"
 #include "gl/debug.h"
+#include "platform/egl_error.h"
 
 namespace vct::app {
 
 namespace {
-
-std::string errorText(EGLint error) {
-    char text[32];
-    std::snprintf(text, sizeof text, "EGL error 0x%04X", static_cast<unsigned>(error));
-    return text;
-}
 
 constexpr const char* remedy = "; restart the device, or try another one";
 
@@ -24,24 +18,18 @@ constexpr const char* remedy = "; restart the device, or try another one";
 
 Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
-        throw Error("there is no EGL display, " + errorText(eglGetError()) + remedy);
+        throw Error("there is no EGL display, " + eglErrorName(eglGetError()) + remedy);
     // Colours only: the passes have depth targets of their own.
-    const std::array<EGLint, 13> attributes{EGL_SURFACE_TYPE,
-                                            EGL_WINDOW_BIT | EGL_PBUFFER_BIT,
-                                            EGL_RENDERABLE_TYPE,
-                                            EGL_OPENGL_ES3_BIT,
-                                            EGL_RED_SIZE,
-                                            8,
-                                            EGL_GREEN_SIZE,
-                                            8,
-                                            EGL_BLUE_SIZE,
-                                            8,
-                                            EGL_ALPHA_SIZE,
-                                            0,
-                                            EGL_NONE};
+    const EGLint attributes[][2] = {{EGL_SURFACE_TYPE, EGL_WINDOW_BIT | EGL_PBUFFER_BIT},
+                                    {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT},
+                                    {EGL_RED_SIZE, 8},
+                                    {EGL_GREEN_SIZE, 8},
+                                    {EGL_BLUE_SIZE, 8},
+                                    {EGL_ALPHA_SIZE, 0},
+                                    {EGL_NONE, 0}};
     std::array<EGLConfig, 64> configs{};
     EGLint count = 0;
-    if (!eglChooseConfig(display_, attributes.data(), configs.data(), static_cast<EGLint>(configs.size()),
+    if (!eglChooseConfig(display_, attributes[0], configs.data(), static_cast<EGLint>(configs.size()),
                          &count))
         count = 0;
     // The sizes asked for are the least, and EGL sorts those with more bits to the front.
@@ -53,7 +41,7 @@ Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
     if (found == end) {
         const EGLint error = eglGetError();
         eglTerminate(display_);
-        throw Error("EGL has no 8-bit configuration for OpenGL ES 3 in a window, " + errorText(error) +
+        throw Error("EGL has no 8-bit configuration for OpenGL ES 3 in a window, " + eglErrorName(error) +
                     remedy);
     }
     config_ = *found;
@@ -67,7 +55,7 @@ Surface::Surface(const Display& display, ANativeWindow* window)
     : display_(display.get()), size_(ANativeWindow_getWidth(window), ANativeWindow_getHeight(window)) {
     surface_ = eglCreateWindowSurface(display_, display.config(), window, nullptr);
     if (surface_ == EGL_NO_SURFACE)
-        throw Error("the window cannot be drawn into, " + errorText(eglGetError()) + remedy);
+        throw Error("the window cannot be drawn into, " + eglErrorName(eglGetError()) + remedy);
 }
 
 Surface::~Surface() {
@@ -86,7 +74,7 @@ GlContext::GlContext(const Display& display) : display_(display.get()) {
             context_ = eglCreateContext(display_, display.config(), EGL_NO_CONTEXT, attributes.data());
     }
     if (context_ == EGL_NO_CONTEXT)
-        throw Error("there is no OpenGL ES 3 context, " + errorText(eglGetError()) +
+        throw Error("there is no OpenGL ES 3 context, " + eglErrorName(eglGetError()) +
                     "; this device cannot run the app");
     const std::array<EGLint, 5> onePixel{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
     idle_ = eglCreatePbufferSurface(display_, display.config(), onePixel.data());
@@ -94,7 +82,7 @@ GlContext::GlContext(const Display& display) : display_(display.get()) {
         const EGLint error = eglGetError();
         if (idle_ != EGL_NO_SURFACE) eglDestroySurface(display_, idle_);
         eglDestroyContext(display_, context_);
-        throw Error("the OpenGL ES context cannot be used, " + errorText(error) + remedy);
+        throw Error("the OpenGL ES context cannot be used, " + eglErrorName(error) + remedy);
     }
     current_ = idle_;
 }
@@ -114,7 +102,7 @@ bool GlContext::makeCurrent(const Surface* surface) {
     }
     const EGLint error = eglGetError();
     if (error == EGL_CONTEXT_LOST || surface == nullptr)
-        throw gl::ContextLost("eglMakeCurrent: " + errorText(error));
+        throw gl::ContextLost("eglMakeCurrent: " + eglErrorName(error));
     return false;
 }
 

@@ -8,8 +8,8 @@
 #include "app/choices.h"
 #include "app/hud_renderer.h"
 #include "app/presenter.h"
-#include "gl/capabilities.h"
 #include "engine/renderer.h"
+#include "gl/capabilities.h"
 
 namespace vct::app {
 

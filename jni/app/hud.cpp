@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 
 namespace vct::app {
 
@@ -23,18 +23,18 @@ std::string titleOf(const SceneFile& scene) {
     return scene.bundled ? scene.name : scene.name + " (files)";
 }
 
-// A list to choose from; returns true where another entry was chosen.
-template <typename NameOf>
-bool choose(const char* label, int count, int& chosen, const std::string& current, const NameOf& nameOf) {
-    bool changed = false;
-    if (!ImGui::BeginCombo(label, current.c_str(), ImGuiComboFlags_HeightLargest)) return false;
-    for (int i = 0; i < count; ++i)
-        if (ImGui::Selectable(nameOf(i).c_str(), i == chosen) && i != chosen) {
-            chosen = i;
-            changed = true;
-        }
+// A list to choose from; returns another item than the current one where that was chosen, else null.
+template <typename Items, typename NameOf>
+auto choose(const char* label, const Items& items, const std::string& current, const NameOf& nameOf)
+    -> decltype(std::data(items)) {
+    decltype(std::data(items)) chosen = nullptr;
+    if (!ImGui::BeginCombo(label, current.c_str(), ImGuiComboFlags_HeightLargest)) return chosen;
+    for (const auto& item : items) {
+        const std::string name = nameOf(item);
+        if (ImGui::Selectable(name.c_str(), name == current) && name != current) chosen = &item;
+    }
     ImGui::EndCombo();
-    return changed;
+    return chosen;
 }
 
 }  // namespace
@@ -197,35 +197,23 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     Choices& choices = *content.choices;
     const std::vector<SceneFile>& scenes = *content.scenes;
     ImGui::PushItemWidth(-11.0F * 0.54F * ImGui::GetFontSize());
-    const int scene = *content.scene;
-    choose("scene", static_cast<int>(scenes.size()), *content.scene,
-           scene >= 0 ? titleOf(scenes[static_cast<std::size_t>(scene)]) : "none",
-           [&](int i) { return titleOf(scenes[static_cast<std::size_t>(i)]); });
+    const std::string scene =
+        *content.scene >= 0 ? titleOf(scenes[static_cast<std::size_t>(*content.scene)]) : "none";
+    if (const SceneFile* chosen = choose("scene", scenes, scene, titleOf))
+        *content.scene = static_cast<int>(chosen - scenes.data());
     if (ImGui::IsItemClicked()) actions.rescan = true;
-
-    const std::vector<std::string>& presets = presetNames();
-    int preset =
-        static_cast<int>(std::find(presets.begin(), presets.end(), choices.preset) - presets.begin());
-    if (choose("preset", static_cast<int>(presets.size()), preset, choices.preset,
-               [&](int i) { return presets[static_cast<std::size_t>(i)]; }))
-        choosePreset(choices, presets[static_cast<std::size_t>(preset)]);
-
-    const std::vector<Mode>& modes = allModes();
-    int mode = static_cast<int>(std::find(modes.begin(), modes.end(), choices.mode) - modes.begin());
-    if (choose("mode", static_cast<int>(modes.size()), mode, modeName(choices.mode),
-               [&](int i) { return std::string(modeName(modes[static_cast<std::size_t>(i)])); }))
-        choices.mode = modes[static_cast<std::size_t>(mode)];
-
+    if (const std::string* chosen =
+            choose("preset", presetNames(), choices.preset, [](const std::string& name) { return name; }))
+        choosePreset(choices, *chosen);
+    if (const Mode* chosen = choose("mode", allModes(), modeName(choices.mode), modeName))
+        choices.mode = *chosen;
     const auto gridName = [](int grid) { return std::to_string(grid) + "^3"; };
-    int grid =
-        static_cast<int>(std::find(std::begin(grids), std::end(grids), choices.grid) - std::begin(grids));
-    if (choose("grid", static_cast<int>(std::size(grids)), grid, gridName(choices.grid),
-               [&](int i) { return gridName(grids[i]); }))
-        choices.grid = grids[grid];
-
-    choose("pixels", static_cast<int>(resolutions().size()), choices.resolution,
-           resolutions()[static_cast<std::size_t>(choices.resolution)].name,
-           [](int i) { return std::string(resolutions()[static_cast<std::size_t>(i)].name); });
+    if (const int* chosen = choose("grid", grids, gridName(choices.grid), gridName)) choices.grid = *chosen;
+    const std::vector<Resolution>& all = resolutions();
+    if (const Resolution* chosen =
+            choose("pixels", all, all[static_cast<std::size_t>(choices.resolution)].name,
+                   [](const Resolution& resolution) { return resolution.name; }))
+        choices.resolution = static_cast<int>(chosen - all.data());
     ImGui::SliderFloat("cone", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
                        ImGuiSliderFlags_AlwaysClamp);
     buildLight(content);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct::app {
 

@@ -1,8 +1,8 @@
 // A frame into the window.
 #pragma once
 
-#include "gl/program.h"
 #include "engine/renderer.h"
+#include "gl/program.h"
 
 namespace vct::app {
 

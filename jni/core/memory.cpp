@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/number_text.h"
 
 namespace vct {
 
@@ -40,10 +41,6 @@ std::size_t freeAddressSpace() {
     return limit.rlim_cur > used ? static_cast<std::size_t>(limit.rlim_cur) - used : 0;
 }
 
-std::string megabytes(std::size_t bytes) {
-    return std::to_string((bytes + 999999) / 1000000) + " MB";
-}
-
 std::size_t freeBytes() {
     return std::min(freeMemory(), freeAddressSpace());
 }
@@ -58,8 +55,8 @@ std::size_t availableMemory() {
 void requireMemory(std::size_t bytes, const std::string& what) {
     const std::size_t available = freeBytes();
     if (bytes + driverReserve > available)
-        throw Error("not enough memory for " + what + ": " + megabytes(bytes) + ", and " +
-                    megabytes(driverReserve) + " for the driver, of which " + megabytes(available) +
+        throw Error("not enough memory for " + what + ": " + megabytesText(bytes) + ", and " +
+                    megabytesText(driverReserve) + " for the driver, of which " + megabytesText(available) +
                     " are available; use fewer voxels (--grid, --voxel-size), or free memory");
 }
 

@@ -10,4 +10,8 @@ std::string numberText(double value) {
     return text;
 }
 
+std::string megabytesText(std::size_t bytes) {
+    return std::to_string((bytes + 999999) / 1000000) + " MB";
+}
+
 }  // namespace vct

@@ -9,12 +9,16 @@ struct TraceFunctions {
     void (*begin)(const char* name) = nullptr;
     void (*end)() = nullptr;
 };
-void setTraceFunctions(TraceFunctions functions);
+inline TraceFunctions traceFunctions;
 
 class TraceSection {
   public:
-    explicit TraceSection(const char* name);
-    ~TraceSection();
+    explicit TraceSection(const char* name) {
+        if (traceFunctions.begin != nullptr) traceFunctions.begin(name);
+    }
+    ~TraceSection() {
+        if (traceFunctions.end != nullptr) traceFunctions.end();
+    }
     TraceSection(const TraceSection&) = delete;
     TraceSection& operator=(const TraceSection&) = delete;
 };

@@ -1,42 +1,38 @@
 #include "gl/api.h"
 
-#include <cstring>
-#include <string>
+#include <algorithm>
 
 #include "core/error.h"
 #include "gl/version.h"
 
 namespace vct::gl {
 
-#define VCT_GL_DEFINE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
+#define VCT_GL_DEFINE(NAME) decltype(&::gl##NAME) NAME = nullptr;
 VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
 PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
 
-namespace {
-
-std::string currentVersion() {
-    const GLubyte* text = GetString(GL_VERSION);
-    return text ? reinterpret_cast<const char*>(text) : "";
+std::string stringOf(GLenum name) {
+    const GLubyte* text = GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
-bool hasExtension(const char* name) {
+std::vector<std::string> extensionNames() {
     GLint count = 0;
     GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    std::vector<std::string> names;
     for (GLint i = 0; i < count; ++i) {
-        const GLubyte* extension = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (extension && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0) return true;
+        const GLubyte* name = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (name) names.emplace_back(reinterpret_cast<const char*>(name));
     }
-    return false;
+    return names;
 }
-
-}  // namespace
 
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user) {
     std::string missing;
-#define VCT_GL_LOAD(TYPE, NAME)                                                   \
-    NAME = reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress("gl" #NAME, user)); \
+#define VCT_GL_LOAD(NAME)                                                      \
+    NAME = reinterpret_cast<decltype(NAME)>(getProcAddress("gl" #NAME, user)); \
     if (!NAME) missing += missing.empty() ? "gl" #NAME : ", gl" #NAME;
     VCT_GL_FUNCTIONS(VCT_GL_LOAD)
 #undef VCT_GL_LOAD
@@ -45,21 +41,25 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
 
     // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
     // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
-    const Version version = parseVersion(currentVersion());
+    const Version version = parseVersion(stringOf(GL_VERSION));
+    const std::vector<std::string> extensions = extensionNames();
+    const auto hasExtension = [&](const char* name) {
+        return std::find(extensions.begin(), extensions.end(), name) != extensions.end();
+    };
     const bool core = version.atLeast(3, 2, 4, 3);
     const bool extension = !core && hasExtension("GL_KHR_debug");
     const std::string suffix = extension && !version.desktop ? "KHR" : "";
-#define VCT_GL_LOAD_OPTIONAL(TYPE, NAME)                                                                  \
-    NAME = core || extension                                                                              \
-               ? reinterpret_cast<PFNGL##TYPE##PROC>(getProcAddress(("gl" #NAME + suffix).c_str(), user)) \
+#define VCT_GL_LOAD_OPTIONAL(NAME)                                                                     \
+    NAME = core || extension                                                                           \
+               ? reinterpret_cast<decltype(NAME)>(getProcAddress(("gl" #NAME + suffix).c_str(), user)) \
                : nullptr;
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_LOAD_OPTIONAL)
 #undef VCT_GL_LOAD_OPTIONAL
 
-    GetQueryObjectui64v = hasExtension("GL_EXT_disjoint_timer_query")
-                              ? reinterpret_cast<PFNGLGETQUERYOBJECTUI64VEXTPROC>(
-                                    getProcAddress("glGetQueryObjectui64vEXT", user))
-                              : nullptr;
+    GetQueryObjectui64v = nullptr;
+    if (hasExtension("GL_EXT_disjoint_timer_query"))
+        GetQueryObjectui64v =
+            reinterpret_cast<decltype(GetQueryObjectui64v)>(getProcAddress("glGetQueryObjectui64vEXT", user));
 }
 
 }  // namespace vct::gl

@@ -2,114 +2,41 @@
 // desktop context has all of them) and Android.
 #pragma once
 
-#define GL_GLES_PROTOTYPES 0
 #include <GLES3/gl32.h>
 
 #include <GLES2/gl2ext.h>  // after the types of gl32.h
 
+#include <string>
+#include <vector>
+
 namespace vct::gl {
 
-// One list of what is used. Entry points of KHR_debug may be absent and are null then.
-#define VCT_GL_FUNCTIONS(X)                             \
-    X(ACTIVETEXTURE, ActiveTexture)                     \
-    X(ATTACHSHADER, AttachShader)                       \
-    X(BEGINQUERY, BeginQuery)                           \
-    X(BINDBUFFER, BindBuffer)                           \
-    X(BINDBUFFERBASE, BindBufferBase)                   \
-    X(BINDBUFFERRANGE, BindBufferRange)                 \
-    X(BINDFRAMEBUFFER, BindFramebuffer)                 \
-    X(BINDIMAGETEXTURE, BindImageTexture)               \
-    X(BINDSAMPLER, BindSampler)                         \
-    X(BINDTEXTURE, BindTexture)                         \
-    X(BINDVERTEXARRAY, BindVertexArray)                 \
-    X(BLENDEQUATION, BlendEquation)                     \
-    X(BLENDFUNC, BlendFunc)                             \
-    X(BUFFERDATA, BufferData)                           \
-    X(BUFFERSUBDATA, BufferSubData)                     \
-    X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
-    X(CLEARBUFFERFV, ClearBufferfv)                     \
-    X(CLEARBUFFERUIV, ClearBufferuiv)                   \
-    X(COLORMASK, ColorMask)                             \
-    X(COMPILESHADER, CompileShader)                     \
-    X(COPYBUFFERSUBDATA, CopyBufferSubData)             \
-    X(CREATEPROGRAM, CreateProgram)                     \
-    X(CREATESHADER, CreateShader)                       \
-    X(CULLFACE, CullFace)                               \
-    X(DELETEBUFFERS, DeleteBuffers)                     \
-    X(DELETEFRAMEBUFFERS, DeleteFramebuffers)           \
-    X(DELETEPROGRAM, DeleteProgram)                     \
-    X(DELETEQUERIES, DeleteQueries)                     \
-    X(DELETESAMPLERS, DeleteSamplers)                   \
-    X(DELETESHADER, DeleteShader)                       \
-    X(DELETETEXTURES, DeleteTextures)                   \
-    X(DELETEVERTEXARRAYS, DeleteVertexArrays)           \
-    X(DEPTHFUNC, DepthFunc)                             \
-    X(DEPTHMASK, DepthMask)                             \
-    X(DISABLE, Disable)                                 \
-    X(DISPATCHCOMPUTE, DispatchCompute)                 \
-    X(DISPATCHCOMPUTEINDIRECT, DispatchComputeIndirect) \
-    X(DRAWARRAYS, DrawArrays)                           \
-    X(DRAWBUFFERS, DrawBuffers)                         \
-    X(DRAWELEMENTS, DrawElements)                       \
-    X(DRAWELEMENTSINDIRECT, DrawElementsIndirect)       \
-    X(ENABLE, Enable)                                   \
-    X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
-    X(ENDQUERY, EndQuery)                               \
-    X(FINISH, Finish)                                   \
-    X(FRAMEBUFFERPARAMETERI, FramebufferParameteri)     \
-    X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
-    X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
-    X(FRONTFACE, FrontFace)                             \
-    X(GENBUFFERS, GenBuffers)                           \
-    X(GENERATEMIPMAP, GenerateMipmap)                   \
-    X(GENFRAMEBUFFERS, GenFramebuffers)                 \
-    X(GENQUERIES, GenQueries)                           \
-    X(GENSAMPLERS, GenSamplers)                         \
-    X(GENTEXTURES, GenTextures)                         \
-    X(GENVERTEXARRAYS, GenVertexArrays)                 \
-    X(GETERROR, GetError)                               \
-    X(GETINTEGERV, GetIntegerv)                         \
-    X(GETINTEGERI_V, GetIntegeri_v)                     \
-    X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
-    X(GETPROGRAMIV, GetProgramiv)                       \
-    X(GETQUERYIV, GetQueryiv)                           \
-    X(GETQUERYOBJECTUIV, GetQueryObjectuiv)             \
-    X(GETSHADERINFOLOG, GetShaderInfoLog)               \
-    X(GETSHADERIV, GetShaderiv)                         \
-    X(GETSTRING, GetString)                             \
-    X(GETSTRINGI, GetStringi)                           \
-    X(GETUNIFORMLOCATION, GetUniformLocation)           \
-    X(LINKPROGRAM, LinkProgram)                         \
-    X(MAPBUFFERRANGE, MapBufferRange)                   \
-    X(MEMORYBARRIER, MemoryBarrier)                     \
-    X(PIXELSTOREI, PixelStorei)                         \
-    X(READBUFFER, ReadBuffer)                           \
-    X(READPIXELS, ReadPixels)                           \
-    X(SAMPLERPARAMETERI, SamplerParameteri)             \
-    X(SCISSOR, Scissor)                                 \
-    X(SHADERSOURCE, ShaderSource)                       \
-    X(TEXPARAMETERI, TexParameteri)                     \
-    X(TEXSTORAGE2D, TexStorage2D)                       \
-    X(TEXSTORAGE3D, TexStorage3D)                       \
-    X(TEXSUBIMAGE2D, TexSubImage2D)                     \
-    X(TEXSUBIMAGE3D, TexSubImage3D)                     \
-    X(UNIFORM1UI, Uniform1ui)                           \
-    X(UNIFORM4F, Uniform4f)                             \
-    X(UNMAPBUFFER, UnmapBuffer)                         \
-    X(USEPROGRAM, UseProgram)                           \
-    X(VERTEXATTRIBDIVISOR, VertexAttribDivisor)         \
-    X(VERTEXATTRIBIPOINTER, VertexAttribIPointer)       \
-    X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
-    X(VIEWPORT, Viewport)
+// One list of what is used; the types are those of the prototypes in gl32.h, which nothing links to. Entry
+// points of KHR_debug may be absent and are null then.
+// clang-format off
+#define VCT_GL_FUNCTIONS(X)                                                                                \
+    X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange)      \
+    X(BindFramebuffer) X(BindImageTexture) X(BindSampler) X(BindTexture) X(BindVertexArray)                \
+    X(BlendEquation) X(BlendFunc) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus)                 \
+    X(ClearBufferfv) X(ClearBufferuiv) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
+    X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
+    X(DeleteSamplers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
+    X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
+    X(DrawElementsIndirect) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                     \
+    X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
+    X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
+    X(GetError) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
+    X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \
+    X(GetUniformLocation) X(LinkProgram) X(MapBufferRange) X(MemoryBarrier) X(PixelStorei) X(ReadBuffer)   \
+    X(ReadPixels) X(SamplerParameteri) X(Scissor) X(ShaderSource) X(TexParameteri) X(TexStorage2D)         \
+    X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui) X(Uniform4f) X(UnmapBuffer)            \
+    X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer) X(VertexAttribPointer) X(Viewport)
 
-#define VCT_GL_OPTIONAL_FUNCTIONS(X)              \
-    X(DEBUGMESSAGECALLBACK, DebugMessageCallback) \
-    X(DEBUGMESSAGECONTROL, DebugMessageControl)   \
-    X(OBJECTLABEL, ObjectLabel)                   \
-    X(POPDEBUGGROUP, PopDebugGroup)               \
-    X(PUSHDEBUGGROUP, PushDebugGroup)
+#define VCT_GL_OPTIONAL_FUNCTIONS(X) \
+    X(DebugMessageCallback) X(DebugMessageControl) X(ObjectLabel) X(PopDebugGroup) X(PushDebugGroup)
+// clang-format on
 
-#define VCT_GL_DECLARE(TYPE, NAME) extern PFNGL##TYPE##PROC NAME;
+#define VCT_GL_DECLARE(NAME) extern decltype(&::gl##NAME) NAME;
 VCT_GL_FUNCTIONS(VCT_GL_DECLARE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DECLARE)
 #undef VCT_GL_DECLARE
@@ -121,5 +48,10 @@ using Proc = void (*)();
 // Resolves every entry point; throws vct::Error naming all required ones that the driver lacks.
 // Optional ones are also looked for under their KHR suffix.
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user);
+
+// Of the current context: GL_RENDERER or another string, "unknown" where the driver has none, and
+// GL_EXTENSIONS.
+std::string stringOf(GLenum name);
+std::vector<std::string> extensionNames();
 
 }  // namespace vct::gl

@@ -59,26 +59,14 @@ bool startsWith(const Call& call, const char* start) {
     return std::strncmp(call.name, start, std::strlen(start)) == 0;
 }
 
-const char* bufferName(std::int64_t target) {
-    switch (target) {
-        case GL_UNIFORM_BUFFER:
-            return "uniform buffer ";
-        case GL_SHADER_STORAGE_BUFFER:
-            return "storage buffer ";
-        default:
-            return "other buffer ";
-    }
+std::string bufferName(std::int64_t target) {
+    if (target == GL_UNIFORM_BUFFER) return "uniform buffer ";
+    return target == GL_SHADER_STORAGE_BUFFER ? "storage buffer " : "other buffer ";
 }
 
-const char* textureTarget(std::int64_t target) {
-    switch (target) {
-        case GL_TEXTURE_2D:
-            return "2D";
-        case GL_TEXTURE_3D:
-            return "3D";
-        default:
-            return "other";
-    }
+std::string textureTarget(std::int64_t target) {
+    if (target == GL_TEXTURE_2D) return "2D";
+    return target == GL_TEXTURE_3D ? "3D" : "other";
 }
 
 }  // namespace
@@ -86,14 +74,14 @@ const char* textureTarget(std::int64_t target) {
 CallLog::CallLog() {
     assert(current == nullptr);
     current = this;
-#define VCT_GL_INSTALL(TYPE, NAME) Hook<&NAME>::install(#NAME);
+#define VCT_GL_INSTALL(NAME) Hook<&NAME>::install(#NAME);
     VCT_GL_FUNCTIONS(VCT_GL_INSTALL)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_INSTALL)
 #undef VCT_GL_INSTALL
 }
 
 CallLog::~CallLog() {
-#define VCT_GL_REMOVE(TYPE, NAME) Hook<&NAME>::remove();
+#define VCT_GL_REMOVE(NAME) Hook<&NAME>::remove();
     VCT_GL_FUNCTIONS(VCT_GL_REMOVE)
     VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_REMOVE)
 #undef VCT_GL_REMOVE

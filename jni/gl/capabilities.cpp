@@ -12,11 +12,6 @@
 namespace vct::gl {
 namespace {
 
-std::string getString(GLenum name) {
-    const GLubyte* text = GetString(name);
-    return text ? reinterpret_cast<const char*>(text) : "unknown";
-}
-
 GLint getInteger(GLenum name) {
     GLint value = 0;  // stays where the driver does not know the name
     GetIntegerv(name, &value);
@@ -44,10 +39,6 @@ std::string lineOf(const Requirement& row) {
 
 }  // namespace
 
-bool Capabilities::hasExtension(const std::string& name) const {
-    return std::find(extensions.begin(), extensions.end(), name) != extensions.end();
-}
-
 void Capabilities::requireAll() const {
     std::string missing;
     for (const Requirement& row : requirements) {
@@ -73,32 +64,22 @@ void Capabilities::require(const std::string& name, const std::string& remedy) c
 
 Capabilities queryCapabilities() {
     Capabilities result;
-    result.vendor = getString(GL_VENDOR);
-    result.renderer = getString(GL_RENDERER);
-    result.version = getString(GL_VERSION);
-    result.shadingLanguage = getString(GL_SHADING_LANGUAGE_VERSION);
-    const GLint extensionCount = getInteger(GL_NUM_EXTENSIONS);
-    for (GLint i = 0; i < extensionCount; ++i) {
-        const GLubyte* name = GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (name) result.extensions.emplace_back(reinterpret_cast<const char*>(name));
-    }
+    result.vendor = stringOf(GL_VENDOR);
+    result.renderer = stringOf(GL_RENDERER);
+    result.version = stringOf(GL_VERSION);
+    result.shadingLanguage = stringOf(GL_SHADING_LANGUAGE_VERSION);
     const Version version = parseVersion(result.version);
     result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;
     result.softwareDriver = isSoftwareRenderer(result.renderer);
     result.texturesInMainMemory = result.softwareDriver;
     result.gpuTimerBits = gpuTimerBits();
-    result.max3dTextureSize = getInteger(GL_MAX_3D_TEXTURE_SIZE);
     result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);
 
-    DriverReport report;
-    report.version = result.version;
-    report.extensions = result.extensions;
-    report.essl310 = compiles("310 es");
     // An ES 3.1 context that takes it all the same (Mesa's does) does not promise what 3.20 has in core.
-    report.essl320 = result.essl320 = version.atLeast(3, 2, 0, 0) && compiles("320 es");
-    report.limit = getInteger;
-    result.requirements = evaluateRequirements(report);
+    result.essl320 = version.atLeast(3, 2, 0, 0) && compiles("320 es");
+    result.requirements = evaluateRequirements(
+        {result.version, extensionNames(), compiles("310 es"), result.essl320, getInteger});
     return result;
 }
 

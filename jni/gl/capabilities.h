@@ -25,13 +25,10 @@ struct Capabilities {
     bool softwareDriver = false;        // runs on the CPU: llvmpipe, softpipe, lavapipe
     bool texturesInMainMemory = false;  // so how much there is can be asked before they are made
     int gpuTimerBits = 0;               // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
-    int max3dTextureSize = 0;
     int uniformBufferOffsetAlignment = 256;
-    std::vector<std::string> extensions;
     std::vector<Requirement> requirements;
 
     Language language() const { return essl320 ? Language::essl320 : Language::essl310; }
-    bool hasExtension(const std::string& name) const;
     // Throws one vct::Error that names every required thing that is missing and what it is needed for.
     void requireAll() const;
     // The same for a row that only some settings require, found by its name.

@@ -1,6 +1,7 @@
 #include "gl/debug.h"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <vector>
 
@@ -38,22 +39,17 @@ void GL_APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severit
 }
 
 std::string errorName(GLenum error) {
-    switch (error) {
-        case GL_INVALID_ENUM:
-            return "GL_INVALID_ENUM";
-        case GL_INVALID_VALUE:
-            return "GL_INVALID_VALUE";
-        case GL_INVALID_OPERATION:
-            return "GL_INVALID_OPERATION";
-        case GL_INVALID_FRAMEBUFFER_OPERATION:
-            return "GL_INVALID_FRAMEBUFFER_OPERATION";
-        case GL_OUT_OF_MEMORY:
-            return "GL_OUT_OF_MEMORY";
-        case GL_CONTEXT_LOST:
-            return "GL_CONTEXT_LOST";
-        default:
-            return "GL error " + std::to_string(error);
-    }
+    // In the order of their numbers, from GL_INVALID_ENUM on.
+    constexpr const char* names[] = {"GL_INVALID_ENUM",
+                                     "GL_INVALID_VALUE",
+                                     "GL_INVALID_OPERATION",
+                                     "GL_STACK_OVERFLOW",
+                                     "GL_STACK_UNDERFLOW",
+                                     "GL_OUT_OF_MEMORY",
+                                     "GL_INVALID_FRAMEBUFFER_OPERATION",
+                                     "GL_CONTEXT_LOST"};
+    const GLenum index = error - GL_INVALID_ENUM;
+    return index < std::size(names) ? names[index] : "GL error " + std::to_string(error);
 }
 
 std::vector<std::string> drainErrors() {

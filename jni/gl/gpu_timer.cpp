@@ -15,12 +15,6 @@ bool gpuTimerWasDisjoint() {
     return disjoint != 0;
 }
 
-GpuTimer::GpuTimer() {
-    GLuint name = 0;
-    GenQueries(1, &name);
-    handle_ = Handle<Traits>(name);
-}
-
 void GpuTimer::begin() {
     BeginQuery(GL_TIME_ELAPSED_EXT, handle_.get());
 }

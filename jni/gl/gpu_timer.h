@@ -15,17 +15,13 @@ bool gpuTimerWasDisjoint();
 // One query at a time. Only where gpuTimerBits() > 0.
 class GpuTimer {
   public:
-    GpuTimer();
     void begin();
     void stop();
     // Waits for the GPU. Milliseconds from begin() to stop().
     double resultMs() const;
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteQueries(1, &name); }
-    };
-    Handle<Traits> handle_;
+    Handle<&DeleteQueries> handle_{generate(GenQueries)};
 };
 
 }  // namespace vct::gl

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/number_text.h"
 #include "gl/debug.h"
 
 namespace vct::gl {
@@ -32,16 +33,12 @@ std::size_t texelBytes(GLenum format) {
     }
 }
 
-std::string megabytes(std::size_t bytes) {
-    return std::to_string((bytes + 999999) / 1000000) + " MB";
-}
-
 // Storage calls report these two and nothing else here: everything before is checked per pass.
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     const GLenum error = GetError();
     if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
     if (error == GL_OUT_OF_MEMORY)
-        throw Error("not enough memory for " + label + " (" + megabytes(bytes) +
+        throw Error("not enough memory for " + label + " (" + megabytesText(bytes) +
                     "); use fewer voxels (--grid, --voxel-size) or a smaller --size, or free memory");
 }
 
@@ -55,47 +52,39 @@ std::size_t textureBytes(GLenum format, int width, int height, int depth, int le
     return texels * texelBytes(format);
 }
 
-void Texture::create(const std::string& label, GLenum target) {
-    GLuint name = 0;
-    GenTextures(1, &name);
-    handle_ = Handle<Traits>(name);
-    target_ = target;
-    label_ = label;
-    bind(scratchTextureUnit);
-}
-
-Texture Texture::make2d(const std::string& label, GLenum format, int width, int height, int levels) {
+Texture Texture::create(const std::string& label, GLenum target, GLenum format, int width, int height,
+                        int depth, int levels) {
     Texture texture;
-    texture.create(label, GL_TEXTURE_2D);
+    texture.handle_ = Handle<&DeleteTextures>(generate(GenTextures));
+    texture.target_ = target;
+    texture.format_ = format;
     texture.width_ = width;
     texture.height_ = height;
     texture.levels_ = levels;
-    texture.format_ = format;
-    texture.bytes_ = textureBytes(format, width, height, 1, levels);
-    TexStorage2D(GL_TEXTURE_2D, levels, format, width, height);
+    texture.bytes_ = textureBytes(format, width, height, depth, levels);
+    texture.label_ = label;
+    texture.bind(scratchTextureUnit);
+    if (target == GL_TEXTURE_3D)
+        TexStorage3D(target, levels, format, width, height, depth);
+    else
+        TexStorage2D(target, levels, format, width, height);
     throwIfOutOfMemory(label, texture.bytes_);
-    texture.setFilter(GL_NEAREST, GL_NEAREST);
-    texture.setParameter(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    texture.setParameter(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        texture.setParameter(wrap, GL_CLAMP_TO_EDGE);
     gl::label(GL_TEXTURE, texture.name(), label);
+    return texture;
+}
+
+Texture Texture::make2d(const std::string& label, GLenum format, int width, int height, int levels) {
+    Texture texture = create(label, GL_TEXTURE_2D, format, width, height, 1, levels);
+    texture.setFilter(GL_NEAREST, GL_NEAREST);
     return texture;
 }
 
 Texture Texture::make3d(const std::string& label, GLenum format, int width, int height, int depth,
                         int levels) {
-    Texture texture;
-    texture.create(label, GL_TEXTURE_3D);
-    texture.width_ = width;
-    texture.height_ = height;
-    texture.levels_ = levels;
-    texture.format_ = format;
-    texture.bytes_ = textureBytes(format, width, height, depth, levels);
-    TexStorage3D(GL_TEXTURE_3D, levels, format, width, height, depth);
-    throwIfOutOfMemory(label, texture.bytes_);
+    Texture texture = create(label, GL_TEXTURE_3D, format, width, height, depth, levels);
     texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
-    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        texture.setParameter(wrap, GL_CLAMP_TO_EDGE);
-    gl::label(GL_TEXTURE, texture.name(), label);
     return texture;
 }
 
@@ -119,25 +108,19 @@ void Texture::setParameter(GLenum parameter, GLenum value) const {
 }
 
 PlainSampler::PlainSampler() {
-    GLuint name = 0;
-    GenSamplers(1, &name);
-    handle_ = Handle<Traits>(name);
     for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        SamplerParameteri(name, filter, GL_NEAREST);
+        SamplerParameteri(handle_.get(), filter, GL_NEAREST);
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        SamplerParameteri(name, wrap, GL_CLAMP_TO_EDGE);
-    SamplerParameteri(name, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+        SamplerParameteri(handle_.get(), wrap, GL_CLAMP_TO_EDGE);
+    SamplerParameteri(handle_.get(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
 }
 
 Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage)
-    : bytes_(bytes), label_(label) {
-    GLuint name = 0;
-    GenBuffers(1, &name);
-    handle_ = Handle<Traits>(name);
-    BindBuffer(target, name);
+    : handle_(generate(GenBuffers)), bytes_(bytes), label_(label) {
+    BindBuffer(target, name());
     BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
     throwIfOutOfMemory(label, bytes);
-    gl::label(GL_BUFFER, name, label);
+    gl::label(GL_BUFFER, name(), label);
 }
 
 void Buffer::read(void* destination, std::size_t size, std::size_t offset) const {
@@ -151,18 +134,10 @@ void Buffer::read(void* destination, std::size_t size, std::size_t offset) const
     UnmapBuffer(GL_COPY_READ_BUFFER);
 }
 
-VertexArray::VertexArray() {
-    GLuint name = 0;
-    GenVertexArrays(1, &name);
-    handle_ = Handle<Traits>(name);
-}
-
 void Framebuffer::create(const std::string& label) {
-    GLuint name = 0;
-    GenFramebuffers(1, &name);
-    handle_ = Handle<Traits>(name);
-    BindFramebuffer(GL_FRAMEBUFFER, name);
-    gl::label(GL_FRAMEBUFFER, name, label);
+    handle_ = Handle<&DeleteFramebuffers>(generate(GenFramebuffers));
+    BindFramebuffer(GL_FRAMEBUFFER, handle_.get());
+    gl::label(GL_FRAMEBUFFER, handle_.get(), label);
 }
 
 void Framebuffer::check(const std::string& label) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,14 +11,19 @@
 
 namespace vct::gl {
 
-// An object's name. `Traits::destroy` deletes it.
-template <typename Traits>
+// An object's name. `remove` is the entry point that deletes it: DeleteTextures or DeleteProgram, for
+// example.
+template <auto* remove>
 class Handle {
   public:
     Handle() = default;
     explicit Handle(GLuint name) : name_(name) {}
     ~Handle() {
-        if (name_ != 0) Traits::destroy(name_);
+        if (name_ == 0) return;
+        if constexpr (std::is_invocable_v<decltype(*remove), GLuint>)
+            (*remove)(name_);
+        else
+            (*remove)(1, &name_);
     }
     Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     Handle& operator=(Handle&& other) noexcept {
@@ -29,6 +35,13 @@ class Handle {
   private:
     GLuint name_ = 0;
 };
+
+// A new name of GenTextures and its like.
+inline GLuint generate(decltype(GenTextures) entryPoint) {
+    GLuint name = 0;
+    entryPoint(1, &name);
+    return name;
+}
 
 // Textures are made and changed on this unit, so that no pass loses what it has bound. ES 3.0 has 32 units.
 constexpr int scratchTextureUnit = 31;
@@ -59,11 +72,9 @@ class Texture {
     void setParameter(GLenum parameter, GLenum value) const;
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteTextures(1, &name); }
-    };
-    void create(const std::string& label, GLenum target);
-    Handle<Traits> handle_;
+    static Texture create(const std::string& label, GLenum target, GLenum format, int width, int height,
+                          int depth, int levels);
+    Handle<&DeleteTextures> handle_;
     GLenum target_ = GL_TEXTURE_2D;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
@@ -80,10 +91,7 @@ class PlainSampler {
     void bind(int unit) const { BindSampler(static_cast<GLuint>(unit), handle_.get()); }
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteSamplers(1, &name); }
-    };
-    Handle<Traits> handle_;
+    Handle<&DeleteSamplers> handle_{generate(GenSamplers)};
 };
 
 // Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.
@@ -106,24 +114,17 @@ class Buffer {
     void read(void* destination, std::size_t size, std::size_t offset = 0) const;
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteBuffers(1, &name); }
-    };
-    Handle<Traits> handle_;
+    Handle<&DeleteBuffers> handle_;
     std::size_t bytes_ = 0;
     std::string label_;
 };
 
 class VertexArray {
   public:
-    VertexArray();
     void bind() const { BindVertexArray(handle_.get()); }
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteVertexArrays(1, &name); }
-    };
-    Handle<Traits> handle_;
+    Handle<&DeleteVertexArrays> handle_{generate(GenVertexArrays)};
 };
 
 // A framebuffer with the colour targets in order and a depth target (or null), one level of each.
@@ -139,12 +140,9 @@ class Framebuffer {
     void bind() const;
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteFramebuffers(1, &name); }
-    };
     void create(const std::string& label);
     void check(const std::string& label) const;
-    Handle<Traits> handle_;
+    Handle<&DeleteFramebuffers> handle_;
     int width_ = 0, height_ = 0;
 };
 

@@ -7,9 +7,7 @@ namespace vct::gl {
 
 namespace {
 
-struct ShaderTraits {
-    static void destroy(GLuint name) { DeleteShader(name); }
-};
+using Shader = Handle<&DeleteShader>;
 
 std::string infoLog(GLuint object, decltype(GetShaderiv) getParameter, decltype(GetShaderInfoLog) getLog) {
     GLint length = 0;
@@ -21,12 +19,11 @@ std::string infoLog(GLuint object, decltype(GetShaderiv) getParameter, decltype(
     return log;
 }
 
-Handle<ShaderTraits> compile(const ShaderLibrary& library, const ProgramDescription& description,
-                             const std::string& path) {
+Shader compile(const ShaderLibrary& library, const ProgramDescription& description, const std::string& path) {
     std::vector<std::string> defines = library.defines;
     defines.insert(defines.end(), description.defines.begin(), description.defines.end());
     const AssembledShader source = assembleShader(library.read, path, defines, library.language);
-    Handle<ShaderTraits> shader(CreateShader(shaderStage(path)));
+    Shader shader(CreateShader(shaderStage(path)));
     const char* text = source.text.c_str();
     ShaderSource(shader.get(), 1, &text, nullptr);
     CompileShader(shader.get());
@@ -44,7 +41,7 @@ Program::Program(const ShaderLibrary& library, const ProgramDescription& descrip
     : handle_(CreateProgram()) {
     for (const std::string& path : description.shaders) {
         // Attached shaders live on until the program is deleted.
-        const Handle<ShaderTraits> shader = compile(library, description, path);
+        const Shader shader = compile(library, description, path);
         AttachShader(handle_.get(), shader.get());
     }
     LinkProgram(handle_.get());

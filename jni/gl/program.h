@@ -32,10 +32,7 @@ class Program {
     GLint uniform(const char* name) const { return GetUniformLocation(handle_.get(), name); }
 
   private:
-    struct Traits {
-        static void destroy(GLuint name) { DeleteProgram(name); }
-    };
-    Handle<Traits> handle_;
+    Handle<&DeleteProgram> handle_;
 };
 
 }  // namespace vct::gl

@@ -8,52 +8,42 @@
 namespace vct::gl {
 namespace {
 
+// The versions that have a feature in core: OpenGL ES and desktop OpenGL.
+struct Core {
+    int esMajor, esMinor, desktopMajor, desktopMinor;
+};
+
 // A feature that later versions have in core and earlier ones as one of several extensions.
 struct Feature {
     std::vector<const char*> extensions;
-    int esMajor, esMinor, desktopMajor, desktopMinor;
+    Core core;
     bool required;
     const char* neededBy;
 };
 
-const std::vector<Feature>& features() {
-    static const std::vector<Feature> table = {
-        {{"GL_OES_shader_image_atomic"},
-         3,
-         2,
-         4,
-         2,
-         true,
-         "voxelization and mipmap: fragments that meet in a voxel are merged with image atomics; no global "
-         "illumination without them"},
-        // GL_OES_geometry_shader alone does not do: the shaders enable the EXT one, which the Android
-        // Extension Pack asks for.
-        {{"GL_EXT_geometry_shader"},
-         3,
-         2,
-         3,
-         2,
-         false,
-         "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it "
-         "that preset is lost, unless with --voxelization sorted-axes"},
-        {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
-         3,
-         2,
-         3,
-         0,
-         true,
-         "G-buffer and output: normals and linear HDR light are drawn into half-float targets"},
-        {{"GL_KHR_debug"},
-         3,
-         2,
-         4,
-         3,
-         false,
-         "debugging: without it passes have no names in RenderDoc, and errors carry a code instead of the "
-         "driver's words"},
-    };
-    return table;
-}
+const Feature features[] = {
+    {{"GL_OES_shader_image_atomic"},
+     {3, 2, 4, 2},
+     true,
+     "voxelization and mipmap: fragments that meet in a voxel are merged with image atomics; no global "
+     "illumination without them"},
+    // GL_OES_geometry_shader alone does not do: the shaders enable the EXT one, which the Android Extension
+    // Pack asks for.
+    {{"GL_EXT_geometry_shader"},
+     {3, 2, 3, 2},
+     false,
+     "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it that "
+     "preset is lost, unless with --voxelization sorted-axes"},
+    {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
+     {3, 2, 3, 0},
+     true,
+     "G-buffer and output: normals and linear HDR light are drawn into half-float targets"},
+    {{"GL_KHR_debug"},
+     {3, 2, 4, 3},
+     false,
+     "debugging: without it passes have no names in RenderDoc, and errors carry a code instead of the "
+     "driver's words"},
+};
 
 struct Limit {
     GLenum name;
@@ -110,12 +100,13 @@ Requirement evaluate(const Feature& feature, const Version& version, const Drive
         }
     }
     // Core wins: a driver of that version need not list the extension.
-    if (version.atLeast(feature.esMajor, feature.esMinor, feature.desktopMajor, feature.desktopMinor)) {
+    const Core& core = feature.core;
+    if (version.atLeast(core.esMajor, core.esMinor, core.desktopMajor, core.desktopMinor)) {
         row.met = true;
-        row.found = version.desktop ? "core in OpenGL " + std::to_string(feature.desktopMajor) + "." +
-                                          std::to_string(feature.desktopMinor)
-                                    : "core in OpenGL ES " + std::to_string(feature.esMajor) + "." +
-                                          std::to_string(feature.esMinor);
+        const int major = version.desktop ? core.desktopMajor : core.esMajor;
+        const int minor = version.desktop ? core.desktopMinor : core.esMinor;
+        row.found = std::string("core in OpenGL ") + (version.desktop ? "" : "ES ") + std::to_string(major) +
+                    "." + std::to_string(minor);
     }
     if (!row.met) row.found = "missing";
     row.required = feature.required;
@@ -150,7 +141,7 @@ Requirement evaluateLanguage(const Version& version, const DriverReport& driver)
 std::vector<Requirement> evaluateRequirements(const DriverReport& driver) {
     const Version version = parseVersion(driver.version);
     std::vector<Requirement> rows = {evaluateVersion(version, driver), evaluateLanguage(version, driver)};
-    for (const Feature& feature : features())
+    for (const Feature& feature : features)
         rows.push_back(evaluate(feature, version, driver));
     for (const Limit& limit : limits)
         rows.push_back(evaluate(limit, driver));

@@ -16,7 +16,4 @@ std::unique_ptr<Platform> createZink(const PlatformOptions& options);
 // EGL gives the same display to everyone who asks, and its driver is chosen when the first one does.
 bool eglInUse();
 
-// GL_RENDERER of the current context.
-std::string rendererOf(const Platform& platform);
-
 }  // namespace vct::detail

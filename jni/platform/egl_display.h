@@ -1,10 +1,8 @@
-// Where EGL displays come from, and the words for what EGL says. Internal to this folder.
+// Where EGL displays come from. Internal to this folder.
 #pragma once
 
-// No window system: without these EGL/eglplatform.h would include X11's headers.
-#define EGL_NO_X11
-#define MESA_EGL_NO_X11_HEADERS
-#include <EGL/egl.h>
+#include "platform/egl_error.h"
+
 #include <EGL/eglext.h>
 
 #include <string>
@@ -26,7 +24,9 @@ std::vector<EglSource> eglSources(int device);
 EGLDisplay openEglDisplay(const EglSource& source);
 
 // The last error's name; clears it.
-std::string eglError();
+inline std::string eglError() {
+    return eglErrorName(eglGetError());
+}
 
 std::string eglString(EGLDisplay display, EGLint name);
 bool containsWord(const std::string& words, const std::string& word);

@@ -14,11 +14,6 @@ namespace {
 // From GL/osmesa.h, which is not installed everywhere and would pull in desktop GL headers.
 using OsmesaContext = struct osmesa_context*;
 enum : int {
-    osmesaRgba = 0x1908,
-    osmesaFormat = 0x22,
-    osmesaDepthBits = 0x30,
-    osmesaStencilBits = 0x31,
-    osmesaAccumBits = 0x32,
     osmesaProfile = 0x33,
     osmesaCoreProfile = 0x34,
     osmesaContextMajorVersion = 0x36,
@@ -70,25 +65,10 @@ Library openLibrary() {
 class OsmesaPlatform : public Platform {
   public:
     OsmesaPlatform() : library_(openLibrary()) {
-        const std::array attribs = {
-            int{osmesaFormat},
-            int{osmesaRgba},
-            int{osmesaDepthBits},
-            0,
-            int{osmesaStencilBits},
-            0,
-            int{osmesaAccumBits},
-            0,
-            int{osmesaProfile},
-            int{osmesaCoreProfile},
-            int{osmesaContextMajorVersion},
-            4,
-            int{osmesaContextMinorVersion},
-            5,
-            0,
-            0,
-        };
-        context_ = library_.createContextAttribs(attribs.data(), nullptr);
+        // The rest stays as it is by default: RGBA, and no depth, stencil and accumulation buffers.
+        const int attribs[] = {
+            osmesaProfile, osmesaCoreProfile, osmesaContextMajorVersion, 4, osmesaContextMinorVersion, 5, 0};
+        context_ = library_.createContextAttribs(attribs, nullptr);
         if (!context_)
             throw Error(library_.name +
                         " gives no OpenGL 4.5 core context; a Mesa with llvmpipe of version 20.2 or "

@@ -1,32 +1,27 @@
 #include "platform/platform.h"
 
+#include <cstddef>
+#include <iterator>
+
 #include "core/error.h"
 #include "platform/backends.h"
 
 namespace vct {
 namespace {
 
-constexpr Backend allBackends[] = {Backend::egl, Backend::osmesa, Backend::zink};
+constexpr const char* backendNames[] = {"egl", "osmesa", "zink"};  // by their number
 
 }  // namespace
 
 const char* backendName(Backend backend) {
-    switch (backend) {
-        case Backend::egl:
-            return "egl";
-        case Backend::osmesa:
-            return "osmesa";
-        case Backend::zink:
-            return "zink";
-    }
-    return "unknown";
+    return backendNames[static_cast<std::size_t>(backend)];
 }
 
 Backend backendFromName(const std::string& name) {
     std::string names;
-    for (const Backend backend : allBackends) {
-        if (name == backendName(backend)) return backend;
-        names += (names.empty() ? "" : ", ") + std::string(backendName(backend));
+    for (std::size_t i = 0; i < std::size(backendNames); ++i) {
+        if (name == backendNames[i]) return static_cast<Backend>(i);
+        names += (names.empty() ? "" : ", ") + std::string(backendNames[i]);
     }
     throw Error("there is no back end named '" + name + "'; choose one of " + names);
 }
@@ -41,14 +36,6 @@ std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
             return detail::createZink(options);
     }
     throw Error("unknown back end " + std::to_string(static_cast<int>(options.backend)));
-}
-
-std::string detail::rendererOf(const Platform& platform) {
-    constexpr unsigned glRenderer = 0x1F01;
-    using GetString = const unsigned char* (*)(unsigned);
-    const auto getString = reinterpret_cast<GetString>(platform.getProcAddress("glGetString"));
-    const unsigned char* text = getString ? getString(glRenderer) : nullptr;
-    return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
 }  // namespace vct

@@ -63,6 +63,15 @@ bool hasRenderNode() {
     return false;
 }
 
+// GL_RENDERER of the current context, whose entry points are not loaded yet.
+std::string rendererOf(const Platform& platform) {
+    constexpr unsigned glRenderer = 0x1F01;
+    using GetString = const unsigned char* (*)(unsigned);
+    const auto getString = reinterpret_cast<GetString>(platform.getProcAddress("glGetString"));
+    const unsigned char* text = getString ? getString(glRenderer) : nullptr;
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
 // Returns null, and adds why to `failures`, where what comes is not zink.
 std::unique_ptr<Platform> tryZink(const PlatformOptions& options, bool software, std::string& failures) {
     ScopedEnvironment environment;

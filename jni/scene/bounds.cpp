@@ -1,7 +1,5 @@
 #include "scene/bounds.h"
 
-#include <limits>
-
 namespace vct {
 
 Bounds united(const Bounds& a, const Bounds& b) {
@@ -9,13 +7,9 @@ Bounds united(const Bounds& a, const Bounds& b) {
 }
 
 Bounds boundsOf(const std::vector<glm::dvec3>& points, const glm::dmat4& matrix) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
-    for (const glm::dvec3& point : points) {
-        const glm::dvec3 moved(matrix * glm::dvec4(point, 1.0));
-        bounds.min = glm::min(bounds.min, moved);
-        bounds.max = glm::max(bounds.max, moved);
-    }
+    Bounds bounds = noBounds;
+    for (const glm::dvec3& point : points)
+        bounds.include(glm::dvec3(matrix * glm::dvec4(point, 1.0)));
     return bounds;
 }
 

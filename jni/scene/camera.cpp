@@ -136,12 +136,8 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
 
     const double diagonal = std::max(glm::length(bounds.max - bounds.min), 1e-30);
     double farthest = 0.0;  // along the view axis
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 world((corner & 1) != 0 ? visible.max.x : visible.min.x,
-                               (corner & 2) != 0 ? visible.max.y : visible.min.y,
-                               (corner & 4) != 0 ? visible.max.z : visible.min.z);
-        farthest = std::max(farthest, -(cameraFromWorldAxes * (world - eye)).z);
-    }
+    for (const glm::dvec3& corner : cornersOf(visible))
+        farthest = std::max(farthest, -(cameraFromWorldAxes * (corner - eye)).z);
 
     // A point at distance d in the corner of the picture is only d cos(corner angle) deep.
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);

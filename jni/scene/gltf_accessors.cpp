@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace vct {
 namespace {
@@ -11,20 +12,15 @@ std::string named(int accessor) {
     return "accessor " + std::to_string(accessor);
 }
 
+bool isUnsignedInteger(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+// 0 where there is no such type.
 std::size_t componentBytes(int type) {
-    switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return 1;
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return 2;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return 4;
-        default:
-            return 0;
-    }
+    return static_cast<std::size_t>(
+        std::max(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)), 0));
 }
 
 // The first of `count` elements, all of which lie inside the view.
@@ -51,25 +47,23 @@ std::uint32_t loadUnsigned(const unsigned char* bytes, std::size_t size) {
     return size == 2 ? load<std::uint16_t>(bytes) : load<std::uint32_t>(bytes);
 }
 
-// glTF 2.0 section 3.6.2.2 (normalized integers).
+// glTF 2.0 section 3.6.2.2: a normalized integer is a fraction of its type's largest, and not below -1.
+template <class T>
+float loadInteger(const unsigned char* bytes, bool normalized) {
+    const float value = load<T>(bytes);
+    return normalized ? std::max(value / std::numeric_limits<T>::max(), -1.0F) : value;
+}
+
 float loadFloat(const unsigned char* bytes, int type, bool normalized) {
     switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: {
-            const float value = load<std::int8_t>(bytes);
-            return normalized ? std::max(value / 127.0F, -1.0F) : value;
-        }
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
-            const float value = bytes[0];
-            return normalized ? value / 255.0F : value;
-        }
-        case TINYGLTF_COMPONENT_TYPE_SHORT: {
-            const float value = load<std::int16_t>(bytes);
-            return normalized ? std::max(value / 32767.0F, -1.0F) : value;
-        }
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
-            const float value = load<std::uint16_t>(bytes);
-            return normalized ? value / 65535.0F : value;
-        }
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return loadInteger<std::int8_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return loadInteger<std::uint8_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return loadInteger<std::int16_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return loadInteger<std::uint16_t>(bytes, normalized);
         default:
             return load<float>(bytes);
     }
@@ -79,15 +73,8 @@ void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::
                  std::vector<unsigned char>& elements, const std::string& name) {
     const auto& sparse = accessor.sparse;
     const int indexType = sparse.indices.componentType;
-    if (indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-        indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-        indexType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+    if (!isUnsignedInteger(indexType))
         file.fail("the sparse part of " + name + " has indices of type " + std::to_string(indexType));
-    // Signed here because tinygltf 2.7 has int where 2.8 has std::size_t.
-    const auto negative = [](auto value) { return static_cast<std::int64_t>(value) < 0; };
-    if (negative(sparse.count) || negative(sparse.indices.byteOffset) || negative(sparse.values.byteOffset))
-        file.fail("the sparse part of " + name + " has a negative count or offset");
-
     const auto count = static_cast<std::size_t>(sparse.count);
     const std::size_t indexSize = componentBytes(indexType);
     const unsigned char* indices = checkedElements(
@@ -108,24 +95,21 @@ void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::
 // The elements without gaps.
 std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Accessor& accessor,
                                           std::size_t elementSize, const std::string& name) {
-    if (accessor.bufferView < 0) {  // all zeros, usually under sparse values; nothing bounds the count
-        file.reserveGeometry(accessor.count, elementSize);
-        std::vector<unsigned char> elements(accessor.count * elementSize);
-        if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, elements, name);
-        return elements;
+    const unsigned char* first = nullptr;  // without a view: zeros, usually under sparse values
+    std::size_t stride = elementSize;
+    if (accessor.bufferView >= 0) {
+        const ByteRange view = viewBytes(file, accessor.bufferView);
+        const std::size_t declared =
+            file.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+        if (declared != 0) stride = declared;
+        if (stride < elementSize)
+            file.fail(name + " has a stride of " + std::to_string(stride) + " bytes for elements of " +
+                      std::to_string(elementSize));
+        first = checkedElements(file, view, accessor.byteOffset, stride, elementSize, accessor.count, name);
     }
-    const ByteRange view = viewBytes(file, accessor.bufferView);
-    const std::size_t declared =
-        file.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
-    const std::size_t stride = declared == 0 ? elementSize : declared;
-    if (stride < elementSize)
-        file.fail(name + " has a stride of " + std::to_string(stride) + " bytes for elements of " +
-                  std::to_string(elementSize));
-    const unsigned char* first =
-        checkedElements(file, view, accessor.byteOffset, stride, elementSize, accessor.count, name);
     file.reserveGeometry(accessor.count, elementSize);
     std::vector<unsigned char> elements(accessor.count * elementSize);
-    for (std::size_t i = 0; i < accessor.count; ++i)
+    for (std::size_t i = 0; first != nullptr && i < accessor.count; ++i)
         std::memcpy(&elements[i * elementSize], first + i * stride, elementSize);
     if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, elements, name);
     return elements;
@@ -153,14 +137,12 @@ std::vector<float> readFloats(GltfFile& file, int index, int width, Components c
 
     const int type = accessor.componentType;
     const std::size_t componentSize = componentBytes(type);
-    const bool isUnsigned =
-        type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
     const bool isSmall = componentSize == 1 || componentSize == 2;
-    const bool allowed =
-        type == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-        (components == Components::floatOrNormalizedUnsigned && isUnsigned && accessor.normalized) ||
-        (components == Components::floatOrNormalized && isSmall && accessor.normalized) ||
-        (components == Components::anySmallInteger && isSmall);
+    const bool allowed = type == TINYGLTF_COMPONENT_TYPE_FLOAT ||
+                         (components == Components::floatOrNormalizedUnsigned && isSmall &&
+                          isUnsignedInteger(type) && accessor.normalized) ||
+                         (components == Components::floatOrNormalized && isSmall && accessor.normalized) ||
+                         (components == Components::anySmallInteger && isSmall);
     if (!allowed)
         file.fail(name + " has component type " + std::to_string(type) + ", which is not allowed there");
 
@@ -177,10 +159,7 @@ std::vector<std::uint32_t> readIndices(GltfFile& file, int index, std::size_t ve
     const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
     const std::string name = named(index) + " (indices)";
     const int type = accessor.componentType;
-    const bool isUnsigned = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-    if (accessor.type != TINYGLTF_TYPE_SCALAR || !isUnsigned)
+    if (accessor.type != TINYGLTF_TYPE_SCALAR || !isUnsignedInteger(type))
         file.fail(name + " is not a list of unsigned integers (component type " + std::to_string(type) + ")");
 
     const std::size_t size = componentBytes(type);

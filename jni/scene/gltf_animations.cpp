@@ -15,86 +15,83 @@ using nlohmann::json;
 using Interpolation = AnimationChannel::Interpolation;
 using Path = AnimationChannel::Path;
 
-std::string text(const json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+constexpr std::pair<const char*, Path> paths[] = {
+    {"translation", Path::translation}, {"rotation", Path::rotation}, {"scale", Path::scale}};
+constexpr std::pair<const char*, Interpolation> interpolations[] = {
+    {"STEP", Interpolation::step},
+    {"LINEAR", Interpolation::linear},
+    {"CUBICSPLINE", Interpolation::cubicSpline}};
+
+// How messages name each animation: "3 (walk)".
+std::vector<std::string> namesOf(const json& animations) {
+    std::vector<std::string> names;
+    for (const json& animation : animations)
+        names.push_back(indexAndName(names.size(), textAt(animation, "name")));
+    return names;
 }
 
-// -1 where it is missing; what is not an index is one that no array has.
-int index(const json& object, const char* key) {
-    const auto found = object.find(key);
-    if (found == object.end()) return -1;
-    const bool small = found->is_number_unsigned() && found->get<std::uint64_t>() <= 0x7FFFFFFF;
-    return small ? found->get<int>() : 0x7FFFFFFF;
-}
-
-std::vector<json> objects(const GltfFile& file, const json& animation, const char* key,
-                          const std::string& name) {
-    const auto found = animation.find(key);
-    if (found == animation.end()) return {};
-    const auto isObject = [](const json& element) { return element.is_object(); };
-    if (!found->is_array() || !std::all_of(found->begin(), found->end(), isObject))
-        file.fail(name + " has " + key + " that are not a list of objects");
-    return {found->begin(), found->end()};
-}
-
-std::string named(const std::vector<tinygltf::Animation>& all, std::size_t i) {
-    return indexAndName(i, all[i].name);
+// All but `left`, which may be none.
+std::string listed(const std::vector<std::string>& names, std::size_t left) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (i != left) list += (list.empty() ? "" : ", ") + names[i];
+    return list;
 }
 
 std::size_t choose(const GltfFile& file, const std::string& nameOrIndex) {
-    const std::vector<tinygltf::Animation>& all = file.model.animations;
     if (nameOrIndex.empty()) return 0;
-    std::string names;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].name == nameOrIndex) return i;
-        names += (i == 0 ? "" : ", ") + named(all, i);
-    }
+    const std::size_t count = file.animations.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (textAt(file.animations[i], "name") == nameOrIndex) return i;
     const bool isNumber = nameOrIndex.size() <= 9 && std::all_of(nameOrIndex.begin(), nameOrIndex.end(),
                                                                  [](char c) { return c >= '0' && c <= '9'; });
-    const std::size_t i = isNumber ? std::stoul(nameOrIndex) : all.size();
-    if (i < all.size()) return i;
-    if (all.empty())
+    const std::size_t i = isNumber ? std::stoul(nameOrIndex) : count;
+    if (i < count) return i;
+    if (count == 0)
         file.fail("it has no animation, and \"" + oneLine(nameOrIndex) + "\" was asked for",
                   "leave out --animation");
-    file.fail("it has no animation \"" + oneLine(nameOrIndex) + "\"", "choose one of " + names);
+    file.fail("it has no animation \"" + oneLine(nameOrIndex) + "\"",
+              "choose one of " + listed(namesOf(file.animations), count));
+}
+
+// What a word of the file stands for; nothing where the table lacks it.
+template <class Value, std::size_t count>
+std::optional<Value> find(const std::pair<const char*, Value> (&table)[count], const std::string& word) {
+    for (const auto& [name, value] : table)
+        if (word == name) return value;
+    return std::nullopt;
 }
 
 // One channel of one animation, whose every error says which it is.
 class ChannelLoader {
   public:
-    ChannelLoader(GltfFile& file, const tinygltf::Animation& animation, std::size_t channel,
-                  const std::string& name)
-        : file_(file), animation_(animation), source_(animation.channels[channel]), name_(name) {}
+    ChannelLoader(GltfFile& file, const json& samplers, const json& source, const std::string& name)
+        : file_(file), samplers_(samplers), source_(source), name_(name) {}
 
     // Nothing where the channel moves no node. AnimationChannel::node is the file's.
     std::optional<AnimationChannel> load() {
-        AnimationChannel channel;
-        if (source_.target_path == "weights") {
+        const auto target = source_.find("target");
+        require(target != source_.end() && target->is_object(), "has no target");
+        const std::string pathName = textAt(*target, "path");
+        const auto path = find(paths, pathName);
+        const auto node = index(*target, "node", "node", file_.model.nodes.size());
+        if (pathName == "weights")
             file_.warn("morph targets are ignored: animated weights change nothing");
-            return std::nullopt;
-        }
-        if (!setPath(channel)) return std::nullopt;
-        if (source_.target_node == -1) {  // section 3.11: for extensions
+        else if (!path)
+            file_.warn("animation channels of the path \"" + oneLine(pathName) + "\" are ignored");
+        else if (!node)  // section 3.11: for extensions
             file_.warn("animation channels without a node are ignored");
-            return std::nullopt;
-        }
-        require(static_cast<std::size_t>(source_.target_node) < file_.model.nodes.size(),
-                "moves node " + std::to_string(source_.target_node) + " of " +
-                    std::to_string(file_.model.nodes.size()));
-        require(
-            source_.sampler >= 0 && static_cast<std::size_t>(source_.sampler) < animation_.samplers.size(),
-            source_.sampler < 0 ? std::string("has no sampler")
-                                : "refers to sampler " + std::to_string(source_.sampler) + " of " +
-                                      std::to_string(animation_.samplers.size()));
-        require(file_.model.nodes[static_cast<std::size_t>(source_.target_node)].matrix.empty(),
+        if (!path || !node) return std::nullopt;
+        require(file_.model.nodes[*node].matrix.empty(),
                 "moves a node that has a matrix; only translation, rotation and scale can be animated");
-        channel.node = source_.target_node;
-        const tinygltf::AnimationSampler& sampler =
-            animation_.samplers[static_cast<std::size_t>(source_.sampler)];
-        setInterpolation(sampler, channel);
-        setTimes(sampler, channel);
-        setValues(sampler, channel);
+        const auto sampler = index(source_, "sampler", "sampler", samplers_.size());
+        require(sampler.has_value(), "has no sampler");
+        AnimationChannel channel;
+        channel.node = static_cast<int>(*node);
+        channel.path = *path;
+        setInterpolation(samplers_[*sampler], channel);
+        setTimes(samplers_[*sampler], channel);
+        setValues(samplers_[*sampler], channel);
         return channel;
     }
 
@@ -103,42 +100,34 @@ class ChannelLoader {
         if (!ok) file_.fail(name_ + " " + cause, remedy);
     }
 
-    bool setPath(AnimationChannel& channel) {
-        const std::string& path = source_.target_path;
-        if (path == "translation")
-            channel.path = Path::translation;
-        else if (path == "rotation")
-            channel.path = Path::rotation;
-        else if (path == "scale")
-            channel.path = Path::scale;
-        else {
-            file_.warn("animation channels of the path \"" + oneLine(path) + "\" are ignored");
-            return false;
-        }
-        return true;
+    // The index at `key`, of one of `count` elements; nothing where there is none.
+    std::optional<std::size_t> index(const json& object, const char* key, const char* kind,
+                                     std::size_t count) const {
+        const auto found = object.find(key);
+        if (found == object.end()) return std::nullopt;
+        require(
+            found->is_number_unsigned() && found->get<std::uint64_t>() < count,
+            std::string("refers to ") + kind + " " + oneLine(found->dump()) + " of " + std::to_string(count));
+        return found->get<std::size_t>();
     }
 
-    void setInterpolation(const tinygltf::AnimationSampler& sampler, AnimationChannel& channel) const {
-        const std::string& name = sampler.interpolation;
-        require(name == "STEP" || name == "LINEAR" || name == "CUBICSPLINE",
-                "has the unknown interpolation \"" + oneLine(name) + "\"");
-        channel.interpolation = name == "STEP"     ? Interpolation::step
-                                : name == "LINEAR" ? Interpolation::linear
-                                                   : Interpolation::cubicSpline;
+    void setInterpolation(const json& sampler, AnimationChannel& channel) const {
+        const std::string name =
+            sampler.contains("interpolation") ? textAt(sampler, "interpolation") : "LINEAR";
+        const auto found = find(interpolations, name);
+        require(found.has_value(), "has the unknown interpolation \"" + oneLine(name) + "\"");
+        channel.interpolation = *found;
     }
 
-    int accessor(int i, const char* what) const {
-        const std::size_t count = file_.model.accessors.size();
-        require(i >= 0 && static_cast<std::size_t>(i) < count,
-                i < 0 ? std::string("has a sampler without ") + what
-                      : std::string("has a sampler whose ") + what + " is accessor " + std::to_string(i) +
-                            " of " + std::to_string(count));
-        return i;
+    int accessor(const json& sampler, const char* key) const {
+        const auto i = index(sampler, key, "accessor", file_.model.accessors.size());
+        require(i.has_value(), std::string("has a sampler without ") + key);
+        return static_cast<int>(*i);
     }
 
-    void setTimes(const tinygltf::AnimationSampler& sampler, AnimationChannel& channel) const {
-        channel.times = readFloats(file_, accessor(sampler.input, "input"), 1, Components::floatOnly,
-                                   name_ + ", key times");
+    void setTimes(const json& sampler, AnimationChannel& channel) const {
+        channel.times =
+            readFloats(file_, accessor(sampler, "input"), 1, Components::floatOnly, name_ + ", key times");
         const std::vector<float>& times = channel.times;
         require(!times.empty(), "has no keys");
         for (std::size_t key = 0; key < times.size(); ++key) {
@@ -153,11 +142,11 @@ class ChannelLoader {
         }
     }
 
-    void setValues(const tinygltf::AnimationSampler& sampler, AnimationChannel& channel) const {
+    void setValues(const json& sampler, AnimationChannel& channel) const {
         const bool rotation = channel.path == Path::rotation;
         const int width = rotation ? 4 : 3;
         const std::vector<float> values =
-            readFloats(file_, accessor(sampler.output, "output"), width,
+            readFloats(file_, accessor(sampler, "output"), width,
                        rotation ? Components::floatOrNormalized : Components::floatOnly, name_ + ", values");
         const bool cubic = channel.interpolation == Interpolation::cubicSpline;
         const std::size_t count = values.size() / static_cast<std::size_t>(width);
@@ -182,67 +171,36 @@ class ChannelLoader {
     }
 
     GltfFile& file_;
-    const tinygltf::Animation& animation_;
-    const tinygltf::AnimationChannel& source_;
+    const json& samplers_;
+    const json& source_;
     std::string name_;
 };
 
-void warnOfOthers(GltfFile& file, std::size_t played) {
-    const std::vector<tinygltf::Animation>& all = file.model.animations;
-    std::string others;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (i != played) others += (others.empty() ? "" : ", ") + named(all, i);
-    if (!others.empty())
-        file.warn("animation " + named(all, played) + " is played; not played (--animation): " + others);
-}
-
 }  // namespace
-
-void readAnimations(GltfFile& file, const json& animations) {
-    for (const json& source : animations) {
-        const std::string name = "animation " + std::to_string(file.model.animations.size());
-        tinygltf::Animation animation;
-        animation.name = text(source, "name");
-        for (const json& element : objects(file, source, "samplers", name)) {
-            tinygltf::AnimationSampler sampler;
-            sampler.input = index(element, "input");
-            sampler.output = index(element, "output");
-            sampler.interpolation =
-                element.contains("interpolation") ? text(element, "interpolation") : "LINEAR";
-            animation.samplers.push_back(std::move(sampler));
-        }
-        for (const json& element : objects(file, source, "channels", name)) {
-            tinygltf::AnimationChannel channel;
-            channel.sampler = index(element, "sampler");
-            const auto target = element.find("target");
-            if (target == element.end() || !target->is_object())
-                file.fail(name + ", channel " + std::to_string(animation.channels.size()) + " has no target");
-            channel.target_node = index(*target, "node");
-            channel.target_path = text(*target, "path");
-            animation.channels.push_back(std::move(channel));
-        }
-        file.model.animations.push_back(std::move(animation));
-    }
-}
 
 Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed) {
     const std::size_t chosen = choose(file, nameOrIndex);
     Animation animation;
-    if (file.model.animations.empty()) return animation;
-    warnOfOthers(file, chosen);
-    const tinygltf::Animation& source = file.model.animations[chosen];
-    animation.name = source.name;
+    if (file.animations.empty()) return animation;
+    const std::vector<std::string> names = namesOf(file.animations);
+    if (names.size() > 1)
+        file.warn("animation " + names[chosen] +
+                  " is played; not played (--animation): " + listed(names, chosen));
+    json source = file.animations[chosen];
+    animation.name = textAt(source, "name");
+    const std::string name = "animation " + names[chosen];
+    const json samplers = takeObjects(file, source, "samplers", name + ": its");
 
     std::set<std::pair<int, Path>> targets;
     std::vector<bool> isMoved(file.model.nodes.size());
     std::vector<AnimationChannel> channels;
-    for (std::size_t i = 0; i < source.channels.size(); ++i) {
-        const std::string name =
-            "animation " + named(file.model.animations, chosen) + ", channel " + std::to_string(i);
-        std::optional<AnimationChannel> channel = ChannelLoader(file, source, i, name).load();
+    std::size_t count = 0;
+    for (const json& element : takeObjects(file, source, "channels", name + ": its")) {
+        const std::string which = name + ", channel " + std::to_string(count++);
+        std::optional<AnimationChannel> channel = ChannelLoader(file, samplers, element, which).load();
         if (!channel) continue;
         if (!targets.insert({channel->node, channel->path}).second)
-            file.fail(name + " moves the " + source.channels[i].target_path + " of node " +
+            file.fail(which + " moves the " + textAt(element["target"], "path") + " of node " +
                       std::to_string(channel->node) + ", which another channel moves already");
         isMoved[static_cast<std::size_t>(channel->node)] = true;
         channels.push_back(std::move(*channel));

@@ -4,10 +4,8 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "scene/gltf_animations.h"
 
 namespace vct {
 namespace {
@@ -89,16 +87,11 @@ json parseJson(const GltfFile& file, const Chunks& chunks) {
     }
 }
 
-std::string text(const json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 void checkAsset(const GltfFile& file, const json& document) {
     const auto asset = document.find("asset");
-    const std::string version = asset == document.end() ? std::string() : text(*asset, "version");
+    const std::string version = asset == document.end() ? std::string() : textAt(*asset, "version");
     if (version.empty()) file.fail("its JSON has no asset.version, so it is not glTF 2.0");
-    const std::string minVersion = text(*asset, "minVersion");
+    const std::string minVersion = textAt(*asset, "minVersion");
     if (version.compare(0, 2, "2.") != 0 || (!minVersion.empty() && minVersion != "2.0"))
         file.fail(
             "it needs glTF " + oneLine(minVersion.empty() ? version : minVersion) + " and only 2.0 is read",
@@ -143,18 +136,6 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
-// Takes an array out of the document. What is taken, tinygltf does not see.
-json take(const GltfFile& file, json& document, const char* key) {
-    const auto found = document.find(key);
-    if (found == document.end()) return json::array();
-    json array = std::move(*found);
-    document.erase(found);
-    const auto isObject = [](const json& element) { return element.is_object(); };
-    if (!array.is_array() || !std::all_of(array.begin(), array.end(), isObject))
-        file.fail(std::string("its ") + key + " are not a list of objects");
-    return array;
-}
-
 void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const json& source = buffers[i];
@@ -164,7 +145,7 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
         const auto byteLength = length->get<std::uint64_t>();
 
         tinygltf::Buffer buffer;
-        const std::string uri = text(source, "uri");
+        const std::string uri = textAt(source, "uri");
         std::size_t available = chunks.binarySize;
         if (!uri.empty()) {
             buffer.data = readUri(file, uri, what);
@@ -184,8 +165,8 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
 void readImageSources(GltfFile& file, const json& images) {
     for (const json& source : images) {
         tinygltf::Image image;
-        image.name = text(source, "name");
-        image.uri = text(source, "uri");
+        image.name = textAt(source, "name");
+        image.uri = textAt(source, "uri");
         const auto view = source.find("bufferView");
         if (view != source.end() && view->is_number_unsigned())
             image.bufferView =
@@ -223,6 +204,22 @@ bool GltfFile::uses(const std::string& extension) const {
            model.extensionsUsed.end();
 }
 
+std::string textAt(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+json takeObjects(const GltfFile& file, json& object, const char* key, const std::string& whose) {
+    const auto found = object.find(key);
+    if (found == object.end()) return json::array();
+    json list = std::move(*found);
+    object.erase(found);
+    const auto isObject = [](const json& element) { return element.is_object(); };
+    if (!list.is_array() || !std::all_of(list.begin(), list.end(), isObject))
+        file.fail(whose + " " + key + " are not a list of objects");
+    return list;
+}
+
 std::string indexAndName(std::size_t index, const std::string& name) {
     return std::to_string(index) + (name.empty() ? "" : " (" + oneLine(name) + ")");
 }
@@ -252,10 +249,11 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
     checkAsset(file, document);
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
-    const json buffers = take(file, document, "buffers");
-    const json images = take(file, document, "images");
-    const json animations = take(file, document, "animations");
-    if (!take(file, document, "skins").empty())
+    // What is taken here, tinygltf does not see.
+    const json buffers = takeObjects(file, document, "buffers", "its");
+    const json images = takeObjects(file, document, "images", "its");
+    file.animations = takeObjects(file, document, "animations", "its");
+    if (!takeObjects(file, document, "skins", "its").empty())
         file.warn("skins are ignored: meshes stay as they are modelled");
 
     tinygltf::TinyGLTF parser;
@@ -269,7 +267,6 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
 
     readBuffers(file, buffers, chunks);
     readImageSources(file, images);
-    readAnimations(file, animations);
     return file;
 }
 

@@ -6,6 +6,7 @@
 
 #include <tiny_gltf.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct GltfFile {
     std::string path;
     ReadFile readFile;
     tinygltf::Model model;  // buffers hold their bytes; images hold name, uri and bufferView, not pixels
+    // A list of objects. In place of tinygltf's, which drops what it cannot read and does not say of which
+    // animation it was.
+    nlohmann::json animations;
     std::vector<std::string> warnings;
     std::size_t geometryBytes = 0;
     std::size_t textureBytes = 0;
@@ -50,6 +54,14 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile);
 
 // The bytes behind a URI of the file: a data URI, or a file relative to it. `what` names it in an error.
 std::vector<unsigned char> readUri(const GltfFile& file, const std::string& uri, const std::string& what);
+
+// The text at `key` of an object, "" where there is none.
+std::string textAt(const nlohmann::json& object, const char* key);
+
+// Takes the list `key` out of an object; an empty one where there is none. Throws where it is not a list of
+// objects; `whose` begins the message, as in "its".
+nlohmann::json takeObjects(const GltfFile& file, nlohmann::json& object, const char* key,
+                           const std::string& whose);
 
 // How messages name an element of one of the model's arrays: "3 (wall)", "3" where it has no name.
 std::string indexAndName(std::size_t index, const std::string& name);

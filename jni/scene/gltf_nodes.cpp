@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <set>
 
 namespace vct {
 namespace {
@@ -54,48 +55,20 @@ NodeTransform localTransform(const GltfFile& file, const tinygltf::Node& node) {
     return transform;
 }
 
-// Every node has one parent at most: else the walk below might not end.
-std::vector<bool> findChildren(const GltfFile& file) {
-    const std::vector<tinygltf::Node>& nodes = file.model.nodes;
-    std::vector<bool> isChild(nodes.size());
-    for (const tinygltf::Node& node : nodes) {
-        for (const int child : node.children) {
-            file.at(nodes, child, "node");
-            const auto index = static_cast<std::size_t>(child);
-            if (isChild[index]) file.fail(named(file, nodes[index]) + " is a child twice");
-            isChild[index] = true;
-        }
-    }
-    return isChild;
-}
-
-std::vector<int> findRoots(const GltfFile& file, const std::vector<bool>& isChild) {
+// Those of the default scene; where the file has no scenes, the nodes that are nobody's children.
+std::vector<int> findRoots(const GltfFile& file) {
     const tinygltf::Model& model = file.model;
     if (!model.scenes.empty()) {
         const int scene = model.defaultScene == -1 ? 0 : model.defaultScene;
         return file.at(model.scenes, scene, "scene").nodes;
     }
+    std::set<int> children;
+    for (const tinygltf::Node& node : model.nodes)
+        children.insert(node.children.begin(), node.children.end());
     std::vector<int> roots;
-    for (std::size_t i = 0; i < isChild.size(); ++i) {
-        if (!isChild[i]) roots.push_back(static_cast<int>(i));
-    }
+    for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i)
+        if (children.count(i) == 0) roots.push_back(i);
     return roots;
-}
-
-// With one parent each, nodes that no root reaches go round in a circle.
-void checkCycles(const GltfFile& file, const std::vector<bool>& isChild) {
-    const std::vector<tinygltf::Node>& nodes = file.model.nodes;
-    std::vector<int> reached;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!isChild[i]) reached.push_back(static_cast<int>(i));
-    }
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-        const tinygltf::Node& node = nodes[static_cast<std::size_t>(reached[i])];
-        // One by one: GCC 13 sees an overflow in inserting the range where there is none.
-        for (int child : node.children)
-            reached.push_back(child);
-    }
-    if (reached.size() != nodes.size()) file.fail("its nodes form a cycle: one is its own ancestor");
 }
 
 }  // namespace
@@ -106,11 +79,8 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         int depth;
         int parent;  // index into `placed`, or -1
     };
-    const std::vector<bool> isChild = findChildren(file);
-    checkCycles(file, isChild);
-
     std::vector<Pending> pending;
-    const std::vector<int> roots = findRoots(file, isChild);
+    const std::vector<int> roots = findRoots(file);
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
         pending.push_back({*root, 1, -1});
 
@@ -121,7 +91,10 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         pending.pop_back();
         const tinygltf::Node& node = file.at(file.model.nodes, next.node, "node");
         const auto index = static_cast<std::size_t>(next.node);
-        if (visited[index]) file.fail(named(file, node) + " is in the scene twice");
+        // Without this a cycle would have no end, and shared children could be placed without number.
+        if (visited[index])
+            file.fail(named(file, node) +
+                      " is in the scene twice: it has two parents, or is its own ancestor");
         visited[index] = true;
         if (next.depth > maxDepth)
             file.fail("its nodes are nested more than " + std::to_string(maxDepth) + " levels deep");

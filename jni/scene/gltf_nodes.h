@@ -15,7 +15,7 @@ struct PlacedNode {
     int moving = -1;  // index into Animation::nodes, or -1: it never moves
 };
 
-// The nodes of the default scene, parents first. Throws where the nodes are not a forest.
+// The nodes of the default scene, parents first. Throws where one is in the scene twice.
 std::vector<PlacedNode> placeNodes(const GltfFile& file);
 
 // The camera or the directional light of a node, added to the scene; what is not supported is warned of.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "scene/gltf_accessors.h"
 
@@ -42,14 +43,12 @@ glm::dvec3 position(const std::vector<float>& values, std::uint32_t vertex) {
 
 Bounds usedBounds(const GltfFile& file, const std::vector<float>& positions, const Indices& indices,
                   const std::string& mesh) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    Bounds bounds = noBounds;
     for (const std::uint32_t index : indices) {
         const glm::dvec3 p = position(positions, index);
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
             file.fail(mesh + " has a position that is not a finite number");
-        bounds.min = glm::min(bounds.min, p);
-        bounds.max = glm::max(bounds.max, p);
+        bounds.include(p);
     }
     const glm::dvec3 extent = bounds.max - bounds.min;
     if (!(extent.x <= maxExtent && extent.y <= maxExtent && extent.z <= maxExtent))
@@ -86,8 +85,7 @@ void makeFlat(GltfFile& file, Mesh& mesh) {
         }
     }
     mesh.vertices = std::move(vertices);
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-        mesh.indices[i] = static_cast<std::uint32_t>(i);
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
 }
 
 // Unit normals; where the file's have no direction, that of the faces around the vertex.
@@ -120,9 +118,21 @@ void setNormals(GltfFile& file, Mesh& mesh, const std::vector<float>& normals) {
     if (usedBad) file.warn("normals without a direction are replaced by those of their faces");
 }
 
+// The attribute's accessor; -1 where the primitive has no such attribute.
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+// `width` floats for each of `vertexCount` vertices.
+std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Components components,
+                                    const std::string& name, std::size_t vertexCount) {
+    std::vector<float> values = readFloats(file, accessor, width, components, name);
+    const std::size_t count = values.size() / static_cast<std::size_t>(width);
+    if (count != vertexCount)
+        file.fail(name + " has " + std::to_string(count) + " elements for " + std::to_string(vertexCount) +
+                  " vertices");
+    return values;
 }
 
 void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, const UvSource& source,
@@ -136,21 +146,14 @@ void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, con
     }
     const Components components = file.uses("KHR_mesh_quantization") ? Components::anySmallInteger
                                                                      : Components::floatOrNormalizedUnsigned;
-    const std::vector<float> values = readFloats(file, accessor, 2, components, name);
-    if (values.size() != mesh.vertices.size() * 2)
-        file.fail(name + " has " + std::to_string(values.size() / 2) + " elements for " +
-                  std::to_string(mesh.vertices.size()) + " vertices");
+    const std::vector<float> values =
+        readVertexFloats(file, accessor, 2, components, name, mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const glm::vec2 uv(values[i * 2], values[i * 2 + 1]);
         const bool usable = std::abs(uv.x) <= 1e9F && std::abs(uv.y) <= 1e9F;  // false for NaN
         if (!usable) file.warn("texture coordinates that are not usable numbers are taken as 0");
         mesh.vertices[i].*member = source(usable ? uv : glm::vec2(0.0F));
     }
-}
-
-void warnOfIgnored(GltfFile& file, const tinygltf::Primitive& primitive) {
-    if (primitive.attributes.count("COLOR_0") != 0) file.warn("vertex colours (COLOR_0) are ignored");
-    if (!primitive.targets.empty()) file.warn("morph targets are ignored");
 }
 
 }  // namespace
@@ -165,7 +168,8 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         file.warn("points and lines are left out");
         return std::nullopt;
     }
-    warnOfIgnored(file, primitive);
+    if (attribute(primitive, "COLOR_0") != -1) file.warn("vertex colours (COLOR_0) are ignored");
+    if (!primitive.targets.empty()) file.warn("morph targets are ignored");
 
     const int positionAccessor = attribute(primitive, "POSITION");
     if (positionAccessor == -1) {
@@ -185,8 +189,7 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     } else {
         file.reserveGeometry(vertexCount, sizeof(std::uint32_t));
         corners.resize(vertexCount);
-        for (std::size_t i = 0; i < vertexCount; ++i)
-            corners[i] = static_cast<std::uint32_t>(i);
+        std::iota(corners.begin(), corners.end(), 0U);
     }
 
     Mesh mesh;
@@ -212,11 +215,7 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     if (normalAccessor == -1) {
         makeFlat(file, mesh);
     } else {
-        const std::vector<float> normals = readFloats(file, normalAccessor, 3, components, "NORMAL");
-        if (normals.size() != positions.size())
-            file.fail("NORMAL has " + std::to_string(normals.size() / 3) + " elements for " +
-                      std::to_string(vertexCount) + " vertices");
-        setNormals(file, mesh, normals);
+        setNormals(file, mesh, readVertexFloats(file, normalAccessor, 3, components, "NORMAL", vertexCount));
     }
     return mesh;
 }

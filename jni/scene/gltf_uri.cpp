@@ -1,4 +1,6 @@
+#include <cctype>
 #include <cstdint>
+#include <string_view>
 
 #include "core/error.h"
 #include "scene/gltf_file.h"
@@ -6,22 +8,15 @@
 namespace vct {
 namespace {
 
-int hexDigit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
 // RFC 3986 section 2.1; a '%' without two digits stays as it is.
 std::string percentDecoded(const std::string& text) {
+    const auto isHexDigit = [&](std::size_t i) {
+        return i < text.size() && std::isxdigit(static_cast<unsigned char>(text[i])) != 0;
+    };
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool coded = text[i] == '%' && i + 2 < text.size();
-        const int high = coded ? hexDigit(text[i + 1]) : -1;
-        const int low = coded ? hexDigit(text[i + 2]) : -1;
-        if (high >= 0 && low >= 0) {
-            result += static_cast<char>(high * 16 + low);
+        if (text[i] == '%' && isHexDigit(i + 1) && isHexDigit(i + 2)) {
+            result += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
             i += 2;
         } else {
             result += text[i];
@@ -30,17 +25,10 @@ std::string percentDecoded(const std::string& text) {
     return result;
 }
 
-int base64Digit(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    if (c == '+' || c == '-') return 62;
-    if (c == '/' || c == '_') return 63;
-    return -1;
-}
-
 // False where `text` holds a character that is not base64.
 bool decodeBase64(const std::string& text, std::size_t begin, std::vector<unsigned char>& bytes) {
+    // Values 62 and 63 are also written as in URLs: '-' and '_'.
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/-_";
     bytes.reserve((text.size() - begin) / 4 * 3 + 3);
     std::uint32_t bits = 0;
     int bitCount = 0;
@@ -48,9 +36,9 @@ bool decodeBase64(const std::string& text, std::size_t begin, std::vector<unsign
         const char c = text[i];
         if (c == '=') break;
         if (c == '\n' || c == '\r' || c == ' ' || c == '\t') continue;
-        const int digit = base64Digit(c);
-        if (digit < 0) return false;
-        bits = (bits << 6) | static_cast<std::uint32_t>(digit);
+        const std::size_t digit = digits.find(c);
+        if (digit == std::string_view::npos) return false;
+        bits = (bits << 6) | static_cast<std::uint32_t>(digit < 64 ? digit : digit - 2);
         bitCount += 6;
         if (bitCount >= 8) {
             bitCount -= 8;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -65,13 +64,7 @@ glm::dmat3 axesAlong(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 glm::dvec3 sortedSides(const std::vector<glm::dvec3>& corners, const glm::dmat3& axes) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
-    for (const glm::dvec3& corner : corners) {
-        const glm::dvec3 along = corner * axes;
-        bounds.min = glm::min(bounds.min, along);
-        bounds.max = glm::max(bounds.max, along);
-    }
+    const Bounds bounds = boundsOf(corners, glm::dmat4(glm::transpose(axes)));
     glm::dvec3 sides = bounds.max - bounds.min;
     std::sort(&sides.x, &sides.x + 3);
     return sides;

@@ -24,27 +24,27 @@ bool SceneFeatures::has(MaterialFeature feature) const {
 
 SceneFeatures featuresOf(const Scene& scene) {
     std::set<int> materials;
-    SceneFeatures needs;
+    SceneFeatures found;
     for (const Instance& instance : scene.instances) {
         materials.insert(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
-        needs.movingObjects |= instance.moves();
+        found.movingObjects |= instance.moves();
     }
-    needs.movingLight = !scene.lights.empty() && scene.lights.front().node >= 0;
-    needs.textures.resize(scene.textures.size());
-    needs.materials = static_cast<int>(materials.size());
+    found.movingLight = !scene.lights.empty() && scene.lights.front().node >= 0;
+    found.textures.resize(scene.textures.size());
+    found.materials = static_cast<int>(materials.size());
     std::set<unsigned> combinations;
     for (const int index : materials) {
         const Material& material = scene.materials[static_cast<std::size_t>(index)];
         const unsigned features = materialFeatures(material);
         combinations.insert(features);
-        needs.glossy |= material.roughness < 1.0F;
+        found.glossy |= material.roughness < 1.0F;
         if (features & featureBaseColorTexture)
-            needs.textures[static_cast<std::size_t>(material.baseColorTexture)] = true;
+            found.textures[static_cast<std::size_t>(material.baseColorTexture)] = true;
         if (features & featureEmissiveTexture)
-            needs.textures[static_cast<std::size_t>(material.emissiveTexture)] = true;
+            found.textures[static_cast<std::size_t>(material.emissiveTexture)] = true;
     }
-    needs.materialFeatures.assign(combinations.begin(), combinations.end());
-    return needs;
+    found.materialFeatures.assign(combinations.begin(), combinations.end());
+    return found;
 }
 
 }  // namespace vct

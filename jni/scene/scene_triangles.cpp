@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstring>
 #include <map>
 #include <random>
 
@@ -15,7 +15,6 @@ namespace {
 
 // Beyond this a coordinate squared leaves the range of float.
 constexpr double maxCoordinate = 1e18;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Fisher and Yates; std::shuffle differs between standard libraries, and a seed must mean one order.
 template <class T>
@@ -108,7 +107,7 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
 }  // namespace
 
 void computeBounds(Scene& scene) {
-    Bounds bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
+    Bounds bounds = noBounds;
     const std::string prefix = "cannot use the scene " + scene.path + ": ";
     if (scene.triangleCount() == 0) throw Error(prefix + "it has no triangles; export it with a mesh");
 
@@ -124,8 +123,7 @@ void computeBounds(Scene& scene) {
                     throw Error(
                         prefix + "\"" + scene.meshes[mesh].name +
                         "\" has a position that is not finite or beyond 1e18; correct its vertices or scale");
-                bounds.min = glm::min(bounds.min, world);
-                bounds.max = glm::max(bounds.max, world);
+                bounds.include(world);
             }
         }
     }
@@ -145,13 +143,12 @@ void shuffleTriangles(Scene& scene, unsigned seed) {
     std::mt19937 random(seed);
     shuffle(scene.instances, random);
     for (Mesh& mesh : scene.meshes) {
-        std::vector<std::array<std::uint32_t, 3>> triangles(mesh.indices.size() / 3);
-        for (std::size_t i = 0; i < triangles.size(); ++i)
-            triangles[i] = {mesh.indices[3 * i], mesh.indices[3 * i + 1], mesh.indices[3 * i + 2]};
+        using Triangle = std::array<std::uint32_t, 3>;
+        std::vector<Triangle> triangles(mesh.indices.size() / 3);
+        const std::size_t bytes = triangles.size() * sizeof(Triangle);
+        std::memcpy(triangles.data(), mesh.indices.data(), bytes);
         shuffle(triangles, random);
-        for (std::size_t i = 0; i < triangles.size(); ++i)
-            std::copy(triangles[i].begin(), triangles[i].end(),
-                      mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        std::memcpy(mesh.indices.data(), triangles.data(), bytes);
     }
 }
 

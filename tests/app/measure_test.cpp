@@ -24,18 +24,29 @@ void expectSameKeys(const json& a, const json& b, const std::string& where = "")
     }
 }
 
+// The app with a folder for its files and a command to begin with.
+struct Measuring : StandIn {
+    explicit Measuring(const std::string& command) {
+        StandIn::files = folder.path();
+        intentExtra = command;
+        start(96, 64);
+    }
+    // Until that is logged; then the app ends.
+    void runUntil(const std::string& text) {
+        framesUntilLogged(text);
+        run();
+    }
+    TemporaryFolder folder;
+};
+
 json readJson(const TemporaryFolder& files, const std::string& name) {
     return json::parse(readBytes(files.file("results/" + name)), nullptr, false);
 }
 
 TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench scene=cornell.glb preset=thesis grid=64 size=32x32 shadow-map=64 repeat=1";
-    android.start(96, 64);
-    android.framesUntilLogged("measured: ");
-    android.run();
+    Measuring android("bench scene=cornell.glb preset=thesis grid=64 size=32x32 shadow-map=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
+    android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
     EXPECT_EQ(android.windowFlags, 0U) << "the screen may go dark again";
@@ -71,13 +82,9 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
 }
 
 TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench size=16x16 shadow-map=64 repeat=1";
-    android.start(96, 64);
-    android.framesUntilLogged("measured: ");
-    android.run();
+    Measuring android("bench size=16x16 shadow-map=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
+    android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");
     const json bench = readJson(files, "bench.json");
     ASSERT_FALSE(bench.is_discarded());
@@ -113,11 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return "Case" + std::to_string(test.index); });
 
 TEST_P(MeasureFails, AndSaysWhyInTheFileFailed) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = GetParam().command;
-    android.start(96, 64);
+    Measuring android(GetParam().command);
+    const TemporaryFolder& files = android.folder;
     android.framesUntilLogged("measuring failed: ");
     android.frames(2);
     android.run();
@@ -128,11 +132,8 @@ TEST_P(MeasureFails, AndSaysWhyInTheFileFailed) {
 }
 
 TEST(MeasureInTheApp, QuittingInTheMiddleSaysFailed) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench size=16x16 grid=64";
-    android.start(96, 64);
+    Measuring android("bench size=16x16 grid=64");
+    const TemporaryFolder& files = android.folder;
     android.framesUntilLogged("bench: 1 of");
     android.frames(4);
     android.run();
@@ -141,29 +142,22 @@ TEST(MeasureInTheApp, QuittingInTheMiddleSaysFailed) {
 }
 
 TEST(MeasureInTheApp, ALostWindowAndAPauseOnlyDelayIt) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench size=16x16 grid=64 repeat=1";
-    android.start(96, 64);
+    Measuring android("bench size=16x16 grid=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
     android.framesUntilLogged("bench: 1 of");
     android.frames(4);
     android.command(APP_CMD_PAUSE);
     android.loseWindow();
     android.window(64, 96);
     android.command(APP_CMD_RESUME);
-    android.framesUntilLogged("measured: ");
-    android.run();
+    android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");
     EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
 }
 
 TEST(MeasureInTheApp, ALostContextFailsIt) {
-    TemporaryFolder files;
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench size=16x16 grid=64 repeat=1";
-    android.start(96, 64);
+    Measuring android("bench size=16x16 grid=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
     android.framesUntilLogged("bench: 1 of");
     android.frames(4);
     android.then([&] { android.loseContextAtGlError(3); });
@@ -174,16 +168,12 @@ TEST(MeasureInTheApp, ALostContextFailsIt) {
 }
 
 TEST(MeasureInTheApp, AScenePushedIntoTheFilesFolderCanBeMeasured) {
-    TemporaryFolder files;
+    Measuring android("bench scene=mine.glb size=16x16 grid=64 repeat=1");
+    const TemporaryFolder& files = android.folder;
     std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("my own.glb"));
     std::filesystem::copy_file(VCT_SOURCE_DIR "/assets/thin_wall.glb", files.file("mine.glb"));
     writeBytes(files.file("notes.txt"), "no scene");
-    StandIn android;
-    android.files = files.path();
-    android.intentExtra = "bench scene=mine.glb size=16x16 grid=64 repeat=1";
-    android.start(96, 64);
-    android.framesUntilLogged("measured: ");
-    android.run();
+    android.runUntil("measured: ");
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(readJson(files, "timings.json").at("scene"), "mine.glb");
 }

@@ -24,7 +24,7 @@ namespace {
 struct Feature {
     const char* name;
     void (*give)(Material& material);
-    const char* code;  // of shaders, without spaces, that only this feature needs
+    const char* code;  // of shaders, without spaces, that only this feature reads
     const char* preset;
 };
 void PrintTo(const Feature& feature, std::ostream* out) {
@@ -148,9 +148,9 @@ const Asked& askedByPlain(const std::string& preset) {
     return known[preset];
 }
 
-class NeedsOf : public ::testing::TestWithParam<Feature> {};
+class FeatureOfAScene : public ::testing::TestWithParam<Feature> {};
 
-TEST_P(NeedsOf, WhatNoInstanceHasCostsNothing) {
+TEST_P(FeatureOfAScene, WhatNoInstanceHasCostsNothing) {
     const Feature& feature = GetParam();
     const Asked& never = askedByPlain(feature.preset);
     EXPECT_GT(never.frame.calls, 100);
@@ -159,7 +159,7 @@ TEST_P(NeedsOf, WhatNoInstanceHasCostsNothing) {
 }
 
 // Of frames that take turns, as the machine may be busy with something else: the fastest.
-TEST(Needs, WhatNoInstanceHasTakesNoTime) {
+TEST(SceneFeatures, WhatNoInstanceHasTakesNoTime) {
     using Clock = std::chrono::steady_clock;
     const Feature everything{"",
                              [](Material& m) {
@@ -193,7 +193,7 @@ TEST(Needs, WhatNoInstanceHasTakesNoTime) {
     }
 }
 
-TEST_P(NeedsOf, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
+TEST_P(FeatureOfAScene, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
     const Feature& feature = GetParam();
     const auto has = [&](const Asked& asked) {
         return preprocessed(asked.sources).find(feature.code) != std::string::npos;
@@ -203,7 +203,7 @@ TEST_P(NeedsOf, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
     EXPECT_EQ(has(askedBy(sceneWith(&feature, true), feature.preset)), reflects);
 }
 
-INSTANTIATE_TEST_SUITE_P(Features, NeedsOf, ::testing::ValuesIn(allFeaturesOfAllPresets()),
+INSTANTIATE_TEST_SUITE_P(Features, FeatureOfAScene, ::testing::ValuesIn(allFeaturesOfAllPresets()),
                          [](const ::testing::TestParamInfo<Feature>& test) {
                              return std::string(test.param.name) + "_" + test.param.preset;
                          });
@@ -220,7 +220,7 @@ std::size_t bytesOf(const Asked& asked, const std::string& name) {
     return 0;
 }
 
-TEST(Needs, TexturesAddTheirBytesTheirCoordinatesAndOneBindingPerDraw) {
+TEST(SceneFeatures, TexturesAddTheirBytesTheirCoordinatesAndOneBindingPerDraw) {
     const Asked& plain = askedByPlain("mobile");
     const Asked textured = askedBy(sceneWith(&featureNamed("BaseColorTexture", "mobile"), true), "mobile");
     EXPECT_EQ(bytesOf(plain, "vertices"), 28U * 24U);
@@ -233,7 +233,7 @@ TEST(Needs, TexturesAddTheirBytesTheirCoordinatesAndOneBindingPerDraw) {
     EXPECT_EQ(textured.programs.size(), plain.programs.size() + 2);
 }
 
-TEST(Needs, EmissionAndGlossAddATargetEach) {
+TEST(SceneFeatures, EmissionAndGlossAddATargetEach) {
     const Asked& plain = askedByPlain("mobile");
     for (const auto& [feature, target] :
          {std::pair{"Emission", "G-buffer emissive"}, {"Glossy", "G-buffer gloss"}}) {
@@ -244,12 +244,12 @@ TEST(Needs, EmissionAndGlossAddATargetEach) {
     }
 }
 
-TEST(Needs, GlossThatIsNotDrawnCostsNothing) {
+TEST(SceneFeatures, GlossThatIsNotDrawnCostsNothing) {
     expectEqual(askedBy(sceneWith(&featureNamed("Glossy", "thesis"), true), "thesis"),
                 askedByPlain("thesis"));
 }
 
-TEST(Needs, DoubleSidedAddsOneProgramToVoxelizationAlone) {
+TEST(SceneFeatures, DoubleSidedAddsOneProgramToVoxelizationAlone) {
     for (const char* preset : {"thesis", "mobile"}) {
         const Asked& plain = askedByPlain(preset);
         const Asked with = askedBy(sceneWith(&featureNamed("DoubleSided", preset), true), preset);
@@ -266,7 +266,7 @@ TEST(Needs, DoubleSidedAddsOneProgramToVoxelizationAlone) {
     }
 }
 
-TEST(Needs, MaterialsThatDifferInNumbersAloneShareEveryProgram) {
+TEST(SceneFeatures, MaterialsThatDifferInNumbersAloneShareEveryProgram) {
     Scene one = sceneWith(nullptr, false);
     Scene several = one;
     several.materials[2].baseColor = {0.5F, 0.1F, 0.1F, 1.0F};
@@ -278,7 +278,7 @@ TEST(Needs, MaterialsThatDifferInNumbersAloneShareEveryProgram) {
         expectEqual(askedBy(several, preset), askedBy(one, preset));
 }
 
-TEST(Needs, AnAnimationCostsNothingButWhereItMovesAnObject) {
+TEST(SceneFeatures, AnAnimationCostsNothingButWhereItMovesAnObject) {
     Scene scene = sceneWith(nullptr, false);
     scene.animation.nodes.resize(1);
     AnimationChannel slide;
@@ -301,7 +301,7 @@ TEST(Needs, AnAnimationCostsNothingButWhereItMovesAnObject) {
               askedByPlain("mobile").frame.byName.at("BufferSubData"));
 }
 
-TEST(Needs, AModeBuildsTheProgramsThatItAsksFor) {
+TEST(SceneFeatures, AModeBuildsTheProgramsThatItAsksFor) {
     const Scene scene = sceneWith(nullptr, false);
     const auto builds = [&](Mode mode, const std::string& program) {
         const std::vector<std::string> programs = askedBy(scene, "mobile", mode).programs;
@@ -309,15 +309,15 @@ TEST(Needs, AModeBuildsTheProgramsThatItAsksFor) {
     };
     EXPECT_FALSE(builds(Mode::phong, "shadow_map"));
     EXPECT_TRUE(builds(Mode::shadowMap, "shadow_map"));
-    EXPECT_FALSE(builds(Mode::shadowMap, "face_voxelizer"));
-    EXPECT_TRUE(builds(Mode::ao, "face_voxelizer"));
+    EXPECT_FALSE(builds(Mode::shadowMap, "directional/voxelizer"));
+    EXPECT_TRUE(builds(Mode::ao, "directional/voxelizer"));
     EXPECT_FALSE(builds(Mode::ao, "light_shine"));
     EXPECT_FALSE(builds(Mode::ao, "irradiance"));
     EXPECT_TRUE(builds(Mode::gi, "light_shine"));
     EXPECT_FALSE(builds(Mode::gi, "irradiance, occlusion"));
 }
 
-TEST(Needs, OnlyWhatIsPlacedAndSeenCounts) {
+TEST(SceneFeatures, OnlyWhatIsPlacedAndSeenCounts) {
     Scene scene = sceneWith(nullptr, false);
     Material& material = scene.materials[1];
     material.emissiveTexture = 0;  // of an emission of zero
@@ -325,12 +325,12 @@ TEST(Needs, OnlyWhatIsPlacedAndSeenCounts) {
     scene.textures.resize(1);
     EXPECT_FALSE(featuresOf(scene).has(featureDoubleSided));
     scene.meshes[1].material = 1;
-    const SceneFeatures needs = featuresOf(scene);
-    EXPECT_EQ(needs.materialFeatures, (std::vector<unsigned>{0, featureDoubleSided}));
-    EXPECT_EQ(needs.textures, std::vector<bool>{false});
-    EXPECT_FALSE(needs.has(featureEmissive));
-    EXPECT_FALSE(needs.glossy);
-    EXPECT_EQ(needs.materials, 2);
+    const SceneFeatures features = featuresOf(scene);
+    EXPECT_EQ(features.materialFeatures, (std::vector<unsigned>{0, featureDoubleSided}));
+    EXPECT_EQ(features.textures, std::vector<bool>{false});
+    EXPECT_FALSE(features.has(featureEmissive));
+    EXPECT_FALSE(features.glossy);
+    EXPECT_EQ(features.materials, 2);
 }
 
 }  // namespace

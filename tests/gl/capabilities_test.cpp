@@ -4,10 +4,10 @@
 
 #include <map>
 
-#include "core/error.h"
 #include "gl/debug.h"
 #include "gl/requirements.h"
 #include "platform/contexts.h"
+#include "support/errors.h"
 
 namespace vct::gl {
 namespace {
@@ -47,12 +47,7 @@ struct MadeUpDriver {
 };
 
 std::string complaint(const Capabilities& capabilities) {
-    try {
-        capabilities.requireAll();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return test::errorOf([&] { capabilities.requireAll(); });
 }
 
 std::vector<std::string> unmet(const Capabilities& capabilities) {
@@ -63,15 +58,11 @@ std::vector<std::string> unmet(const Capabilities& capabilities) {
     return names;
 }
 
-void expectMentions(const std::string& text, const std::string& word) {
-    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' is not in: " << text;
-}
-
 TEST(Requirements, JustEnoughIsEnough) {
     const Capabilities capabilities = MadeUpDriver().evaluate();
     EXPECT_TRUE(unmet(capabilities).empty());
     EXPECT_EQ(complaint(capabilities), "");
-    expectMentions(describe(capabilities), "Nothing is missing");
+    test::expectMentions(describe(capabilities), {"Nothing is missing"});
 }
 
 TEST(Requirements, EveryRowSaysWhatItIsFor) {
@@ -86,7 +77,7 @@ TEST(Requirements, EachExtensionIsMissedOnItsOwn) {
         driver.extensions.erase(driver.extensions.begin() + static_cast<std::ptrdiff_t>(i));
         const auto missing = unmet(driver.evaluate());
         ASSERT_EQ(missing.size(), 1u) << name;
-        expectMentions(missing[0], name);
+        test::expectMentions(missing[0], {name});
     }
 }
 
@@ -110,11 +101,10 @@ TEST(Requirements, EverythingMissingIsNamedAtOnce) {
     for (const Requirement& row : capabilities.requirements) {
         if (!row.required || row.met) continue;
         ++required;
-        expectMentions(text, row.name);
-        expectMentions(text, row.neededBy);
+        test::expectMentions(text, {row.name, row.neededBy});
     }
     EXPECT_EQ(required, 15u);  // all but the version itself
-    expectMentions(text, "Made-up 9000");
+    test::expectMentions(text, {"Made-up 9000"});
 }
 
 TEST(Requirements, WhatIsOptionalIsDescribedAndDoesNotStopAnything) {
@@ -123,10 +113,8 @@ TEST(Requirements, WhatIsOptionalIsDescribedAndDoesNotStopAnything) {
     driver.limits[GL_MAX_3D_TEXTURE_SIZE] = 256;
     const Capabilities capabilities = driver.evaluate();
     EXPECT_EQ(complaint(capabilities), "");
-    const std::string table = describe(capabilities);
-    expectMentions(table, "absent  GL_KHR_debug");
-    expectMentions(table, "absent  GL_MAX_3D_TEXTURE_SIZE >= 512");
-    expectMentions(table, "512^3 is lost");
+    test::expectMentions(describe(capabilities),
+                         {"absent  GL_KHR_debug", "absent  GL_MAX_3D_TEXTURE_SIZE >= 512", "512^3 is lost"});
 }
 
 TEST(Requirements, FullFloatTargetsDoInPlaceOfHalfFloatOnes) {
@@ -179,11 +167,7 @@ TEST_P(CapabilitiesOf, TheDriverHereAreEnough) {
     EXPECT_EQ(complaint(capabilities), "");
     EXPECT_EQ(capabilities.desktopContext, GetParam() == Backend::osmesa);
     EXPECT_TRUE(capabilities.debugOutput);
-    EXPECT_GE(capabilities.max3dTextureSize, 256);
     EXPECT_GE(capabilities.uniformBufferOffsetAlignment, 1);
-    EXPECT_FALSE(capabilities.extensions.empty());
-    EXPECT_TRUE(capabilities.hasExtension(capabilities.extensions.back()));
-    EXPECT_FALSE(capabilities.hasExtension("GL_"));
     EXPECT_EQ(capabilities.softwareDriver, isSoftwareRenderer(capabilities.renderer));
 }
 

@@ -4,20 +4,15 @@
 
 #include <memory>
 
-#include "core/error.h"
 #include "gl/api.h"
 #include "platform/contexts.h"
+#include "support/errors.h"
 
 namespace vct::gl {
 namespace {
 
 std::string messageOf(const std::string& where) {
-    try {
-        checkErrors(where);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return test::errorOf([&] { checkErrors(where); });
 }
 
 void makeAnError() {

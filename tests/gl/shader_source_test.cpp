@@ -10,10 +10,10 @@
 #include <map>
 #include <set>
 
-#include "core/error.h"
 #include "engine/programs.h"
 #include "gl/program.h"
 #include "platform/context.h"
+#include "support/errors.h"
 #include "support/renderers.h"
 
 namespace vct::test {
@@ -39,13 +39,8 @@ TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
 
 TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
     const auto read = files({{"a.frag", "one\n#include \"missing.glsl\"\n"}});
-    try {
-        gl::assembleShader(read, "a.frag", {}, gl::Language::essl320);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("a.frag:2"), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find("missing.glsl"), std::string::npos) << error.what();
-    }
+    expectMentions(errorOf([&] { gl::assembleShader(read, "a.frag", {}, gl::Language::essl320); }),
+                   {"a.frag:2", "missing.glsl"});
 }
 
 TEST(ShaderSource, PointsMessagesOfThreeVendorsHome) {
@@ -62,12 +57,11 @@ TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
         files({{"a.vert", "#include \"b.glsl\"\nvoid main() { gl_Position = vec4(broken()); }\n"},
                {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
                {"a.frag", "void main() {}\n"}});
-    try {
-        gl::Program({read, context.capabilities.language()}, {"test", {"a.vert", "a.frag"}, {}});
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("shaders/b.glsl:2"), std::string::npos) << error.what();
-    }
+    const gl::ShaderLibrary library{read, context.capabilities.language()};
+    expectMentions(errorOf([&] {
+                       gl::Program(library, {"test", {"a.vert", "a.frag"}, {}});
+                   }),
+                   {"shaders/b.glsl:2"});
 }
 
 struct Source {

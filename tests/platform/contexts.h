@@ -47,11 +47,6 @@ inline std::unique_ptr<Platform> createContext(Backend backend, bool debug = tru
     return platform;
 }
 
-inline std::string glString(GLenum name) {
-    const GLubyte* text = gl::GetString(name);
-    return text ? reinterpret_cast<const char*>(text) : "";
-}
-
 }  // namespace vct::test
 
 // In the body of a test: skipping leaves the function.

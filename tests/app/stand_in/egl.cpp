@@ -30,36 +30,32 @@ std::map<std::string, int> liveObjects;
 template <typename Function>
 Function real(const char* name);
 
-#define VCT_COUNTED(KIND, MANY)                                                 \
-    void gen##MANY(GLsizei count, GLuint* names) {                              \
-        liveObjects[KIND] += count;                                             \
-        real<void (*)(GLsizei, GLuint*)>("glGen" #MANY)(count, names);          \
+#define VCT_COUNTED(X) X(Buffers) X(Framebuffers) X(Textures) X(VertexArrays) X(Queries)
+#define VCT_COUNT(KIND)                                                         \
+    void gen##KIND(GLsizei count, GLuint* names) {                              \
+        liveObjects[#KIND] += count;                                            \
+        real<void (*)(GLsizei, GLuint*)>("glGen" #KIND)(count, names);          \
     }                                                                           \
-    void delete##MANY(GLsizei count, const GLuint* names) {                     \
-        liveObjects[KIND] -= count;                                             \
-        real<void (*)(GLsizei, const GLuint*)>("glDelete" #MANY)(count, names); \
+    void delete##KIND(GLsizei count, const GLuint* names) {                     \
+        liveObjects[#KIND] -= count;                                            \
+        real<void (*)(GLsizei, const GLuint*)>("glDelete" #KIND)(count, names); \
     }
-VCT_COUNTED("buffers", Buffers)
-VCT_COUNTED("framebuffers", Framebuffers)
-VCT_COUNTED("textures", Textures)
-VCT_COUNTED("vertex arrays", VertexArrays)
-VCT_COUNTED("queries", Queries)
-#undef VCT_COUNTED
+VCT_COUNTED(VCT_COUNT)
 
 GLuint createProgram() {
-    ++liveObjects["programs"];
+    ++liveObjects["Programs"];
     return real<GLuint (*)()>("glCreateProgram")();
 }
 void deleteProgram(GLuint name) {
-    --liveObjects["programs"];
+    --liveObjects["Programs"];
     real<void (*)(GLuint)>("glDeleteProgram")(name);
 }
 GLuint createShader(GLenum stage) {
-    ++liveObjects["shaders"];
+    ++liveObjects["Shaders"];
     return real<GLuint (*)(GLenum)>("glCreateShader")(stage);
 }
 void deleteShader(GLuint name) {
-    --liveObjects["shaders"];
+    --liveObjects["Shaders"];
     real<void (*)(GLuint)>("glDeleteShader")(name);
 }
 
@@ -75,25 +71,17 @@ GLenum getError() {
 
 using Proc = void (*)();
 
+// What is handed out in place of the driver's entry point; null where that is its own.
 Proc wrapped(const std::string& name) {
 #define VCT_WRAP(GL, OURS) \
     if (name == GL) return reinterpret_cast<Proc>(OURS);
-    VCT_WRAP("glGenBuffers", genBuffers)
-    VCT_WRAP("glDeleteBuffers", deleteBuffers)
-    VCT_WRAP("glGenFramebuffers", genFramebuffers)
-    VCT_WRAP("glDeleteFramebuffers", deleteFramebuffers)
-    VCT_WRAP("glGenTextures", genTextures)
-    VCT_WRAP("glDeleteTextures", deleteTextures)
-    VCT_WRAP("glGenVertexArrays", genVertexArrays)
-    VCT_WRAP("glDeleteVertexArrays", deleteVertexArrays)
-    VCT_WRAP("glGenQueries", genQueries)
-    VCT_WRAP("glDeleteQueries", deleteQueries)
+#define VCT_WRAP_COUNTED(KIND) VCT_WRAP("glGen" #KIND, gen##KIND) VCT_WRAP("glDelete" #KIND, delete##KIND)
+    VCT_COUNTED(VCT_WRAP_COUNTED)
     VCT_WRAP("glCreateProgram", createProgram)
     VCT_WRAP("glDeleteProgram", deleteProgram)
     VCT_WRAP("glCreateShader", createShader)
     VCT_WRAP("glDeleteShader", deleteShader)
     VCT_WRAP("glGetError", getError)
-#undef VCT_WRAP
     return nullptr;
 }
 

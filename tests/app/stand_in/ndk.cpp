@@ -9,7 +9,7 @@
 #include <iterator>
 #include <mutex>
 
-#include "app/intent.h"
+#include "app/activity.h"
 #include "stand_in.h"
 
 using vct::test::currentStandIn;

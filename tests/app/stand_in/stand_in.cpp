@@ -19,45 +19,45 @@ StandIn::~StandIn() {
     std::free(glue.savedState);
 }
 
+void StandIn::event(std::function<void()> what) {
+    script_.push_back([this, what = std::move(what)] { pending_ = what; });
+}
+
 void StandIn::command(int command) {
-    script_.push_back([this, command] { pending_ = [this, command] { deliver(command); }; });
+    event([this, command] { deliver(command); });
 }
 
 void StandIn::window(int width, int height) {
-    script_.push_back([this, width, height] {
-        pending_ = [this, width, height] {
-            windows_.push_back(std::make_unique<ANativeWindow>(ANativeWindow{width, height, true}));
-            glue.window = windows_.back().get();
-            glue.contentRect = {0, 0, width, height};
-            deliver(APP_CMD_INIT_WINDOW);
-        };
+    event([this, width, height] {
+        windows_.push_back(std::make_unique<ANativeWindow>(ANativeWindow{width, height, true}));
+        glue.window = windows_.back().get();
+        glue.contentRect = {0, 0, width, height};
+        deliver(APP_CMD_INIT_WINDOW);
     });
 }
 
 void StandIn::loseWindow() {
-    script_.push_back([this] {
-        pending_ = [this] {
-            if (glue.window == nullptr) return;
-            deliver(APP_CMD_TERM_WINDOW);
-            // The system frees it as soon as the app has answered.
-            glue.window->alive = false;
-            glue.window = nullptr;
-        };
-    });
+    event([this] { takeWindow(); });
+}
+
+void StandIn::takeWindow() {
+    if (glue.window == nullptr) return;
+    deliver(APP_CMD_TERM_WINDOW);
+    // The system frees it as soon as the app has answered.
+    glue.window->alive = false;
+    glue.window = nullptr;
 }
 
 void StandIn::resize(int width, int height) {
-    script_.push_back([this, width, height] {
-        pending_ = [this, width, height] {
-            if (glue.window == nullptr) return;
-            glue.window->width = width;
-            glue.window->height = height;
-            deliver(APP_CMD_CONFIG_CHANGED);
-            deliver(APP_CMD_WINDOW_RESIZED);
-            glue.contentRect = {0, 0, width, height};
-            deliver(APP_CMD_CONTENT_RECT_CHANGED);
-            deliver(APP_CMD_WINDOW_REDRAW_NEEDED);
-        };
+    event([this, width, height] {
+        if (glue.window == nullptr) return;
+        glue.window->width = width;
+        glue.window->height = height;
+        deliver(APP_CMD_CONFIG_CHANGED);
+        deliver(APP_CMD_WINDOW_RESIZED);
+        glue.contentRect = {0, 0, width, height};
+        deliver(APP_CMD_CONTENT_RECT_CHANGED);
+        deliver(APP_CMD_WINDOW_REDRAW_NEEDED);
     });
 }
 
@@ -72,26 +72,11 @@ void StandIn::framesUntilLogged(const std::string& text, int most) {
     });
 }
 
-void StandIn::touch(int action, const std::vector<AInputEvent::Pointer>& pointers) {
-    script_.push_back([this, action, pointers] {
-        pending_ = [this, action, pointers] {
-            timeNs_ += 16'000'000;
-            AInputEvent event;
-            event.action = action;
-            event.pointers = pointers;
-            event.timeNs = timeNs_;
-            lastHandled = glue.onInputEvent(&glue, &event);
-        };
-    });
-}
-
-void StandIn::key() {
-    script_.push_back([this] {
-        pending_ = [this] {
-            AInputEvent event;
-            event.type = AINPUT_EVENT_TYPE_KEY;
-            lastHandled = glue.onInputEvent(&glue, &event);
-        };
+void StandIn::input(AInputEvent input) {
+    event([this, input]() mutable {
+        timeNs_ += 16'000'000;
+        input.timeNs = timeNs_;
+        lastHandled = glue.onInputEvent(&glue, &input);
     });
 }
 
@@ -155,12 +140,8 @@ int StandIn::poll(int timeoutMs, void** data) {
         pending_ = nullptr;
         if (script_.empty()) {
             pending_ = [this] {
-                if (glue.window != nullptr) {
-                    deliver(APP_CMD_PAUSE);
-                    deliver(APP_CMD_TERM_WINDOW);
-                    glue.window->alive = false;
-                    glue.window = nullptr;
-                }
+                if (glue.window != nullptr) deliver(APP_CMD_PAUSE);
+                takeWindow();
                 deliver(APP_CMD_STOP);
                 deliver(APP_CMD_DESTROY);
             };

@@ -32,7 +32,7 @@ struct AInputEvent {
         int id;
         float x, y;
     };
-    std::vector<Pointer> pointers;
+    std::vector<Pointer> pointers = {};
     std::int64_t timeNs = 0;
 };
 
@@ -53,8 +53,10 @@ class StandIn {
     void frames(int count);  // as many as the app wants to draw, but no more
     // Frames until the app has logged a line with `text`; at most `most`.
     void framesUntilLogged(const std::string& text, int most = 20000);
-    void touch(int action, const std::vector<AInputEvent::Pointer>& pointers);
-    void key();
+    void touch(int action, const std::vector<AInputEvent::Pointer>& pointers) {
+        input({AINPUT_EVENT_TYPE_MOTION, action, pointers});
+    }
+    void key() { input({AINPUT_EVENT_TYPE_KEY}); }
     void then(std::function<void()> what) { script_.push_back(std::move(what)); }
     // started, resumed, with a window.
     void start(int width, int height);
@@ -104,7 +106,11 @@ class StandIn {
     bool failSurface_ = false;
 
   private:
+    // The app learns of it by `what`, when it asks for events.
+    void event(std::function<void()> what);
+    void input(AInputEvent input);
     void deliver(int command);
+    void takeWindow();
 
     ANativeActivity activity_{};
     AAssetManager assets_;
@@ -121,7 +127,7 @@ class StandIn {
 // The one that runs; null outside run().
 StandIn* currentStandIn();
 
-// GL objects of the app that live: "textures", "buffers", ...
+// GL objects of the app that live: "Textures", "Buffers", ...
 int liveGlObjects(const std::string& kind);
 
 }  // namespace vct::test

@@ -1,11 +1,29 @@
-#include "app/scene_loader.h"
+#include "app/scenes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/log.h"
 
 namespace vct::app {
 
-void SceneLoader::start(const SceneFile& file) {
+Scenes::Scenes(AAssetManager* assets, std::string folder) : assets_(assets), folder_(std::move(folder)) {
+    rescan();
+}
+
+int Scenes::find(const std::string& nameOrPath) const {
+    const auto found = std::find_if(all_.begin(), all_.end(), [&](const SceneFile& scene) {
+        return scene.name == nameOrPath || scene.path == nameOrPath;
+    });
+    return found == all_.end() ? -1 : static_cast<int>(found - all_.begin());
+}
+
+void Scenes::load(const SceneFile& file) {
     cancel();
+    log("loading " + file.path);
+    file_ = file;
     thread_ = std::thread([this, file] {
-        Result result{file, nullptr, ""};
+        Result result;
         try {
             result.scene = std::make_shared<const Scene>(
                 loadGltf(file.path, sceneReader(assets_, file.bundled, cancelled_)));
@@ -17,7 +35,7 @@ void SceneLoader::start(const SceneFile& file) {
     });
 }
 
-void SceneLoader::cancel() {
+void Scenes::cancel() {
     if (!thread_.joinable()) return;
     cancelled_ = true;
     thread_.join();
@@ -25,7 +43,7 @@ void SceneLoader::cancel() {
     result_.reset();
 }
 
-std::optional<SceneLoader::Result> SceneLoader::take() {
+std::optional<Scenes::Result> Scenes::take() {
     std::optional<Result> result;
     {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,0 +1,30 @@
+// What the app asks of Android's activity: how it was started, its folder, its screen, its fingers.
+#pragma once
+
+#include <android_native_app_glue.h>
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "app/touch.h"
+
+namespace vct::app {
+
+// The string extra `name` of the intent that started the activity (`am start --es NAME VALUE`), "" without
+// one.
+std::string intentExtra(ANativeActivity& activity, const char* name);
+
+// The app's files on the device that others can reach; "" where it has no such folder.
+std::string filesFolder(const ANativeActivity& activity);
+
+// The screen's density over 160 dpi.
+float pixelsPerDp(AConfiguration* configuration);
+
+// The part of a window that no system bar covers: left, top, right, bottom.
+glm::ivec4 freeArea(const ARect& contentRect, glm::ivec2 window);
+
+// Every finger that is down after a motion event.
+std::vector<TouchPoint> fingersAfter(const AInputEvent* event);
+
+}  // namespace vct::app

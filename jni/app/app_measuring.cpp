@@ -1,0 +1,78 @@
+// What the app measures: the driver, once, and what the intent or a finger asks for, a frame at a time.
+#include <android/window.h>
+
+#include "app/app.h"
+#include "app/log.h"
+#include "core/error.h"
+
+namespace vct::app {
+
+// Once, and not before the window has shown something: it takes a moment.
+void App::testDriver() {
+    if (selfTest_ || shownFrames_ == 0) return;
+    selfTest_ = runSelfTest(gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager));
+    const std::string text =
+        (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
+    if (selfTest_->passed)
+        log(text);
+    else
+        fail(text);
+}
+
+void App::startMeasuring(const std::string& command) {
+    log(command);
+    try {
+        results_ = std::make_unique<ResultsFolder>(folder_ + "/results");
+        BenchRequest request = benchRequestFromText(command);
+        scenes_.rescan();
+        const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
+        if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + folder_);
+        const SceneFile& found = scenes_.all()[static_cast<std::size_t>(index)];
+        request.scene = found.name;
+        if (found.path != scenePath()) scenes_.load(found);
+        request_ = request;
+        // A screen that goes dark pauses the app.
+        ANativeActivity_setWindowFlags(glue_.activity, AWINDOW_FLAG_KEEP_SCREEN_ON, 0);
+    } catch (const std::exception& error) {
+        endMeasuring(error.what());
+    }
+}
+
+// A frame of it.
+void App::measure() {
+    bool more = true;
+    const std::string failure = failureOf([&] {
+        if (!bench_) {
+            gl_->dropRenderer();
+            stepMs_.reset();
+            bench_ = std::make_unique<BenchRun>(
+                BenchRun::Input{*request_, scene_, gl_->capabilities(),
+                                shadersFromAssets(glue_.activity->assetManager), "android",
+                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
+                *results_);
+        }
+        more = bench_->advance();
+    });
+    if (!failure.empty() || !more) endMeasuring(failure);
+}
+
+void App::endMeasuring(const std::string& failure) {
+    bench_.reset();
+    request_.reset();
+    ANativeActivity_setWindowFlags(glue_.activity, 0, AWINDOW_FLAG_KEEP_SCREEN_ON);
+    if (failure.empty()) {
+        message_ = "measured: " + folder_ + "/results";
+        log(message_);
+    } else {
+        fail("measuring failed: " + failure);
+    }
+    try {
+        if (results_ && failure.empty()) results_->done(selfTest_->text);
+        if (results_ && !failure.empty()) results_->failed(failure);
+    } catch (const Error& error) {
+        fail(error.what());
+    }
+    results_.reset();
+}
+
+}  // namespace vct::app

@@ -1,0 +1,25 @@
+// The words for what EGL says, for the command line's contexts and the app's.
+#pragma once
+
+// No window system: without these EGL/eglplatform.h would include X11's headers.
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
+
+#include <iterator>
+#include <string>
+
+namespace vct {
+
+inline std::string eglErrorName(EGLint error) {
+    // In the order of their numbers, from EGL_SUCCESS on.
+    constexpr const char* names[] = {"EGL_SUCCESS",       "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
+                                     "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",
+                                     "EGL_BAD_CONTEXT",   "EGL_BAD_CURRENT_SURFACE", "EGL_BAD_DISPLAY",
+                                     "EGL_BAD_MATCH",     "EGL_BAD_NATIVE_PIXMAP",   "EGL_BAD_NATIVE_WINDOW",
+                                     "EGL_BAD_PARAMETER", "EGL_BAD_SURFACE",         "EGL_CONTEXT_LOST"};
+    const auto index = static_cast<unsigned>(error - EGL_SUCCESS);
+    return index < std::size(names) ? names[index] : "EGL error " + std::to_string(error);
+}
+
+}  // namespace vct
