@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "image/compare.h"
 #include "image/files.h"
+#include "scene/gltf.h"
 
 namespace vct::cli {
 namespace {
@@ -48,7 +49,7 @@ std::string parseNumber(const std::string& text, double& value) {
 }
 
 Picture read(const std::string& path) {
-    const Bytes bytes = readImageFile(path);
+    const Bytes bytes = readFileFromDisk(path);
     const ImageFormat format = imageFormat(path, bytes);
     if (format == ImageFormat::exr) return {decodeExr(path, bytes), format};
     Image image = decodePng(path, bytes);

@@ -60,7 +60,7 @@ TEST_F(CompareCommand, ExrsAreComparedInLinearUnits) {
 TEST_F(CompareCommand, WhatCannotBeComparedFails) {
     const std::string loose = " --max-difference 1 --max-fraction 1";
     EXPECT_EQ(run("a.png none.png" + loose), 1);
-    EXPECT_TRUE(says("none.png': No such file")) << text;
+    EXPECT_TRUE(says("none.png: there is no such file")) << text;
     EXPECT_EQ(run("a.png small.png" + loose), 1);
     EXPECT_TRUE(says("9 x 10")) << text;
     EXPECT_EQ(run("a.exr nan.exr" + loose), 1);
