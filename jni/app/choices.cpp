@@ -92,7 +92,6 @@ void choosePreset(Choices& choices, const std::string& name) {
 
 Settings settingsFor(const Choices& choices, glm::ivec2 window) {
     Settings settings = presetSettings(choices.preset);
-    settings.mode = choices.mode;
     settings.grid = choices.grid;
     settings.shadowConeAngleDeg = choices.coneAngleDeg;
     settings.revoxelize = choices.revoxelize;

@@ -33,13 +33,13 @@ void write(const Pictures& pictures, const PictureOptions& options, OutputFolder
         }
     if (options.contactSheet && sheet.size() > 1)
         writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
-    if (!pictures.stages.empty()) {
-        OutputFolder stages(out.file("stages"));
-        for (const Renderer::DebugView& stage : pictures.stages) {
-            writePng(stages.file(stage.name + ".png"), stage.image);
-            if (stage.hasUnits) writeExr(stages.file(stage.name + ".exr"), stage.image);
+    if (!pictures.debugViews.empty()) {
+        OutputFolder views(out.file("debug_views"));
+        for (const Renderer::DebugView& view : pictures.debugViews) {
+            writePng(views.file(view.name + ".png"), view.image);
+            if (view.hasUnits) writeExr(views.file(view.name + ".exr"), view.image);
         }
-        stages.keep();
+        views.keep();
     }
     out.keep();
 }
@@ -50,7 +50,7 @@ std::set<std::string> filesOf(const Pictures& pictures, const PictureOptions& op
         for (const auto& [name, image] : *group)
             made.insert({name + ".exr", name + ".png"});
     if (options.contactSheet && pictures.modes.size() > 1) made.insert("contact_sheet.png");
-    if (options.stages) made.insert("stages");
+    if (options.debugViews) made.insert("debug_views");
     return made;
 }
 
@@ -59,7 +59,7 @@ void nameOlderPictures(const std::set<std::string>& made, const PictureOptions& 
     for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
         const std::filesystem::path& path = entry.path();
         const bool picture = path.extension() == ".png" || path.extension() == ".exr";
-        if ((picture || path.filename() == "stages") && made.count(path.filename().string()) == 0)
+        if ((picture || path.filename() == "debug_views") && made.count(path.filename().string()) == 0)
             older.insert(path.filename().string());
     }
     std::string names;

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "cli/output.h"
-#include "image/image.h"
 #include "engine/renderer.h"
+#include "image/image.h"
 
 namespace vct::cli {
 
 struct PictureOptions {
-    std::string out;        // folder
-    float exposure = 1.0F;  // of PNGs
-    bool stages = false;    // and every intermediate
+    std::string out;          // folder
+    float exposure = 1.0F;    // of PNGs
+    bool debugViews = false;  // and every intermediate
     bool contactSheet = false;
 };
 
@@ -23,7 +23,7 @@ struct PictureOptions {
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
     std::vector<std::pair<std::string, Image>> lightParts;  // likewise
-    std::vector<Renderer::DebugView> stages;
+    std::vector<Renderer::DebugView> debugViews;
 };
 
 // NAME.png and NAME.exr.

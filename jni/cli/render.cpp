@@ -1,4 +1,4 @@
-// vct render: a scene in; pictures, stages and step timings out.
+// vct render: a scene in; pictures, debug views and step timings out.
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -13,10 +13,10 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/number_text.h"
+#include "engine/renderer.h"
 #include "lab/options.h"
 #include "lab/timings.h"
 #include "platform/context.h"
-#include "engine/renderer.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 #include "scene/scene_features.h"
@@ -36,18 +36,14 @@ struct RenderOptions {
     std::string sky = "0,0,0";
     // Over the preset's, where given.
     std::optional<std::string> shadow, specular, voxelization;
-    std::optional<int> blockerTaps, filterTaps;
-    int voxelSamples = 1;
     BackendOption backend;
     // Over the preset's, where given.
     GridOption grid;
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg, aoDistance;
-    std::vector<std::string> experiments;
     unsigned seedOrder = 0;
     bool revoxelize = false;
-    bool emulateHalf = false;
     bool lightParts = false;
 };
 
@@ -59,16 +55,11 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
     if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
-    settings.voxelSamples = options.voxelSamples;
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     if (options.specular) settings.specular = specularFromText(*options.specular);
-    settings.blockerTaps = options.blockerTaps.value_or(settings.blockerTaps);
-    settings.filterTaps = options.filterTaps.value_or(settings.filterTaps);
     settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
     settings.skyRadiance = colorFromText("--sky", options.sky);
-    settings.experiments = options.experiments;
     settings.revoxelize = options.revoxelize;
-    settings.emulateHalf = options.emulateHalf;
     settings.activeVoxelLimit = options.activeVoxels.value_or(settings.activeVoxelLimit);
     validate(settings);
     return settings;
@@ -130,9 +121,9 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
         for (Renderer::DebugView& part : renderer.lightParts(camera))
             pictures.lightParts.emplace_back(part.name, std::move(part.image));
     }
-    if (options.pictures.stages) {
-        const Progress progress("stages");
-        pictures.stages = renderer.debugViews(camera);
+    if (options.pictures.debugViews) {
+        const Progress progress("debug views");
+        pictures.debugViews = renderer.debugViews(camera);
     }
     const Progress progress("writing the pictures");
     write(pictures, options.pictures, out);
@@ -183,9 +174,10 @@ void render(const RenderOptions& options) {
     const Backend backend = backendFromName(options.backend.name);
     validate(options.moments);
     const bool sequence = options.moments.frames.has_value();
-    if (sequence && (options.pictures.stages || options.lightParts || options.pictures.contactSheet))
+    if (sequence && (options.pictures.debugViews || options.lightParts || options.pictures.contactSheet))
         throw Error(
-            "--stages, --light-parts and --contact-sheet are of one moment; leave out --frames and --fps, "
+            "--debug-views, --light-parts and --contact-sheet are of one moment; leave out --frames and "
+            "--fps, "
             "and choose it by --time");
     // Before anything slow: an output that cannot be written should be known at once.
     OutputFolder out(options.pictures.out);
@@ -244,7 +236,7 @@ constexpr const char* footer =
     "DIR/<mode>_0000.png "
     "and so on.\nOther pictures in DIR stay.\n"
     "Examples:\n"
-    "  vct render assets/cornell.glb --out out --mode all --stages --timings out/timings.json\n"
+    "  vct render assets/cornell.glb --out out --mode all --debug-views --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
     "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
     "  vct render assets/moving.glb --out out --mode gi --preset mobile --time 1.5\n"
@@ -253,7 +245,8 @@ constexpr const char* footer =
 }  // namespace
 
 void addRender(CLI::App& app, int&) {
-    CLI::App* command = app.add_subcommand("render", "Render a glTF scene: pictures, stages, step timings");
+    CLI::App* command =
+        app.add_subcommand("render", "Render a glTF scene: pictures, debug views, step timings");
     auto options = std::make_shared<RenderOptions>();
     command->footer(footer);
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
@@ -270,11 +263,6 @@ void addRender(CLI::App& app, int&) {
         "--voxelization", options->voxelization,
         "What finds the axis along which a triangle is voxelized: geometry-shader, or "
         "sorted-axes (when the scene is loaded, and again for what moves); default: the preset's");
-    command
-        ->add_option("--voxel-samples", options->voxelSamples,
-                     "Samples of the triangles along each side of a voxel, 1 to 4: more of them miss fewer "
-                     "voxels, and take longer")
-        ->capture_default_str();
     command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,
@@ -284,11 +272,6 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--shadow", options->shadow,
                         "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
                         "filtered as wide as the penumbra); default: the preset's");
-    command->add_option(
-        "--blocker-taps", options->blockerTaps,
-        "Texels that soft-map reads in search of what blocks the sun (default: the preset's)");
-    command->add_option("--filter-taps", options->filterTaps,
-                        "Comparisons of soft-map in a penumbra (default: the preset's)");
     command->add_option(
         "--specular", options->specular,
         "What materials with a roughness below 1 reflect besides diffuse light: none, or cone "
@@ -317,7 +300,8 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--exposure", options->pictures.exposure, "Scales the PNGs, never the EXRs")
         ->check(number("a number above 0", [](double value) { return value > 0.0; }))
         ->capture_default_str();
-    command->add_flag("--stages", options->pictures.stages, "Also write every intermediate into DIR/stages/");
+    command->add_flag("--debug-views", options->pictures.debugViews,
+                      "Also write every intermediate into DIR/debug_views/");
     command->add_flag(
         "--light-parts", options->lightParts,
         "Also write indirect_light, ambient_occlusion and cone_shadow, each alone, as PNG and EXR");
@@ -330,12 +314,6 @@ void addRender(CLI::App& app, int&) {
                       "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
                       "changed: to measure what that takes");
     options->backend.addTo(*command);
-    std::string experiments = "Change one thing of the algorithm, for measurements (docs/defects.md):";
-    for (const Experiment& experiment : allExperiments())
-        experiments += std::string("\n") + experiment.name + ": " + experiment.what;
-    command->add_option("--experiment", options->experiments, experiments)->delimiter(',');
-    command->add_flag("--emulate-half", options->emulateHalf,
-                      "Round the shaders' mediump values to 16 bits, as a phone does, on any driver");
     command
         ->add_option("--active-voxels", options->activeVoxels,
                      "Room in the active-voxel list (default: 16 grid^2)")

@@ -7,11 +7,11 @@
 #include <map>
 #include <vector>
 
-#include "gl/objects.h"
-#include "gl/program.h"
 #include "engine/directional/dirty_blocks.h"
 #include "engine/settings.h"
 #include "engine/volume.h"
+#include "gl/objects.h"
+#include "gl/program.h"
 #include "scene/scene_features.h"
 
 namespace vct {
@@ -20,7 +20,7 @@ class MaterialPrograms;
 
 // Which instances: all, those that can move, or those that cannot and touch some blocks.
 struct ScenePart {
-    enum class Of { all, moving, still } of = Of::all;
+    enum class Of { all, moving, staticOnly } of = Of::all;
     const BlockMask* touched = nullptr;  // null: wherever they are
 };
 

@@ -38,7 +38,7 @@ std::string lengthText(double metres) {
 
 std::size_t voxelBytes(const Settings& settings, int grid) {
     return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
-                                            : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
+                                             : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
 }
 
 struct Narrow {

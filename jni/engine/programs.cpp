@@ -57,14 +57,9 @@ bool possible(unsigned features) {
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
                                 gl::ReadShader read) {
     std::vector<std::string> defines;
-    for (const Experiment& experiment : allExperiments())
-        if (std::count(settings.experiments.begin(), settings.experiments.end(), experiment.name) > 0)
-            defines.emplace_back(experiment.define);
     if (settings.countInvocations) defines.emplace_back("VCT_SHADER_COUNTERS");
-    if (settings.emulateHalf)
-        defines.emplace_back("VCT_EMULATE_HALF");
-    else if (capabilities.softwareDriver)
-        defines.emplace_back("VCT_FULL_PRECISION");
+    // llvmpipe rounds mediump for real, in software, and the cones take up to twice as long.
+    if (capabilities.softwareDriver) defines.emplace_back("mediump highp");
     return {std::move(read), capabilities.language(), std::move(defines)};
 }
 
@@ -104,18 +99,6 @@ gl::ProgramDescription packedVoxelizerProgram(unsigned features, Voxelization vo
     return voxelizing("packed/voxelizer", featureDefines(features, ~0U), voxelization);
 }
 
-gl::ProgramDescription stillVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("packed/voxelizer", featureDefines(features, ~0U, {"VCT_STATIC"}), voxelization);
-}
-
-gl::ProgramDescription partialClearProgram() {
-    return {"packed/clear of a part", {"packed/clear.comp"}, {"VCT_PART"}};
-}
-
-gl::ProgramDescription partialMipmapperProgram() {
-    return {"packed/mipmapper of a part", {"packed/mipmapper.comp"}, {"VCT_PART"}};
-}
-
 gl::ProgramDescription packedMipmapperProgram() {
     return {"packed/mipmapper", {"packed/mipmapper.comp"}, {}};
 }
@@ -126,8 +109,8 @@ gl::ProgramDescription packedClearProgram() {
 
 gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization) {
     if (!(features & featureAlphaMask)) features = 0;
-    return voxelizing("directional/occupancy", featureDefines(features, featureBaseColorTexture | featureAlphaMask),
-                      voxelization);
+    return voxelizing("directional/occupancy",
+                      featureDefines(features, featureBaseColorTexture | featureAlphaMask), voxelization);
 }
 
 gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization) {
@@ -136,14 +119,6 @@ gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelizati
 
 gl::ProgramDescription directionalResolveProgram() {
     return {"directional/resolve", {"directional/resolve.comp"}, {}};
-}
-
-gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("packed/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT"}), voxelization);
-}
-
-gl::ProgramDescription relightMipmapperProgram() {
-    return {"packed/mipmapper of a light", {"packed/mipmapper.comp"}, {"VCT_RELIGHT"}};
 }
 
 gl::ProgramDescription clearRadianceProgram() {
@@ -202,7 +177,9 @@ gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherO
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
     if (of == GatherOf::occlusion) defines.emplace_back("VCT_GATHER_OCCLUSION");
-    return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance", {"directional/irradiance.comp"}, defines};
+    return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
+            {"directional/irradiance.comp"},
+            defines};
 }
 
 gl::ProgramDescription shadeProgram(int mode, ExtraTargets targets, const Settings& settings) {
@@ -213,7 +190,6 @@ gl::ProgramDescription shadeProgram(int mode, ExtraTargets targets, const Settin
     const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
     if (softShadow && settings.shadow == Shadow::softMap) {
         defines.emplace_back("VCT_SOFT_SHADOW");
-        defines.push_back("VCT_BLOCKER_TAPS " + std::to_string(settings.blockerTaps));
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
     }
     const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
@@ -259,21 +235,16 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  lightProgram("light_bricks"),
                                                  lightProgram("light_shine"),
                                                  shadowLevelProgram(),
-                                                 partialClearProgram(),
-                                                 partialMipmapperProgram(),
                                                  staticResolveProgram(),
                                                  dirtyResolveProgram(),
                                                  dirtyMipmapperProgram(),
                                                  dirtyClearBaseProgram(),
                                                  clearRadianceProgram(),
-                                                 relightMipmapperProgram(),
                                                  relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
             programs.push_back(packedVoxelizerProgram(features, voxelization));
-            programs.push_back(stillVoxelizerProgram(features, voxelization));
-            programs.push_back(relightProgram(features, voxelization));
             programs.push_back(occupancyProgram(features, voxelization));
             programs.push_back(directionalVoxelizerProgram(features, voxelization));
             programs.push_back(relightProgram(features, voxelization));
@@ -293,8 +264,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_CONE_SHADOW); ++mode)
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
-                    if (faces || !gloss)
-                        programs.push_back(shadeProgram(mode, {emissive, gloss}, settings));
+                    if (faces || !gloss) programs.push_back(shadeProgram(mode, {emissive, gloss}, settings));
         if (settings.voxels != Voxels::directional) continue;
         programs.push_back(irradianceProgram(settings.gather, GatherOf::light));
         programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion));

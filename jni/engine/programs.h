@@ -2,9 +2,9 @@
 // descriptions from here, and the tests compile all of them offline.
 #pragma once
 
+#include "engine/settings.h"
 #include "gl/capabilities.h"
 #include "gl/program.h"
-#include "engine/settings.h"
 #include "lab/step_timer.h"
 #include "scene/scene_features.h"
 
@@ -28,22 +28,17 @@ struct ExtraTargets {
 ExtraTargets extraTargets(const SceneFeatures& needs, Specular specular);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 gl::ProgramDescription packedVoxelizerProgram(unsigned features, Voxelization voxelization);
-// Of the static geometry of a scene where something moves: engine/packed/partial_voxels.h, as the two below.
-gl::ProgramDescription stillVoxelizerProgram(unsigned features, Voxelization voxelization);
-gl::ProgramDescription partialClearProgram();
-gl::ProgramDescription partialMipmapperProgram();
 gl::ProgramDescription packedMipmapperProgram();
 gl::ProgramDescription packedClearProgram();
 gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription directionalResolveProgram();
-// Where only the light changed: engine/packed/word_relighter.h, face_relighter.h.
-gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization);
-gl::ProgramDescription relightMipmapperProgram();
+// Where only the light changed: engine/directional/relighter.h.
 gl::ProgramDescription clearRadianceProgram();
 gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription relightResolveProgram();
-// Of the static geometry of a scene where something moves, and of a part: engine/directional/incremental_update.h.
+// Of the static geometry of a scene where something moves, and of a part:
+// engine/directional/incremental_update.h.
 gl::ProgramDescription staticVoxelizerProgram(unsigned features, Voxelization voxelization);
 gl::ProgramDescription staticResolveProgram();
 gl::ProgramDescription dirtyResolveProgram();
@@ -53,8 +48,8 @@ gl::ProgramDescription directionalLevelsProgram();  // and the next level's list
 gl::ProgramDescription directionalMipmapperProgram();
 gl::ProgramDescription directionalClearProgram();
 gl::ProgramDescription directionalClearBaseProgram();
-// Light that the faces receive: engine/directional/irradiance.h. `name`: light_inherit, light_clear, light_bricks or
-// light_shine.
+// Light that the faces receive: engine/directional/irradiance.h. `name`: light_inherit, light_clear,
+// light_bricks or light_shine.
 gl::ProgramDescription lightProgram(const std::string& name);
 gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of);
 // `mode` is one of VCT_MODE_* and VCT_VIEW_*.

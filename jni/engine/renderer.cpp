@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "core/memory.h"
-#include "gl/debug.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
-#include "lab/read_back.h"
+#include "gl/debug.h"
 #include "lab/debug_view.h"
+#include "lab/read_back.h"
 #include "lab/voxel_view.h"
 
 namespace vct {
@@ -91,7 +91,8 @@ void Renderer::draw(int modeOrView, const Camera& camera, int lightSteps, bool a
     ShadowMap* const shadowPass = needsShadowMap(modeOrView) ? &shadowMap() : nullptr;
     const bool voxels = needsVoxels(modeOrView);
     PackedPasses* const packedPass = voxels && settings_.voxels == Voxels::packed ? &packedPasses() : nullptr;
-    DirectionalPasses* const directionalPass = voxels && settings_.voxels == Voxels::directional ? &directionalPasses() : nullptr;
+    DirectionalPasses* const directionalPass =
+        voxels && settings_.voxels == Voxels::directional ? &directionalPasses() : nullptr;
 
     const gl::Texture* const shadow = shadowPass ? &shadowPass->texture() : nullptr;
     if (shadowPass && (settings_.revoxelize || made.shadowMap != lit)) {
@@ -104,7 +105,7 @@ void Renderer::draw(int modeOrView, const Camera& camera, int lightSteps, bool a
     const auto surface = timer_.time(Step::renderData, [&] { return gBuffer_.draw(scene_); });
     Shade::Light light;
     if (packedPass) {
-        if (makeVoxels) updatePacked(settings_.revoxelize ? std::nullopt : made.voxels);
+        if (makeVoxels) updatePacked();
         light.voxels = &packedPass->pyramid.texture();
     }
     if (directionalPass) {
@@ -131,28 +132,12 @@ void Renderer::draw(int modeOrView, const Camera& camera, int lightSteps, bool a
     made_ = made;
 }
 
-// Of the present pose and light; `before`: those of the voxels that there are.
-void Renderer::updatePacked(const std::optional<Lit>& before) {
+// The thesis made its voxels anew for each frame; here only when light or pose have changed.
+void Renderer::updatePacked() {
     PackedPasses& passes = packedPasses();
     const gl::Texture& shadow = shadowMap().texture();
-    if (before && before->placements == scene_.placements()) {
-        if (!passes.relighter) passes.relighter.emplace(shaders_, scene_, settings_.voxelization);
-        timer_.time(Step::voxelize,
-                    [&] { passes.relighter->run(scene_, shadow, passes.voxelizer, passes.pyramid); });
-        timer_.time(Step::mipmap, [&] { passes.relighter->mipmap(passes.pyramid); });
-        return;
-    }
-    if (!passes.partial) {
-        timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, passes.pyramid); });
-        timer_.time(Step::mipmap, [&] { passes.mipmapper.run(passes.pyramid); });
-        return;
-    }
-    timer_.time(Step::voxelize, [&] {
-        const std::optional<BlockMask> changed = changedSince(before);
-        passes.partial->voxelize(scene_, shadow, changed ? &*changed : nullptr, passes.voxelizer,
-                                 passes.mipmapper, passes.pyramid);
-    });
-    timer_.time(Step::mipmap, [&] { passes.partial->mipmap(passes.pyramid); });
+    timer_.time(Step::voxelize, [&] { passes.voxelizer.run(scene_, shadow, passes.pyramid); });
+    timer_.time(Step::mipmap, [&] { passes.mipmapper.run(passes.pyramid); });
 }
 
 // Of the present pose and light, `now`; `before`: those of the faces that there are.
@@ -163,8 +148,7 @@ void Renderer::updateDirectional(const std::optional<Lit>& before, const Lit& no
     Irradiance::Change change{std::nullopt, before != now};
     if (before && before->placements == now.placements && !settings_.revoxelize) {
         if (!passes.relighter)
-            passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization,
-                                     settings_.voxelSamples);
+            passes.relighter.emplace(shaders_, scene_, settings_.grid, settings_.voxelization);
         timer_.time(Step::voxelize, [&] { passes.relighter->run(scene_, shadow, voxels); });
         timer_.time(Step::mipmap, [&] { passes.mipmapper.update(voxels, 0); });
     } else if (!passes.partial) {
@@ -197,7 +181,7 @@ std::optional<BlockMask> Renderer::changedSince(const std::optional<Lit>& before
     // surface's plane where they are, which may rise by 64 times as much (shaders/shared/shadow.glsl).
     const double above = settings_.voxels == Voxels::directional ? 3.0 * 64.0 * texel : 0.0;
     return dirtyBlocks(before->placements, scene_.placements(),
-                         {light_.towardsLight, 4.0 * texel, above, scene_.staticBox()}, 1.0 / settings_.grid);
+                       {light_.towardsLight, 4.0 * texel, above, scene_.staticBox()}, 1.0 / settings_.grid);
 }
 
 void Renderer::setLightDirection(const glm::dvec3& towardsLight) {
@@ -226,13 +210,10 @@ Renderer::PackedPasses& Renderer::packedPasses() {
         if (texturesInMainMemory_)
             requireMemory(VoxelPyramid::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        packedPasses_.emplace(PackedPasses{
-            VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
-            PackedVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
-            PackedMipmapper(shaders_, packedMipmapperProgram()),
-            {},
-            {}});
-        if (scene_.moves()) packedPasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
+        packedPasses_.emplace(
+            PackedPasses{VoxelPyramid(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                         PackedVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
+                         PackedMipmapper(shaders_)});
     }
     return *packedPasses_;
 }
@@ -242,14 +223,14 @@ Renderer::DirectionalPasses& Renderer::directionalPasses() {
         if (texturesInMainMemory_)
             requireMemory(DirectionalVoxels::bytesFor(settings_.grid, settings_.activeVoxelLimit),
                           "the voxels at " + std::to_string(settings_.grid) + "^3");
-        directionalPasses_.emplace(DirectionalPasses{
-            DirectionalVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
-            DirectionalVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization, settings_.voxelSamples),
-            DirectionalMipmapper(shaders_),
-            {},
-            {},
-            {},
-            {}});
+        directionalPasses_.emplace(
+            DirectionalPasses{DirectionalVoxels(shaders_, settings_.grid, settings_.activeVoxelLimit),
+                              DirectionalVoxelizer(shaders_, scene_, settings_.grid, settings_.voxelization),
+                              DirectionalMipmapper(shaders_),
+                              {},
+                              {},
+                              {},
+                              {}});
         if (scene_.moves()) directionalPasses_->partial.emplace(shaders_, scene_, settings_.voxelization);
     }
     return *directionalPasses_;
@@ -274,7 +255,7 @@ const VoxelPyramid& Renderer::occupancy() {
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values =
         frameUniforms(camera, light_, boundsWorld_, volume_, settings_, scene_.boundsWith(boundsWorld_));
-    values.faces.x = faceSumUnits(triangles_, settings_.voxelSamples);
+    values.faces.x = faceSumUnits(triangles_);
     values.faces.y = faceRadianceRange_;
     values.faces.z = largestBounceShare_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
@@ -297,7 +278,7 @@ std::vector<Renderer::DebugView> Renderer::lightParts(const Camera& camera) {
             p *= radianceUnit(light_);
         return image;
     };
-    std::vector<Stage> parts;
+    std::vector<DebugView> parts;
     parts.push_back({"ambient_occlusion", view(VCT_VIEW_AO, camera, true), true});
     parts.push_back({"indirect_light", inUnits(view(VCT_VIEW_INDIRECT, camera, false)), true});
     parts.push_back({"cone_shadow", view(VCT_VIEW_CONE_SHADOW, camera, true), true});
@@ -306,10 +287,10 @@ std::vector<Renderer::DebugView> Renderer::lightParts(const Camera& camera) {
     return parts;
 }
 
-std::vector<Renderer::DebugView> Renderer::stages(const Camera& camera) {
-    still(Mode::giConeShadow, camera);
+std::vector<Renderer::DebugView> Renderer::debugViews(const Camera& camera) {
+    renderConverged(Mode::giConeShadow, camera);
     const GBuffer::Targets surface = gBuffer_.targets();
-    std::vector<Stage> stages;
+    std::vector<DebugView> views;
 
     surface.albedo->bind(VCT_TEX_G_ALBEDO);
     surface.normal->bind(VCT_TEX_G_NORMAL);
@@ -319,30 +300,32 @@ std::vector<Renderer::DebugView> Renderer::stages(const Camera& camera) {
     // Read as a picture, not compared.
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
     const glm::ivec2 shadowSize(settings_.shadowMapSize);
-    stages.push_back(
+    views.push_back(
         {"shadow_map", stretchDepth(drawDebugView(shaders_, VCT_DEBUG_VIEW_SHADOW_MAP, shadowSize)), false});
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 
-    stages.push_back({"g_buffer_albedo", drawDebugView(shaders_, VCT_DEBUG_VIEW_ALBEDO, settings_.size), true});
-    stages.push_back({"g_buffer_normal", drawDebugView(shaders_, VCT_DEBUG_VIEW_NORMAL, settings_.size), false});
-    stages.push_back(
-        {"g_buffer_depth", stretchDepth(drawDebugView(shaders_, VCT_DEBUG_VIEW_DEPTH, settings_.size)), false});
+    views.push_back(
+        {"g_buffer_albedo", drawDebugView(shaders_, VCT_DEBUG_VIEW_ALBEDO, settings_.size), true});
+    views.push_back(
+        {"g_buffer_normal", drawDebugView(shaders_, VCT_DEBUG_VIEW_NORMAL, settings_.size), false});
+    views.push_back({"g_buffer_depth",
+                     stretchDepth(drawDebugView(shaders_, VCT_DEBUG_VIEW_DEPTH, settings_.size)), false});
     if (surface.emissive != nullptr) {
         surface.emissive->bind(VCT_TEX_G_EMISSIVE);
-        stages.push_back(
+        views.push_back(
             {"g_buffer_emissive", drawDebugView(shaders_, VCT_DEBUG_VIEW_EMISSIVE, settings_.size), false});
     }
 
     VoxelView voxelView(shaders_, settings_.size);
     const VoxelPyramid& pyramid = occupancy();
     for (int level = 0; level < pyramid.levels(); ++level)
-        stages.push_back(
+        views.push_back(
             {"voxels_level_" + std::to_string(level), readImage(voxelView.draw(pyramid, level)), false});
 
-    for (Stage& part : lightParts(camera))
-        stages.push_back(std::move(part));
-    gl::checkErrors("stage pictures");
-    return stages;
+    for (DebugView& part : lightParts(camera))
+        views.push_back(std::move(part));
+    gl::checkErrors("debug views");
+    return views;
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {
@@ -371,12 +354,7 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         add(pyramid.activeVoxels());
         add(pyramid.commands());
     };
-    if (packedPasses_) {
-        addPyramid(packedPasses_->pyramid);
-        if (packedPasses_->partial)
-            for (const gl::Buffer* buffer : packedPasses_->partial->buffers())
-                add(*buffer);
-    }
+    if (packedPasses_) addPyramid(packedPasses_->pyramid);
     if (directionalPasses_) {
         addPyramid(directionalPasses_->voxels.index());
         add(directionalPasses_->voxels.faces());
@@ -384,7 +362,8 @@ std::vector<Renderer::Resource> Renderer::resources() const {
         if (directionalPasses_->partial)
             for (const gl::Buffer* buffer : directionalPasses_->partial->buffers())
                 add(*buffer);
-        for (const std::optional<Irradiance>* irradiance : {&directionalPasses_->light, &directionalPasses_->occlusion}) {
+        for (const std::optional<Irradiance>* irradiance :
+             {&directionalPasses_->light, &directionalPasses_->occlusion}) {
             if (!*irradiance) continue;
             add((*irradiance)->received());
             for (const gl::Texture* texture : (*irradiance)->textures())

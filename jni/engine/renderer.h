@@ -5,23 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "engine/directional/directional_voxelizer.h"
+#include "engine/directional/incremental_update.h"
+#include "engine/directional/irradiance.h"
+#include "engine/directional/relighter.h"
+#include "engine/gpu_scene.h"
+#include "engine/packed/packed_mipmapper.h"
+#include "engine/packed/packed_voxelizer.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/passes/shade.h"
+#include "engine/passes/shadow_map.h"
+#include "engine/settings.h"
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "image/image.h"
-#include "engine/passes/shade.h"
-#include "engine/directional/relighter.h"
-#include "engine/directional/directional_voxelizer.h"
-#include "engine/passes/g_buffer.h"
-#include "engine/gpu_scene.h"
-#include "engine/directional/irradiance.h"
-#include "engine/packed/packed_mipmapper.h"
-#include "engine/directional/incremental_update.h"
-#include "engine/packed/partial_voxels.h"
-#include "engine/settings.h"
-#include "engine/passes/shadow_map.h"
 #include "lab/step_timer.h"
-#include "engine/packed/packed_voxelizer.h"
-#include "engine/packed/word_relighter.h"
 
 namespace vct {
 
@@ -57,16 +55,16 @@ class Renderer {
     // The last frame, linear RGB in the scene's radiance unit, row 0 at the top.
     Image radiance() const;
 
-    struct Stage {
+    struct DebugView {
         std::string name;  // "g_buffer_albedo": a file name without its ending
         Image image;       // linear RGB, scaled for the eye
         bool hasUnits;     // false: made for the eye only, no use as data
     };
     // What the cones saw, each alone, drawn anew from `camera` when the light stands still:
     // ambient_occlusion, indirect_light (of one bounce), cone_shadow.
-    std::vector<Stage> lightParts(const Camera& camera);
+    std::vector<DebugView> lightParts(const Camera& camera);
     // Every intermediate, the light parts among them, drawn anew from `camera`.
-    std::vector<Stage> stages(const Camera& camera);
+    std::vector<DebugView> debugViews(const Camera& camera);
 
     // Active voxels per level, empty if no mode needed voxels yet. Throws vct::Error where
     // the list overflowed.
@@ -82,7 +80,9 @@ class Renderer {
     const Volume& volume() const { return volume_; }
     // Null until a mode needed voxels, and where they are of the other kind.
     VoxelPyramid* voxels() { return packedPasses_ ? &packedPasses_->pyramid : nullptr; }
-    DirectionalVoxels* directionalVoxels() { return directionalPasses_ ? &directionalPasses_->voxels : nullptr; }
+    DirectionalVoxels* directionalVoxels() {
+        return directionalPasses_ ? &directionalPasses_->voxels : nullptr;
+    }
 
     // Null until a mode needed what the faces receive.
     const Irradiance* received(GatherOf of) const {
@@ -97,8 +97,6 @@ class Renderer {
         VoxelPyramid pyramid;
         PackedVoxelizer voxelizer;
         PackedMipmapper mipmapper;
-        std::optional<PartialVoxels> partial;  // where something moves
-        std::optional<WordRelighter> relighter;
     };
     struct DirectionalPasses {
         DirectionalVoxels voxels;
@@ -132,7 +130,7 @@ class Renderer {
     Irradiance& irradiance(int modeOrView);
     const VoxelPyramid& occupancy();
     void uploadFrameUniforms(const Camera& camera);
-    void updatePacked(const std::optional<Lit>& before);
+    void updatePacked();
     void updateDirectional(const std::optional<Lit>& before, const Lit& now);
     std::optional<BlockMask> changedSince(const std::optional<Lit>& before) const;
     Image view(int view, const Camera& camera, bool allBounces);

@@ -86,26 +86,6 @@ Voxelization voxelizationFromText(const std::string& text) {
                       voxelizationName);
 }
 
-const std::vector<Experiment>& allExperiments() {
-    static const std::vector<Experiment> experiments{
-        {"coverage-opacity", "VCT_COVERAGE_OPACITY",
-         "a coarser voxel is as opaque as the share of a flat surface that its children make (defect 1)"},
-        {"rounded-mips", "VCT_ROUNDED_MIPS",
-         "colours are rounded to nearest in each mip, not down (defect 2)"},
-        {"light-share", "VCT_LIGHT_SHARE",
-         "a coarser voxel shines with the share of its children that are lit, not with all once one is "
-         "(defect 10)"},
-        {"long-shadow-steps", "VCT_LONG_SHADOW_STEPS",
-         "the shadow cone steps by its diameter, at least a voxel, its opacity as before (defect 4)"},
-        {"near-start", "VCT_NEAR_START",
-         "cones start one voxel along the normal and their samples touch, as in the thesis's text (defect "
-         "5)"},
-        {"second-atomic", "VCT_SECOND_ATOMIC",
-         "the published program's second image atomic per fragment, for a debug view (defect 8)"},
-    };
-    return experiments;
-}
-
 const std::vector<int>& allGrids() {
     static const std::vector<int> grids{64, 128, 256, 512};
     return grids;
@@ -172,24 +152,14 @@ void validate(const Settings& settings) {
             "--shadow-map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
             "--cone-angle must be between 0.1 and 170 degrees");
-    require(settings.blockerTaps >= 1 && settings.blockerTaps <= 64 && settings.filterTaps >= 1 &&
-                settings.filterTaps <= 64,
-            "--blocker-taps and --filter-taps must be between 1 and 64");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
             "--light-frames must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
             "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
             "--specular cone: the preset thesis has none; use another preset");
-    require(settings.voxelSamples >= 1 && settings.voxelSamples <= 4,
-            "--voxel-samples must be between 1 and 4");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "--ao-distance must be above 0 and at most 1 (the volume's side)");
-    for (const std::string& name : settings.experiments) {
-        const auto& known = allExperiments();
-        require(std::any_of(known.begin(), known.end(), [&](const Experiment& e) { return name == e.name; }),
-                "--experiment '" + name + "' does not exist; `vct render --help` lists them");
-    }
 }
 
 }  // namespace vct

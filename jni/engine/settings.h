@@ -24,15 +24,6 @@ const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone
 // "all", or names and numbers separated by commas, each mode once; throws vct::Error listing the names.
 std::vector<Mode> modesFromText(const std::string& text);
 
-// Single changes to the thesis's algorithm, for measuring what each of its known defects costs
-// (docs/defects.md). None is part of a preset. `define` is what the shaders see.
-struct Experiment {
-    const char* name;
-    const char* define;
-    const char* what;
-};
-const std::vector<Experiment>& allExperiments();
-
 // What makes the soft shadow of mode 5.
 enum class Shadow {
     cone,     // a cone through the voxels (thesis 4.6)
@@ -53,8 +44,8 @@ Specular specularFromText(const std::string& text);
 
 // What the cones go through.
 enum class Voxels {
-    words,  // the thesis's: one packed word per voxel, filtered by hand
-    faces,  // directional coverage: six faces per voxel, filtered by the texture unit
+    packed,       // the thesis's: one packed word per voxel, filtered by hand
+    directional,  // directional coverage: six faces per voxel, filtered by the texture unit
 };
 
 // How each triangle is projected along the axis that it faces most (thesis algorithm 7). The voxels are the
@@ -100,29 +91,24 @@ struct GridRange {
 };
 
 struct Settings {
-    Mode mode = Mode::giConeShadow;
     Voxels voxels = Voxels::packed;
     Voxelization voxelization = Voxelization::geometryShader;
-    int voxelSamples = 1;                  // of the triangles, along each side of a voxel
-    Specular specular = Specular::none;    // of modes 4 and 5, where voxels are faces
-    GatherSettings gather;                 // of diffuse light, where voxels are faces
-    GatherSettings occlusion;              // of ambient occlusion alone (mode 3), likewise
-    int lightFrames = 16;                  // after a change, until the received light stands still
-    int grid = 256;                        // voxels along a side of the volume, one of allGrids()
-    GridRange gridRange;                   // for a grid that follows from the scene
-    glm::ivec2 size{400, 400};             // pixels
-    int shadowMapSize = 512;               // texels along a side
-    float shadowConeAngleDeg = 5.0F;       // full opening angle of the cone towards the light
-    Shadow shadow = Shadow::cone;          // of mode 5
-    int blockerTaps = 8;                   // of softMap: texels read in search of what blocks the sun
-    int filterTaps = 16;                   // of softMap: comparisons in a penumbra
-    float aoDistance = 0.045F;             // of the volume's side
-    glm::vec3 skyRadiance{0.0F};           // seen by cones and pixels that leave the volume
-    std::vector<std::string> experiments;  // names out of allExperiments()
-    bool revoxelize = false;               // make shadow map and voxels anew in every frame, to measure that
-    bool countInvocations = false;               // count what runs (shaders/shared/counters.glsl); slow
-    bool emulateHalf = false;              // round the shaders' mediump values to 16 bits, as Mali does
-    std::uint32_t activeVoxelLimit = 0;    // capacity of the active-voxel list's base level; 0: by the grid
+    Specular specular = Specular::none;  // of modes 4 and 5, where voxels are faces
+    GatherSettings gather;               // of diffuse light, where voxels are faces
+    GatherSettings occlusion;            // of ambient occlusion alone (mode 3), likewise
+    int lightFrames = 16;                // after a change, until the received light stands still
+    int grid = 256;                      // voxels along a side of the volume, one of allGrids()
+    GridRange gridRange;                 // for a grid that follows from the scene
+    glm::ivec2 size{400, 400};           // pixels
+    int shadowMapSize = 512;             // texels along a side
+    float shadowConeAngleDeg = 5.0F;     // full opening angle of the cone towards the light
+    Shadow shadow = Shadow::cone;        // of mode 5
+    int filterTaps = 16;                 // of softMap: comparisons in a penumbra
+    float aoDistance = 0.045F;           // of the volume's side
+    glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
+    bool revoxelize = false;             // make shadow map and voxels anew in every frame, to measure that
+    bool countInvocations = false;       // count what runs (shaders/shared/counters.glsl); slow
+    std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid
 };
 
 const std::vector<int>& allGrids();  // 64, 128, 256, 512

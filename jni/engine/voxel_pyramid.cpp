@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "core/error.h"
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 #include "lab/voxel_view.h"
 
 namespace vct {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/renderer.h"
 #include "lab/bench_plan.h"
 #include "lab/timings.h"
-#include "engine/renderer.h"
 
 namespace vct {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/objects.h"
-#include "engine/programs.h"
 #include "lab/read_back.h"
 
 namespace vct {

@@ -6,7 +6,8 @@
 
 namespace vct {
 
-// Draws one target through lab/debug_view.frag (`stage`: VCT_STAGE_*), the textures being bound by the caller.
+// Draws one target through lab/debug_view.frag (`stage`: VCT_STAGE_*), the textures being bound by the
+// caller.
 Image drawDebugView(const gl::ShaderLibrary& shaders, int stage, glm::ivec2 size);
 
 // Grey values between the smallest and the largest below 1 stretched to the whole range: depths lie close

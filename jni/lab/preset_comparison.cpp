@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "lab/timings.h"
 #include "engine/settings.h"
 #include "lab/step_timer.h"
+#include "lab/timings.h"
 
 namespace vct {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/call_log.h"
 #include "engine/renderer.h"
+#include "gl/call_log.h"
 #include "scene/scene_features.h"
 
 namespace vct {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/renderer.h"
 #include "gl/debug.h"
 #include "lab/cpu_mips.h"
 #include "lab/cpu_voxelizer.h"
 #include "lab/read_back.h"
-#include "engine/renderer.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 

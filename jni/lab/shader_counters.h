@@ -24,8 +24,8 @@ struct StageCount {
         loops;  // in the order they run, a nested one after the one around it; those that ran
 };
 
-// Draws two frames, the second as every later one, and counts it. The renderer's settings have countInvocations
-// and revoxelize. Fragments are counted before the depth test, in all stages that ran.
+// Draws two frames, the second as every later one, and counts it. The renderer's settings have
+// countInvocations and revoxelize. Fragments are counted before the depth test, in all stages that ran.
 std::vector<StageCount> countInvocations(Renderer& renderer, Mode mode, const Camera& camera);
 
 }  // namespace vct

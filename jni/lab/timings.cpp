@@ -73,17 +73,13 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"width", s.size.x},
             {"height", s.size.y},
             {"voxelization", voxelizationName(s.voxelization)},
-            {"voxel_samples", s.voxelSamples},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"shadow", shadowName(s.shadow)},
-            {"blocker_taps", s.blockerTaps},
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
             {"specular", specularName(s.specular)},
-            {"light_frames", s.lightFrames},
-            {"experiments", s.experiments},
-            {"emulate_half", s.emulateHalf}};
+            {"light_frames", s.lightFrames}};
 }
 
 // Arm's /proc/cpuinfo has no names, but Android knows what it runs on.

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "gl/capabilities.h"
 #include "engine/renderer.h"
+#include "gl/capabilities.h"
 #include "lab/step_timer.h"
 
 namespace vct {

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 

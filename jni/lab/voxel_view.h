@@ -1,8 +1,8 @@
 // The active voxels of one mip level as cubes, seen from the camera.
 #pragma once
 
-#include "gl/program.h"
 #include "engine/voxel_pyramid.h"
+#include "gl/program.h"
 
 namespace vct {
 

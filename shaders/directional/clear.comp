@@ -9,12 +9,12 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_CLEAR);
+    COUNT(VCT_COUNTER_FACE_CLEAR);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int grid = imageSize(faces).z;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_FACE_CLEAR_FACE);
+        COUNT(VCT_COUNTER_FACE_CLEAR_FACE);
         ListedFace listed = listedFace(level, i);
         imageStore(faces, faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, grid), vec4(0.0));
         imageStore(voxels, listed.voxel, uvec4(0u));

@@ -18,12 +18,12 @@ layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;     // the same
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_CLEAR_BASE);
+    COUNT(VCT_COUNTER_FACE_CLEAR_BASE);
     uint side = uint(frame.grid.x);
     uint count = voxelsToEmpty(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_FACE_CLEAR_BASE_VOXEL);
+        COUNT(VCT_COUNTER_FACE_CLEAR_BASE_VOXEL);
         ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
 #ifdef VCT_PART
         uint slot = texelFetch(index, voxel, 0).r - 1u;
@@ -34,7 +34,7 @@ void main() {
 #endif
         if (slot >= voxelPlaces()) continue;
         for (uint left = markedFaces(slot); left != 0u; left &= left - 1u) {
-            TRIP(VCT_COUNTER_FACE_CLEAR_BASE_FACE);
+            COUNT(VCT_COUNTER_FACE_CLEAR_BASE_FACE);
             int face = findLSB(left);
             imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(0.0));
             uint index = faceSumIndex(slot, face);

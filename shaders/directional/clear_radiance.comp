@@ -6,13 +6,13 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_DARKEN);
+    COUNT(VCT_COUNTER_FACE_DARKEN);
     uint count = min(activeVoxelCount(level), voxelPlaces());
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint slot = gl_GlobalInvocationID.x; slot < count; slot += stride) {
-        TRIP(VCT_COUNTER_FACE_DARKEN_VOXEL);
+        COUNT(VCT_COUNTER_FACE_DARKEN_VOXEL);
         for (uint left = markedFaces(slot); left != 0u; left &= left - 1u) {
-            TRIP(VCT_COUNTER_FACE_DARKEN_FACE);
+            COUNT(VCT_COUNTER_FACE_DARKEN_FACE);
             uint index = faceSumIndex(slot, findLSB(left)) + VCT_FACE_SUM_RADIANCE;
             for (uint channel = 0u; channel < 3u; ++channel)
                 faceSums[index + channel] = 0u;

@@ -3,7 +3,6 @@
 #include "directional/blocks.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
-#include "shared/precision.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
@@ -24,10 +23,10 @@ mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, floa
     mediump vec4 x = textureLod(faces, p + vec3(0.0, side.x, 0.0), level);
     mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, side.y, 0.0), level);
     mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, side.z, 0.0), level);
-    mediump vec3 square = HALF(share * share);
-    mediump vec4 shining = HALF(square.x * x + square.y * y + square.z * z);
-    mediump float coverage = HALF(dot(share, vec3(x.a, y.a, z.a)));
-    return HALF(vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage));
+    mediump vec3 square = share * share;
+    mediump vec4 shining = square.x * x + square.y * y + square.z * z;
+    mediump float coverage = dot(share, vec3(x.a, y.a, z.a));
+    return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
 }
 
 struct ConeResult {
@@ -57,7 +56,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     vec3 away = (step(0.0, direction) * grid - start) / direction;
     reach = min(reach, min(away.x, min(away.y, away.z)));
     while (distance < reach) {
-        TRIP(VCT_CONE_COUNTER);
+        COUNT(VCT_CONE_COUNTER);
         // A sample wider than its height above the tangent plane would contain the surface that it starts from. Whole
         // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
         // footprint.
@@ -65,20 +64,20 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), 0.0);
         // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
-        mediump vec3 share = HALF(mix(abs(direction), vec3(0.0), own));
+        mediump vec3 share = mix(abs(direction), vec3(0.0), own);
         mediump vec4 met = sampleFaces((start + direction * distance) / grid, direction, share, level);
         // Added, and cut off at what is left: multiplied transmittances let too much through.
-        mediump float taken = HALF(min(sampleOpacity * min(met.a, 1.0), result.transmittance));
-        result.radiance = HALF(result.radiance + met.rgb * (taken / max(met.a, 1e-4)));
-        result.transmittance = HALF(result.transmittance - taken);
-        result.nearness = HALF(result.nearness + taken / distance);
+        mediump float taken = min(sampleOpacity * min(met.a, 1.0), result.transmittance);
+        result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
+        result.transmittance = result.transmittance - taken;
+        result.nearness = result.nearness + taken / distance;
         if (result.transmittance < VCT_GATHER_THRESHOLD) break;
         distance += VCT_GATHER_STEP * exp2(level);
     }
     // A cone that ended early met, in the rest, what it met before.
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
-    result.radiance = HALF(result.radiance * (frame.faces.y / (ended ? met : 1.0)));
+    result.radiance = result.radiance * (frame.faces.y / (ended ? met : 1.0));
     if (ended) result.transmittance = 0.0;
     return result;
 }

@@ -13,7 +13,7 @@ layout(location = VCT_UNIFORM_EMPTIED_END) uniform uint endEmptied;
 void emptyMoving(uint level) {
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = firstEmptied + gl_GlobalInvocationID.x; i < endEmptied; i += stride) {
-        TRIP(VCT_COUNTER_FACE_CLEAR_FACE);  // whichever pass it is: that is the work
+        COUNT(VCT_COUNTER_FACE_CLEAR_FACE);  // whichever pass it is: that is the work
         ListedFace listed = listedFace(level, i);
         int grid = imageSize(emptiedFaces).z;
         imageStore(emptiedFaces, faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, grid), vec4(0.0));

@@ -21,7 +21,7 @@ void listFace(uint level, ivec3 voxel, int face) {
 void listFaces(uint level, ivec3 voxel, uint faces, int trips) {
     uint index = commands[level].firstFace + reserveFaces(level, uint(bitCount(faces)));
     for (uint left = faces; left != 0u; left &= left - 1u) {
-        TRIP(trips);
+        COUNT(trips);
         faceSums[index++] = packFace(uvec3(voxel), uint(findLSB(left)));
     }
 }

@@ -45,7 +45,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int con
     vec3 ownBelow = ownFaces(plane.normal, hasBack);
     Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
     for (int i = first; i < first + cones; ++i) {
-        TRIP(VCT_COUNTER_IRRADIANCE_CONE);
+        COUNT(VCT_COUNTER_IRRADIANCE_CONE);
         vec3 direction = frameAround(plane.normal) * gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach);
         gathered.light += cone.radiance;
@@ -65,7 +65,7 @@ void storeInBricks(ListedFace listed, vec4 texel) {
     ivec3 edge = abs(aside);
     ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
     for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
-        TRIP(VCT_COUNTER_IRRADIANCE_BRICK);
+        COUNT(VCT_COUNTER_IRRADIANCE_BRICK);
         ivec3 chosen = ivec3(i) >> bit & edge;
         ivec3 other = block + chosen * aside;
         if (other != clamp(other, ivec3(0), ivec3((frame.grid.x >> VCT_BRICK_LEVEL) - 1))) continue;
@@ -111,13 +111,13 @@ vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
 }
 
 void main() {
-    TRIP(VCT_COUNTER_IRRADIANCE);
+    COUNT(VCT_COUNTER_IRRADIANCE);
     if (gl_LocalInvocationIndex < 4u) groupSums[gl_LocalInvocationIndex] = 0u;
     barrier();
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_IRRADIANCE_FACE);
+        COUNT(VCT_COUNTER_IRRADIANCE_FACE);
         ListedFace listed = listedFace(level, i);
         uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
         if (slot >= voxelPlaces()) continue;

@@ -5,7 +5,6 @@
 // filter itself would make stairs of it, which swim as the camera moves.
 #include "directional/blocks.glsl"
 #include "directional/voxels.glsl"
-#include "shared/precision.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
@@ -65,17 +64,17 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
         do {
-            TRIP(VCT_COUNTER_RECEIVED_AXIS);
+            COUNT(VCT_COUNTER_RECEIVED_AXIS);
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += HALF(weight * receivedInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick));
+            sum += weight * receivedInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
         } while (axes > 0);
         // A face of a block has all its eight fetches or none.
         bool whole = i <= borderTries || (i & 7u) == 0u;
         if (i == tries || whole && sum.a >= leastCoverage) break;
-        TRIP(VCT_COUNTER_RECEIVED_NEARBY);
+        COUNT(VCT_COUNTER_RECEIVED_NEARBY);
 
         bool onBorder = i < borderTries;
         uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
@@ -89,12 +88,12 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
         inBrick = onBorder ? inBrickOf(position, block) : 2.0 * towardsCorner(i) + 3.0;
         axes = 1 << axis;
     }
-    return HALF(sum.rgb / max(sum.a, 1e-4));
+    return sum.rgb / max(sum.a, 1e-4);
 }
 
 // Relative to E/pi.
 mediump vec3 receivedAt(vec3 position, vec3 normal) {
-    return HALF(meanOfFaces(position, normal) * frame.faces.y);
+    return meanOfFaces(position, normal) * frame.faces.y;
 }
 
 // 1 - ambient occlusion, where that is what the faces have gathered.

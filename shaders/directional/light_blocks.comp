@@ -12,7 +12,7 @@ layout(rgba16f, binding = VCT_IMAGE_BLOCK_LIGHT) writeonly uniform mediump image
 const float share = 0.3;
 
 void main() {
-    TRIP(VCT_COUNTER_LIGHT_BLOCKS);
+    COUNT(VCT_COUNTER_LIGHT_BLOCKS);
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(texel, imageSize(blockLightTexels)))) return;
     vec4 light = vec4(0.0);

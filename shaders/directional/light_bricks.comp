@@ -9,12 +9,12 @@ layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brick
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // VCT_BRICK_LEVEL
 
 void main() {
-    TRIP(VCT_COUNTER_LIGHT_BRICKS);
+    COUNT(VCT_COUNTER_LIGHT_BRICKS);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     uint along = lightStep.bricksAlong;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_LIGHT_BRICKS_FACE);
+        COUNT(VCT_COUNTER_LIGHT_BRICKS_FACE);
         ListedFace listed = listedFace(level, i);
         uint brick = packBrick(uvec3(i % along, i / along % along, i / (along * along)));
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickPlaces).z);

@@ -6,18 +6,18 @@ layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
 
 void main() {
-    TRIP(VCT_COUNTER_LIGHT_CLEAR);
+    COUNT(VCT_COUNTER_LIGHT_CLEAR);
     ivec2 column = ivec2(gl_GlobalInvocationID);
     ivec3 size = imageSize(irradianceTexels);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            TRIP(VCT_COUNTER_LIGHT_CLEAR_TEXEL);
+            COUNT(VCT_COUNTER_LIGHT_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }
     size = imageSize(brickPlaces);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            TRIP(VCT_COUNTER_LIGHT_CLEAR_PLACE);
+            COUNT(VCT_COUNTER_LIGHT_CLEAR_PLACE);
             imageStore(brickPlaces, ivec3(column, z), uvec4(0u));
         }
 }

@@ -9,11 +9,11 @@ layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
-    TRIP(VCT_COUNTER_LIGHT_INHERIT);
+    COUNT(VCT_COUNTER_LIGHT_INHERIT);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = lightStep.firstNew + gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_LIGHT_INHERIT_FACE);
+        COUNT(VCT_COUNTER_LIGHT_INHERIT_FACE);
         ListedFace listed = listedFace(level, i);
         uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
         vec4 found = vec4(0.0);

@@ -48,7 +48,7 @@ vec3 towardsBalance() {
 }
 
 void main() {
-    TRIP(VCT_COUNTER_LIGHT_SHINE);
+    COUNT(VCT_COUNTER_LIGHT_SHINE);
     if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
     if (gl_GlobalInvocationID.x < VCT_LIGHT_SUMS) received[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
     barrier();
@@ -57,7 +57,7 @@ void main() {
     uvec3 before = uvec3(0u), reflected = uvec3(0u), direct = uvec3(0u);
     vec3 factor = lightStep.amplitude > 0.0 ? towardsBalance() : vec3(1.0);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_LIGHT_SHINE_FACE);
+        COUNT(VCT_COUNTER_LIGHT_SHINE_FACE);
         ListedFace listed = listedFace(level, i);
         uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
         if (slot >= voxelPlaces()) continue;

@@ -24,12 +24,12 @@ layout(location = VCT_UNIFORM_WHICH) uniform uint which;
 #endif
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_MIPMAPPER);
+    COUNT(VCT_COUNTER_FACE_MIPMAPPER);
     uint count = visitedFaces(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     int childGrid = textureSize(faces, int(level) - 1).z;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_FACE_MIPMAPPER_FACE);
+        COUNT(VCT_COUNTER_FACE_MIPMAPPER_FACE);
         ListedFace listed = visitedFace(level, i);
         int axis = listed.face >> 1, side = listed.face & 1;
         ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);

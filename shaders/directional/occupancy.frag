@@ -16,7 +16,7 @@ const vec2 fragmentUv = vec2(0.0);
 layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_TOUCH);
+    COUNT(VCT_COUNTER_FACE_TOUCH);
 #ifdef VCT_ALPHA_MASK
     if (materialIsHole(materialBaseColor(fragmentUv).a)) discard;
 #endif

@@ -20,7 +20,7 @@ layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_RESOLVE);
+    COUNT(VCT_COUNTER_FACE_RESOLVE);
     uint count = visitedCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
@@ -31,7 +31,7 @@ void main() {
         uint slot = i;
 #endif
         if (slot >= voxelPlaces()) continue;
-        TRIP(VCT_COUNTER_FACE_RESOLVE_VOXEL);
+        COUNT(VCT_COUNTER_FACE_RESOLVE_VOXEL);
         uint marked = markedFaces(slot);
         if (marked == 0u) continue;
 #ifndef VCT_RELIGHT
@@ -47,7 +47,7 @@ void main() {
         if (ofParent != 0u) listFaces(level + 1u, voxel >> 1, ofParent, VCT_COUNTER_FACE_RESOLVE_PARENT);
 #endif
         for (uint left = marked; left != 0u; left &= left - 1u) {
-            TRIP(VCT_COUNTER_FACE_RESOLVE_FACE);
+            COUNT(VCT_COUNTER_FACE_RESOLVE_FACE);
             int face = findLSB(left);
             FaceSum sum = faceSum(slot, face);
             ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);

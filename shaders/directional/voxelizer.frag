@@ -49,7 +49,7 @@ void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo,
 #endif
     // Most surfaces face along one axis.
     for (uint left = marked; left != 0u; left &= left - 1u) {
-        TRIP(VCT_COUNTER_FACE_VOXELIZER_AXIS);
+        COUNT(VCT_COUNTER_FACE_VOXELIZER_AXIS);
         int face = findLSB(left);
         float weight = abs(weights[face >> 1]);
 #ifndef VCT_RELIGHT
@@ -60,7 +60,7 @@ void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo,
 }
 
 void main() {
-    TRIP(VCT_COUNTER_FACE_VOXELIZER);
+    COUNT(VCT_COUNTER_FACE_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     // Before any discard: derivatives need the whole quad. This is the face's normal over its component along the
     // projection, times a pixel's area in voxels: what the surface covers of each of the voxel's cross-sections.

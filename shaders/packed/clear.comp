@@ -1,26 +1,20 @@
 // Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing. VCT_PART: a part of them.
+// writing every voxel of the volume would cost more than voxelizing.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
-#ifdef VCT_PART
-#include "directional/dirty_blocks.glsl"
-#endif
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform uimage3D voxels;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    TRIP(VCT_COUNTER_SPARSE_CLEAR);
+    COUNT(VCT_COUNTER_SPARSE_CLEAR);
     uint side = uint(imageSize(voxels).x);
     uint count = voxelsToEmpty(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_SPARSE_CLEAR_VOXEL);
+        COUNT(VCT_COUNTER_SPARSE_CLEAR_VOXEL);
         ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
-#ifdef VCT_PART  // what is larger than a block is always made anew
-        if (overflowed(level) && side >= uint(VCT_BLOCKS) && !isChanged(voxel << level)) continue;
-#endif
         imageStore(voxels, voxel, uvec4(0u));
     }
 }

@@ -1,6 +1,5 @@
 // The thesis's two cone traces (4.6), with the constants of the published program.
 #include "shared/orthonormal.glsl"
-#include "shared/precision.glsl"
 #include "shared/counters.glsl"
 #include "packed/voxel_sample.glsl"
 
@@ -31,15 +30,9 @@ const mediump float ringConeWeight = 0.15;
 
 // Distances in voxels of the finest level. The start clears the surface's own voxels; every step doubles the
 // distance and reads the next level, so each step needs one level only (figure 4.5).
-#ifdef VCT_NEAR_START  // experiment: the thesis's text, figure 4.5
-const float diffuseStart = 1.0;
-const float diffuseFirstSample = 1.0;
-const float shadowStart = 1.0;
-#else
 const float diffuseStart = 5.0;
 const float diffuseFirstSample = 2.5;
 const float shadowStart = 8.0;
-#endif
 
 // `reach` in volume sides: samples beyond it are not taken.
 Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
@@ -48,7 +41,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
     mat3 volumeFromCone = frameAround(normal);
     Gather gather = Gather(vec3(0.0), 0.0);
     for (int i = 0; i < diffuseConeCount; ++i) {
-        TRIP(VCT_COUNTER_DIFFUSE_CONE);
+        COUNT(VCT_COUNTER_DIFFUSE_CONE);
         vec3 direction = volumeFromCone * diffuseCones[i];
         mediump vec3 radiance = vec3(0.0);
         mediump float opacity = 0.0;
@@ -57,17 +50,17 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
         for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
-            TRIP(VCT_COUNTER_DIFFUSE_STEP);
-            mediump vec4 value = HALF(sampleVoxels(p, level) * (1.0 - opacity));
-            radiance = HALF(radiance + value.rgb);
-            opacity = HALF(opacity + value.a);
+            COUNT(VCT_COUNTER_DIFFUSE_STEP);
+            mediump vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
+            radiance = radiance + value.rgb;
+            opacity = opacity + value.a;
             if (distance < frame.cone.y) nearOpacity = opacity;
             distance *= 2.0;
         }
-        mediump float weight = HALF(i == 0 ? normalConeWeight : ringConeWeight);
-        mediump vec3 sky = HALF(max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb);
-        gather.radiance = HALF(gather.radiance + weight * (radiance + sky));
-        gather.ambientVisibility = HALF(gather.ambientVisibility + weight * max(1.0 - nearOpacity, 0.0));
+        mediump float weight = i == 0 ? normalConeWeight : ringConeWeight;
+        mediump vec3 sky = max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb;
+        gather.radiance = gather.radiance + weight * (radiance + sky);
+        gather.ambientVisibility = gather.ambientVisibility + weight * max(1.0 - nearOpacity, 0.0);
     }
     return gather;
 }
@@ -76,12 +69,8 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
 // cone of 2 degrees while they are short, and then half a voxel at a time: at most about 1,000 at 256^3, and no
 // wall is stepped over.
 float shadowStep(float distance, float radius, float voxel) {
-#ifdef VCT_LONG_SHADOW_STEPS  // experiment
-    return max(2.0 * radius, voxel);
-#else
     const float needleRatio = 0.0178;
     return max(radius, min(needleRatio * distance, 0.5 * voxel));
-#endif
 }
 
 // The general cone towards the light (eq. 4.6-4.8): 1 where nothing is in its way.
@@ -101,11 +90,11 @@ mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
         if (outsideVolume(p, min(fine + 1, frame.grid.y))) break;
-        TRIP(VCT_COUNTER_SHADOW_STEP);
-        mediump float blend = HALF(level - float(fine));
+        COUNT(VCT_COUNTER_SHADOW_STEP);
+        mediump float blend = level - float(fine);
         mediump float value = sampleOpacity(p, fine);
-        if (blend > 0.0) value = HALF(mix(value, sampleOpacity(p, fine + 1), blend));
+        if (blend > 0.0) value = mix(value, sampleOpacity(p, fine + 1), blend);
         opacity += value * (1.0 - opacity);
     }
-    return HALF(clamp(1.0 - opacity, 0.0, 1.0));
+    return clamp(1.0 - opacity, 0.0, 1.0);
 }

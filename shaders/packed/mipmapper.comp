@@ -1,6 +1,5 @@
 // One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
-// itself to its parent by one atomic; the first child to arrive appends the parent to the next list. VCT_RELIGHT: the
-// lists are there. VCT_PART: of a part of the voxels; the parents of what does not move are listed.
+// itself to its parent by one atomic; the first child to arrive appends the parent to the next list.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
@@ -10,20 +9,15 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D parents;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    TRIP(VCT_COUNTER_MIPMAPPER);
+    COUNT(VCT_COUNTER_MIPMAPPER);
     uint count = visitedCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        TRIP(VCT_COUNTER_MIPMAPPER_VOXEL);
+        COUNT(VCT_COUNTER_MIPMAPPER_VOXEL);
         uvec3 voxel = unpackEntry(visitedEntry(level, i));
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;
         bool isNew = imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u;
-#ifdef VCT_PART  // the parents of what does not move are listed
-        isNew = isNew && isMoving(i);
-#endif
-#ifndef VCT_RELIGHT
         if (isNew) appendVoxel(level + 1u, parent);
-#endif
     }
 }

@@ -1,7 +1,6 @@
 // Reading the packed pyramid. Integer textures cannot be filtered, so the eight texels around a position are
 // fetched and weighted by hand.
 #include "directional/blocks.glsl"
-#include "shared/precision.glsl"
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D voxels;
 
@@ -15,14 +14,14 @@ Footprint footprint(vec3 positionVolume, int level) {
     int last = (frame.grid.x >> level) - 1;
     vec3 texel = positionVolume * float(last + 1) - 0.5;
     vec3 whole = floor(texel);
-    mediump vec3 part = HALF(texel - whole);
+    mediump vec3 part = texel - whole;
     ivec3 low = ivec3(whole);
     ivec3 high = low + 1;
     Footprint f;
     f.low = clamp(low, ivec3(0), ivec3(last));
     f.high = clamp(high, ivec3(0), ivec3(last));
     // On both sides for both: the finer of two levels is read up to half a voxel of the coarser beyond the volume.
-    f.lowWeight = HALF(mix(vec3(0.0), 1.0 - part, equal(f.low, low)));
+    f.lowWeight = mix(vec3(0.0), 1.0 - part, equal(f.low, low));
     f.highWeight = mix(vec3(0.0), part, equal(f.high, high));
     return f;
 }
@@ -32,58 +31,48 @@ uint voxelWord(int x, int y, int z, int level) {
 }
 
 // A voxel is opaque as soon as one of its children is.
-mediump float wordOpacity(uint word) {
-#ifdef VCT_COVERAGE_OPACITY  // experiment: four of eight children are a surface straight across the voxel
-    return min(float(voxelCount(word)) * 0.25, 1.0);
-#else
+mediump float voxelOpacity(uint word) {
     return word != 0u ? 1.0 : 0.0;
-#endif
 }
 
 // Radiance relative to E/pi times opacity, and opacity. A voxel's colour is the mean of its children's where
 // any is lit, and black otherwise (published program).
 mediump vec4 unpackSample(uint word) {
-    mediump float opacity = wordOpacity(word);
+    mediump float opacity = voxelOpacity(word);
     mediump float scale =
-        voxelLight(word) != 0u ? HALF(1.0 / (float(VCT_COLOR_STEPS) * float(voxelCount(word)))) : 0.0;
-#ifdef VCT_COVERAGE_OPACITY
-    scale = HALF(scale * opacity);
-#endif
-#ifdef VCT_LIGHT_SHARE  // experiment: children in shadow do not shine
-    scale = HALF(scale * float(voxelLight(word)) / max(float(voxelCount(word)), 1.0));
-#endif
-    return vec4(HALF(vec3(voxelColor(word)) * scale), opacity);
+        voxelLight(word) != 0u ? 1.0 / (float(VCT_COLOR_STEPS) * float(voxelCount(word))) : 0.0;
+    return vec4(vec3(voxelColor(word)) * scale, opacity);
 }
 
 mediump vec4 sampleVoxels(vec3 positionVolume, int level) {
     Footprint f = footprint(positionVolume, level);
     mediump vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
-    mediump vec4 ll = HALF(unpackSample(voxelWord(f.low.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y);
-    mediump vec4 lh = HALF(unpackSample(voxelWord(f.low.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y);
-    mediump vec4 hl = HALF(unpackSample(voxelWord(f.high.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y);
-    mediump vec4 hh = HALF(unpackSample(voxelWord(f.high.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y);
-    mediump vec4 l = HALF(f.lowWeight.y * ll + f.highWeight.y * lh);
-    mediump vec4 h = HALF(f.lowWeight.y * hl + f.highWeight.y * hh);
-    return HALF(f.lowWeight.x * l + f.highWeight.x * h);
+    mediump vec4 ll = unpackSample(voxelWord(f.low.x, f.low.y, f.low.z, level)) * z.x +
+                           unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
+    mediump vec4 lh = unpackSample(voxelWord(f.low.x, f.high.y, f.low.z, level)) * z.x +
+                           unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
+    mediump vec4 hl = unpackSample(voxelWord(f.high.x, f.low.y, f.low.z, level)) * z.x +
+                           unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
+    mediump vec4 hh = unpackSample(voxelWord(f.high.x, f.high.y, f.low.z, level)) * z.x +
+                           unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
+    mediump vec4 l = f.lowWeight.y * ll + f.highWeight.y * lh;
+    mediump vec4 h = f.lowWeight.y * hl + f.highWeight.y * hh;
+    return f.lowWeight.x * l + f.highWeight.x * h;
 }
 
-// wordOpacity of the two texels along z.
+// voxelOpacity of the two texels along z.
 mediump vec2 occupiedPair(int x, int y, Footprint f, int level) {
-    return vec2(wordOpacity(voxelWord(x, y, f.low.z, level)), wordOpacity(voxelWord(x, y, f.high.z, level)));
+    return vec2(voxelOpacity(voxelWord(x, y, f.low.z, level)), voxelOpacity(voxelWord(x, y, f.high.z, level)));
 }
 
 mediump float sampleOpacity(vec3 positionVolume, int level) {
     Footprint f = footprint(positionVolume, level);
     mediump vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
-    mediump float ll = HALF(dot(z, occupiedPair(f.low.x, f.low.y, f, level)));
-    mediump float lh = HALF(dot(z, occupiedPair(f.low.x, f.high.y, f, level)));
-    mediump float hl = HALF(dot(z, occupiedPair(f.high.x, f.low.y, f, level)));
-    mediump float hh = HALF(dot(z, occupiedPair(f.high.x, f.high.y, f, level)));
-    mediump float l = HALF(f.lowWeight.y * ll + f.highWeight.y * lh);
-    mediump float h = HALF(f.lowWeight.y * hl + f.highWeight.y * hh);
-    return HALF(f.lowWeight.x * l + f.highWeight.x * h);
+    mediump float ll = dot(z, occupiedPair(f.low.x, f.low.y, f, level));
+    mediump float lh = dot(z, occupiedPair(f.low.x, f.high.y, f, level));
+    mediump float hl = dot(z, occupiedPair(f.high.x, f.low.y, f, level));
+    mediump float hh = dot(z, occupiedPair(f.high.x, f.high.y, f, level));
+    mediump float l = f.lowWeight.y * ll + f.highWeight.y * lh;
+    mediump float h = f.lowWeight.y * hl + f.highWeight.y * hh;
+    return f.lowWeight.x * l + f.highWeight.x * h;
 }

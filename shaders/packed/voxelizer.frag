@@ -5,9 +5,6 @@
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
 #include "shared/counters.glsl"
-#ifdef VCT_STATIC  // of a scene where something else moves: in the blocks that this frame makes anew
-#include "directional/dirty_blocks.glsl"
-#endif
 
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
@@ -23,18 +20,12 @@ const vec2 fragmentEmissiveUv = vec2(0.0);
 #endif
 
 layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform uimage3D voxels;
-#ifdef VCT_SECOND_ATOMIC  // experiment: the published program keeps a flat debug view beside the voxels
-layout(r32ui, binding = VCT_IMAGE_VOXELS_NEXT) uniform uimage3D debugView;
-#endif
 
 void main() {
-    TRIP(VCT_COUNTER_VOXELIZER);
+    COUNT(VCT_COUNTER_VOXELIZER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     if (materialIsHole(baseColor.a)) discard;
     ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
-#ifdef VCT_STATIC
-    if (!isChanged(voxel)) discard;
-#endif
 
     float facing = dot(safeNormalize(fragmentNormal), frame.towardsLight.xyz);
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
@@ -55,13 +46,5 @@ void main() {
 
     uvec3 color = uvec3(clamp(radiance, 0.0, 1.0) * float(VCT_BASE_COUNT * VCT_COLOR_STEPS) + 0.5);
     uint word = packVoxel(lit ? VCT_BASE_COUNT : 0u, VCT_BASE_COUNT, color);
-#ifdef VCT_SECOND_ATOMIC
-    // Into the level above, which the mipmapper adds to: the time counts here, the picture does not.
-    imageAtomicMax(debugView, voxel >> 1, 0u);
-#endif
-#if defined(VCT_STATIC) || defined(VCT_RELIGHT)  // it is listed
-    imageAtomicMax(voxels, voxel, word);
-#else
     if (imageAtomicMax(voxels, voxel, word) == 0u) appendVoxel(0u, uvec3(voxel));
-#endif
 }

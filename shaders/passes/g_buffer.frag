@@ -25,7 +25,7 @@ layout(location = VCT_GLOSS_TARGET) out vec2 gloss;  // metallic, roughness
 #endif
 
 void main() {
-    TRIP(VCT_COUNTER_G_BUFFER);
+    COUNT(VCT_COUNTER_G_BUFFER);
     vec4 baseColor = materialBaseColor(fragmentUv);
     if (materialIsHole(baseColor.a)) discard;
     vec3 normal = safeNormalize(fragmentNormal);

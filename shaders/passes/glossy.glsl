@@ -2,7 +2,6 @@
 // Schlick's Fresnel term): of the sun as it stands there, of everything else by one cone along the mirror direction.
 #include "directional/blocks.glsl"
 #include "directional/cones.glsl"
-#include "shared/precision.glsl"
 
 // From here to there the cone gives way to the gather, whose cones together fit a wide lobe better than one cone does
 // (docs/levers.md).
@@ -15,7 +14,7 @@ mediump vec3 specularShare(mediump vec3 f0, float roughness, float cosEye) {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float grazing = min(r.x * r.x, exp2(-9.28 * cosEye)) * r.x + r.y;
     vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
-    return HALF(f0 * scaleAndBias.x + scaleAndBias.y);
+    return f0 * scaleAndBias.x + scaleAndBias.y;
 }
 
 // The sun's reflection, before its shadow, relative to E/pi. All vectors of unit length.
@@ -41,7 +40,7 @@ mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
     mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
     float texels = float(frame.grid.x) * exp2(-level);
     vec3 inside = clamp(texels * (0.5 - abs(position - 0.5)) + 0.5, 0.0, 1.0);
-    return HALF(value * (inside.x * inside.y * inside.z / max(value.a, 1.0)));
+    return value * (inside.x * inside.y * inside.z / max(value.a, 1.0));
 }
 
 // Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
@@ -50,9 +49,9 @@ mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float
     float level = floor(log2(footprint));
     float texel = exp2(level);
     float part = footprint / texel - 1.0;
-    mediump vec4 value = HALF(sampleCovered(position, direction, level) * (stride / texel));
+    mediump vec4 value = sampleCovered(position, direction, level) * (stride / texel);
     if (part > 0.0)
-        value = HALF(mix(value, sampleCovered(position, direction, level + 1.0) * (0.5 * stride / texel), part));
+        value = mix(value, sampleCovered(position, direction, level + 1.0) * (0.5 * stride / texel), part);
     return value;
 }
 
@@ -68,7 +67,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
     // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
     for (int i = 0; i < 1024; ++i) {
         vec3 p = (start + direction * distance) * voxel;
-        TRIP(VCT_COUNTER_SPECULAR_STEP);
+        COUNT(VCT_COUNTER_SPECULAR_STEP);
         float height = VCT_GATHER_START + distance * dot(direction, normal);
         float footprint = clamp(min(2.0 * distance * tangent, height), 1.0, widest);
         // The coarser texel is two footprints wide at most.
@@ -76,22 +75,22 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + footprint * voxel) break;
         float stride = VCT_GATHER_STEP * footprint;
         mediump vec4 value = sampleBetween(p, direction, footprint, stride);
-        mediump float share = HALF(min(1.0, transmittance / max(value.a, 1e-4)));
-        radiance = HALF(radiance + value.rgb * share);
-        transmittance = HALF(transmittance - value.a * share);
+        mediump float share = min(1.0, transmittance / max(value.a, 1e-4));
+        radiance = radiance + value.rgb * share;
+        transmittance = transmittance - value.a * share;
         if (transmittance < VCT_GATHER_THRESHOLD) break;
         distance += stride;
     }
-    return HALF(radiance * frame.faces.y + transmittance * frame.skyRadiance.rgb);
+    return radiance * frame.faces.y + transmittance * frame.skyRadiance.rgb;
 }
 
 // What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of
 // its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its microfacets
 // (Walter et al. 2007, eq. 35 at one half).
 mediump vec3 lightToReflect(vec3 position, vec3 normal, vec3 toEye, float roughness, mediump vec3 gathered) {
-    mediump float rough = HALF(smoothstep(roughFrom, roughTo, roughness));
+    mediump float rough = smoothstep(roughFrom, roughTo, roughness);
     if (roughness >= roughTo) return gathered;
     vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
     mediump vec3 mirrored = traceReflection(start, normal, reflect(-toEye, normal), roughness * roughness);
-    return HALF(mix(mirrored, gathered, rough));
+    return mix(mirrored, gathered, rough);
 }

@@ -1,7 +1,6 @@
 // The last pass: what each pixel's cones see, and the five modes (thesis 4.6, 5.1.2). One variant per VCT_MODE.
 #define VCT_CONE_COUNTER VCT_COUNTER_SPECULAR_STEP
 #include "shared/counters.glsl"
-#include "shared/precision.glsl"
 #include "shared/surface.glsl"
 #ifdef VCT_RECEIVED
 #include "directional/irradiance.glsl"
@@ -43,11 +42,11 @@ const float diffuseReach = 1.0;
 mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
     vec3 mirrored = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
-    return HALF(cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0);
+    return cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0;
 }
 
 void main() {
-    TRIP(VCT_COUNTER_CONE_TRACER);
+    COUNT(VCT_COUNTER_CONE_TRACER);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) {
@@ -73,66 +72,66 @@ void main() {
     mediump float light = 1.0;
 #if VCT_MODE == VCT_MODE_GI_CONE_SHADOW || VCT_MODE == VCT_VIEW_CONE_SHADOW
 #ifdef VCT_SOFT_SHADOW
-    light = HALF(softShadow(position, normal));
+    light = softShadow(position, normal);
 #else
     light = cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
 #endif
 #elif VCT_MODE >= VCT_MODE_SHADOW_MAP && VCT_MODE <= VCT_MODE_GI
 #ifdef VCT_RECEIVED
-    light = HALF(shadowMapLightOn(position, normal));
+    light = shadowMapLightOn(position, normal);
 #else
-    light = HALF(shadowMapLight(position, cosTheta));
+    light = shadowMapLight(position, cosTheta);
 #endif
 #endif
 
-    mediump vec3 root = HALF(texelFetch(albedoTarget, pixel, 0).rgb);
-    mediump vec3 albedo = HALF(root * root);
+    mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
+    mediump vec3 albedo = root * root;
 #ifdef VCT_SOFT_SHADOW
     mediump float total = light;  // what the sun's disc shows is the direct light; nothing else dims or lifts it
 #else
     // Eq. 4.9.
-    mediump float total = HALF(mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength));
+    mediump float total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);
 #endif
     mediump vec3 radiance;
 #ifdef VCT_GLOSS_TARGET
     mediump vec3 specular = vec3(0.0);
-    mediump vec3 gloss = HALF(texelFetch(glossTarget, pixel, 0).rgb);
+    mediump vec3 gloss = texelFetch(glossTarget, pixel, 0).rgb;
     if (gloss.y < 1.0) {
         vec3 toEye = normalize(frame.eye.xyz - position);
-        mediump vec3 f0 = HALF(mix(vec3(0.04), albedo, gloss.x));
+        mediump vec3 f0 = mix(vec3(0.04), albedo, gloss.x);
         mediump vec3 share = specularShare(f0, gloss.y, max(dot(normal, toEye), 0.0));
-        specular = HALF(share * lightToReflect(position, normal, toEye, gloss.y, gather.radiance));
+        specular = share * lightToReflect(position, normal, toEye, gloss.y, gather.radiance);
 #if VCT_MODE != VCT_VIEW_SPECULAR
-        specular = HALF(specular + light * sunHighlight(f0, gloss.y, normal, toEye));
+        specular = specular + light * sunHighlight(f0, gloss.y, normal, toEye);
 #endif
-        albedo = HALF(albedo * (1.0 - gloss.x) * (1.0 - share));
+        albedo = albedo * (1.0 - gloss.x) * (1.0 - share);
     }
 #endif
 #if VCT_MODE == VCT_VIEW_AO
     radiance = vec3(gather.ambientVisibility);
 #elif VCT_MODE == VCT_VIEW_INDIRECT
-    radiance = HALF(albedo * gather.radiance);
+    radiance = albedo * gather.radiance;
 #elif VCT_MODE == VCT_VIEW_CONE_SHADOW
     radiance = vec3(light);
 #elif VCT_MODE == VCT_VIEW_SPECULAR
     radiance = vec3(0.0);
 #elif VCT_MODE >= VCT_MODE_GI && defined(VCT_RECEIVED)
     // Occlusion is in the gathered light already; it takes nothing from the sun.
-    radiance = HALF(albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance));
+    radiance = albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance);
 #elif VCT_MODE >= VCT_MODE_GI
-    radiance = HALF(albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance));  // eq. 4.10
+    radiance = albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
 #else
 #if VCT_MODE == VCT_MODE_PHONG
     total = 1.0;
 #endif
-    mediump float shade = HALF(cosTheta + specularLight * phongSpecular(position, normal, cosTheta));
-    radiance = HALF(albedo * (ambientLight * gather.ambientVisibility + shade * total * frame.lightColor.rgb));
+    mediump float shade = cosTheta + specularLight * phongSpecular(position, normal, cosTheta);
+    radiance = albedo * (ambientLight * gather.ambientVisibility + shade * total * frame.lightColor.rgb);
 #endif
 #ifdef VCT_GLOSS_TARGET
-    radiance = HALF(radiance + specular);
+    radiance = radiance + specular;
 #endif
 #if defined(VCT_EMISSIVE_TARGET) && VCT_MODE <= VCT_MODE_GI_CONE_SHADOW
-    radiance = HALF(radiance + texelFetch(emissiveTarget, pixel, 0).rgb);
+    radiance = radiance + texelFetch(emissiveTarget, pixel, 0).rgb;
 #endif
     outRadiance = vec4(radiance, 1.0);
 }

@@ -8,7 +8,7 @@ layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D finest;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
-    TRIP(VCT_COUNTER_SHADOW_LEVEL);
+    COUNT(VCT_COUNTER_SHADOW_LEVEL);
     vec2 texel = floor(gl_FragCoord.xy);
     const mat2 apart = mat2(0.3247180, 0.6180340, 0.6180340, 0.4142136);
     int size = textureSize(finest, 0).x;  // the map is a square; of any size, also one that levels do not halve

@@ -7,11 +7,11 @@
 in vec2 fragmentUv;
 
 void main() {
-    TRIP(VCT_COUNTER_SHADOW_MAP);
+    COUNT(VCT_COUNTER_SHADOW_MAP);
     if (materialIsHole(materialBaseColor(fragmentUv).a)) discard;
 }
 #else
 void main() {
-    TRIP(VCT_COUNTER_SHADOW_MAP);
+    COUNT(VCT_COUNTER_SHADOW_MAP);
 }
 #endif

@@ -1,10 +1,12 @@
 // The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
 // directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
-// compared. Reads the hard shadow's four texels, VCT_BLOCKER_TAPS plain depths and, where there is a blocker,
+// compared. Reads the hard shadow's four texels, blockerTaps plain depths and, where there is a blocker,
 // VCT_FILTER_TAPS compared ones, of the level of the map that is as coarse as they are apart: the price does not grow with
 // the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/counters.glsl"
+
+const int blockerTaps = 8;  // 16 gain .001 of error in the courtyard (docs/levers.md)
 
 // From one sample of a Vogel disc (1979) to the next: the golden angle.
 const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
@@ -73,9 +75,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float blockers = 0.0;
     float near = 0.0;  // over the distance, as a share of the way to the near plane
     vec2 direction = vec2(1.0, 0.0);
-    for (int i = 0; i < VCT_BLOCKER_TAPS; ++i) {
-        TRIP(VCT_COUNTER_BLOCKER_TAP);
-        float radius = float(i) / float(max(VCT_BLOCKER_TAPS - 1, 1));
+    for (int i = 0; i < blockerTaps; ++i) {
+        COUNT(VCT_COUNTER_BLOCKER_TAP);
+        float radius = float(i) / float(blockerTaps - 1);
         vec2 offset = radius * direction;
         vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
         float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
@@ -109,7 +111,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float light = 0.0;
     direction = vec2(1.0, 0.0);
     for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
-        TRIP(VCT_COUNTER_FILTER_TAP);
+        COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS));
         vec2 offset = radius * direction;
         vec3 at = onPlane + stepX * offset.x + stepY * offset.y;

@@ -289,11 +289,7 @@ VCT_FUNCTION uvec3 voxelColor(uint word) {
 VCT_FUNCTION uint childContribution(uint word) {
     uint count = voxelCount(word);
     uint light = voxelLight(word) > (count >> 1) ? 1u : 0u;
-#ifdef VCT_ROUNDED_MIPS  // experiment
-    return packVoxel(light, 1u, (voxelColor(word) + uvec3(count / 2u)) / count);
-#else
     return packVoxel(light, 1u, voxelColor(word) / count);
-#endif
 }
 
 #ifdef __cplusplus

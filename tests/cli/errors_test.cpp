@@ -44,8 +44,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"Size", renderCornell("--out out --size 400"), "WIDTHxHEIGHT"},
         BadCommand{"ConeAngle", renderCornell("--out out --cone-angle 0"), "--cone-angle"},
         BadCommand{"Shadow", renderCornell("--out out --shadow hard"), "cone or soft-map"},
-        BadCommand{"BlockerTaps", renderCornell("--out out --blocker-taps 0"), "--blocker-taps"},
-        BadCommand{"FilterTaps", renderCornell("--out out --filter-taps 65"), "--filter-taps"},
         BadCommand{"Preset", renderCornell("--out out --preset best"), "thesis"},
         BadCommand{"Backend", renderCornell("--out out --backend direct3d"), "egl, osmesa, zink"},
         BadCommand{"Scene", "render none.glb --out out/deep/er", "none.glb"},

@@ -10,14 +10,15 @@ TEST(UsedFolder, PicturesOfAnEarlierRunAreNamedAndKept) {
     ProgramRun program;
     const std::string small =
         std::string("render ") + ProgramRun::cornell + " --size 16x16 --grid 64 --out out ";
-    ASSERT_EQ(program.run(small + "--mode phong,ao --contact-sheet --stages"), 0) << program.err;
+    ASSERT_EQ(program.run(small + "--mode phong,ao --contact-sheet --debug-views"), 0) << program.err;
     EXPECT_EQ(program.err.find("not of this run"), std::string::npos) << program.err;
     writeBytes(program.folder.file("out/notes.txt"), "mine");
 
     ASSERT_EQ(program.run(small + "--mode ao"), 0) << program.err;
-    EXPECT_NE(program.err.find(
-                  "note: not of this run, but in out: contact_sheet.png, phong.exr, phong.png, stages\n"),
-              std::string::npos)
+    EXPECT_NE(
+        program.err.find(
+            "note: not of this run, but in out: contact_sheet.png, debug_views, phong.exr, phong.png\n"),
+        std::string::npos)
         << program.err;
     EXPECT_NE(readBytes(program.folder.file("out/phong.png")), "");
     EXPECT_EQ(readBytes(program.folder.file("out/notes.txt")), "mine");

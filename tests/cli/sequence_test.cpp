@@ -10,7 +10,8 @@ namespace {
 constexpr const char* moving = VCT_SOURCE_DIR "/assets/moving.glb";
 
 std::string renderOf(const char* scene, const std::string& options, const char* preset = "mobile") {
-    return std::string("render ") + scene + " --preset " + preset + " --mode gi --size 48x40 --out out " + options;
+    return std::string("render ") + scene + " --preset " + preset + " --mode gi --size 48x40 --out out " +
+           options;
 }
 
 TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
@@ -65,7 +66,7 @@ TEST(Sequence, WhatDoesNotGoTogetherIsRefusedBeforeAnythingIsMade) {
         {moving, "--frames 2 --fps inf", "--fps: 'inf' is not a number"},
         {moving, "--time -1", "--time must be"},
         {moving, "--time nan", "--time: 'nan' is not a number"},
-        {moving, "--frames 2 --fps 2 --stages", "leave out --frames"},
+        {moving, "--frames 2 --fps 2 --debug-views", "leave out --frames"},
         {moving, "--frames 2 --fps 2 --contact-sheet", "leave out --frames"},
     };
     for (const Wrong& w : wrong) {

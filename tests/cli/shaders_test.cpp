@@ -24,7 +24,7 @@ TEST(Shaders, OfEveryPresetAreWrittenAndCounted) {
             for (const auto& stage : entry.at("stages")) {
                 const std::string text = readBytes((out / stage.at("file").get<std::string>()).string());
                 EXPECT_EQ(text.rfind("#version 310 es\n", 0), 0U) << stage.at("file");
-                EXPECT_EQ(text.find("#define VCT_FULL_PRECISION"), std::string::npos) << stage.at("file");
+                EXPECT_EQ(text.find("#define mediump"), std::string::npos) << stage.at("file");
                 EXPECT_EQ(text.find("#include \""), std::string::npos) << stage.at("file");
             }
             const auto& modes = entry.at("modes");

@@ -65,7 +65,8 @@ Around around(const ExactLight& exact, const glm::dvec3& position, int triangle,
 
 // A map knows a wide penumbra in a crease by 16 samples, of which three may go astray.
 constexpr float hardLeak = 0.02F, softLeak = 0.2F;
-// Share of the dark pixels in creases. The soft shadow can't afford the hard one's look at the texel beyond the four.
+// Share of the dark pixels in creases. The soft shadow can't afford the hard one's look at the texel beyond
+// the four.
 constexpr double softLeaks = 0.001;
 
 struct Count {

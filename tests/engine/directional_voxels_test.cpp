@@ -8,13 +8,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.h"
-#include "lab/cpu_mips.h"
-#include "platform/contexts.h"
 #include "engine/directional/directional_mipmapper.h"
 #include "engine/directional/directional_voxelizer.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
+#include "lab/cpu_mips.h"
 #include "lab/read_back.h"
+#include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/faces.h"
 #include "support/renderers.h"
@@ -56,7 +56,7 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     const GpuScene gpuScene(scene, volume, radianceUnit(light),
                             context.capabilities.uniformBufferOffsetAlignment, Voxelization::sortedAxes);
     ShadowMap shadowMap(shaders, gpuScene, mobile().shadowMapSize);
-    DirectionalVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes, 1)
+    DirectionalVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes)
         .run(gpuScene, shadowMap.draw(gpuScene), into);
     DirectionalMipmapper mipmapper(shaders);
     mipmapper.makeLevels(into);
@@ -193,11 +193,6 @@ TEST(FaceSums, NoSumOverAllTrianglesOverflowsAndSmallScenesLoseNothing) {
             ASSERT_GE(units, 1.0F) << n;
             ASSERT_EQ(units, std::floor(units)) << n;
             ASSERT_LE(static_cast<double>(units) * static_cast<double>(n), 4294967295.0) << n;
-            for (const int samples : {2, 3, 4}) {
-                const double parts = samples * samples;
-                const double whole = std::floor(faceSumUnits(n, samples) / parts + 0.5) * parts;
-                ASSERT_LE(whole * static_cast<double>(n), 4294967295.0) << n << ", " << samples;
-            }
         }
     EXPECT_EQ(faceSumUnits((1ULL << 32) - 1), 1.0F);
 }
@@ -359,8 +354,9 @@ TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatTheWordsOccupy) {
     words.frame(mode, chooseCamera(scene, ""));
     ASSERT_GT(words.activeVoxels()[0], 1000U);
     for (int level = 0; level < words.voxels()->levels(); ++level)
-        EXPECT_EQ(entriesOnCpu(readVoxels(faces.directionalVoxels()->index().texture(), level), grid >> level),
-                  entriesOnCpu(readVoxels(words.voxels()->texture(), level), grid >> level))
+        EXPECT_EQ(
+            entriesOnCpu(readVoxels(faces.directionalVoxels()->index().texture(), level), grid >> level),
+            entriesOnCpu(readVoxels(words.voxels()->texture(), level), grid >> level))
             << "level " << level;
 }
 
@@ -421,28 +417,6 @@ TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
                 std::binary_search(entries.begin(), entries.end(), shared::packEntry(glm::uvec3(voxel))));
         }
     });
-}
-
-// A fragment of several in a voxel brings its part only, and none from beyond the triangle.
-TEST(FaceCoverage, OfATiltedPlaneIsTheSameAreaWithMoreSamples) {
-    const Context context = openContext(Backend::egl);
-    const glm::dvec3 n = glm::normalize(glm::dvec3(1, 2, 3));
-    const Scene scene = quadScene(n, glm::dvec3(0.0), 30.0);
-    for (int samples : {1, 2, 3, 4}) {
-        Settings settings = mobile();
-        settings.voxelSamples = samples;
-        Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), settings);
-        renderer.frame(Mode::gi, frameScene(scene));
-        const double voxelSide = renderer.volume().voxelSize();
-        const FaceLevel base = readFaces(*renderer.directionalVoxels())[0];
-        for (int face = 0; face < faceCount; ++face) {
-            double area = 0.0;
-            base.forEachVoxel([&](const glm::ivec3& voxel) { area += base.at(voxel, face).a / 255.0; });
-            const double seen = 30.0 * 30.0 * std::max(0.0, glm::dot(n, faceDirection(face)));
-            EXPECT_NEAR(area * voxelSide * voxelSide, seen, 0.01 * 900.0)
-                << faceName(face) << ", " << samples;
-        }
-    }
 }
 
 }  // namespace

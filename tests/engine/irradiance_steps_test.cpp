@@ -9,9 +9,9 @@
 
 #include "gl/call_log.h"
 #include "scene/camera.h"
+#include "support/playing_scene.h"
 #include "support/received.h"
 #include "support/scenes.h"
-#include "support/playing_scene.h"
 #include "support/voxel_kinds.h"
 
 namespace vct::test {
@@ -76,7 +76,7 @@ TEST(ReceivedLight, AStillPictureIsThatOfAllItsFrames) {
     Renderer still = makeRenderer(context, scene, chooseLight(scene), settings);
     Renderer frames = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = chooseCamera(scene, "");
-    still.still(Mode::gi, camera);
+    still.renderConverged(Mode::gi, camera);
     for (int i = 0; i < settings.lightFrames; ++i)
         frames.frame(Mode::gi, camera);
     EXPECT_TRUE(receivedBy(still) == receivedBy(frames));
@@ -147,7 +147,7 @@ TEST_P(TurningLight, IsFollowed) {
     turned.towardsLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
                                                     l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
-    fresh.still(Mode::gi, camera);
+    fresh.renderConverged(Mode::gi, camera);
     const ReceivedFaces right = receivedBy(fresh);
     const double change = differenceOf(before, right).rms;
     renderer.setLightDirection(turned.towardsLight);

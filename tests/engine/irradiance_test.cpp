@@ -79,7 +79,8 @@ TEST_P(GatherOf, ALonePlaneSeesTheSkyAndNothingElse) {
         settings.skyRadiance = glm::vec3(sky);
         GatheredFrame frame =
             frameOf(context, lonePlane(0.0), noLight(), settings, lookAt({0, 3, 0.5}, {0, 0, 0}, 40));
-        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT), ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
+        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT),
+                     ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
         ASSERT_GT(light.count, 800);
         EXPECT_NEAR(light.min, sky, sky * std::exp2(-10));  // halves
         EXPECT_NEAR(light.max, sky, sky * std::exp2(-10));
@@ -268,7 +269,8 @@ TEST_P(GatherOf, LoneLitPlaneGetsNothing) {
         GatheredFrame frame =
             frameOf(context, scene, lightFrom(up), presetAt(GetParam(), glm::ivec2(pictureSide)),
                     lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40));
-        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT), ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
+        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT),
+                     ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
         std::printf("%s, lone plane turned by %g degrees: mean %.4f, max %.4f; ambientVisibility from %.4f\n",
                     GetParam(), turnDeg, light.mean, light.max, ambientVisibility.min);
         ASSERT_GT(light.count, 1000);
@@ -290,7 +292,8 @@ TEST_P(GatherOf, TheDarkSideOfALitSheetGetsNothing) {
         GatheredFrame frame =
             frameOf(context, scene, lightFrom(-up), presetAt(GetParam(), glm::ivec2(pictureSide)),
                     lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40));
-        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT), ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
+        const Spread light = spreadOf(frame, VCT_VIEW_INDIRECT),
+                     ambientVisibility = spreadOf(frame, VCT_VIEW_AO);
         std::printf("%s, dark side turned by %g degrees: mean %.4f, max %.4f; ambientVisibility from %.4f\n",
                     GetParam(), turnDeg, light.mean, light.max, ambientVisibility.min);
         ASSERT_GT(light.count, 1000);

@@ -110,17 +110,6 @@ TEST_P(Moving, BetweenCardsOnTheBordersOfBlocks) {
     }
 }
 
-// Several fragments per voxel along each side, whose places are finer.
-TEST_P(Moving, WithMoreThanOneSamplePerVoxel) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = load(twoThatMove());
-    Settings settings = settingsOf(GetParam());
-    settings.voxelSamples = 2;
-    Stage stage(context, scene, settings);
-    for (const double seconds : {0.0, 0.35, 1.7, 0.4})
-        expectFresh(stage, context, scene, settings, seconds);
-}
-
 // One second inside, one far away (beyond what the volume was made for), one inside again.
 TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
     const Context context = openContext(Backend::egl);

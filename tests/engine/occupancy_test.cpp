@@ -75,10 +75,9 @@ bool hasNeighbour(const Occupancy& occupied, int grid, int x, int y, int z) {
     return false;
 }
 
-Comparison compareOccupancy(const Scene& scene, int grid, int samples = 1) {
+Comparison compareOccupancy(const Scene& scene, int grid) {
     const Context context = openContext(Backend::egl);
-    Settings settings = smallSettings(grid, 16);
-    settings.voxelSamples = samples;
+    const Settings settings = smallSettings(grid, 16);
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     renderer.frame(Mode::gi, frameScene(scene));
     const Words words = readVoxels(renderer.voxels()->texture(), 0);
@@ -136,21 +135,6 @@ TEST_P(OccupancyOf, EqualsTheExactOverlapButForMissedVoxels) {
         EXPECT_EQ(c.farExtra, 0U);
         EXPECT_LE(static_cast<double>(c.extra), 1e-4 * static_cast<double>(c.touched));
         EXPECT_LE(missedShare, missedBound(GetParam()));
-    }
-}
-
-TEST(VoxelSamples, MoreOfThemMissFewerVoxelsAndAddNone) {
-    for (const char* name : {"cornell.glb", "courtyard.glb"}) {
-        const Scene scene = loadGltf(asset(name));
-        std::size_t missedBefore = compareOccupancy(scene, 64).missed;
-        for (int samples : {2, 4}) {
-            const Comparison c = compareOccupancy(scene, 64, samples);
-            EXPECT_LT(static_cast<double>(c.missed), 0.6 * static_cast<double>(missedBefore))
-                << name << " " << samples;
-            EXPECT_EQ(c.farExtra, 0U);
-            EXPECT_LE(static_cast<double>(c.extra), 1e-4 * static_cast<double>(c.touched));
-            missedBefore = c.missed;
-        }
     }
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "platform/contexts.h"
 #include "engine/axis_sort.h"
 #include "engine/gpu_scene.h"
+#include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/grids.h"
 #include "support/renderers.h"

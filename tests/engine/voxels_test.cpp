@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "gl/debug.h"
-#include "platform/contexts.h"
 #include "lab/read_back.h"
+#include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/renderers.h"
 #include "support/scenes.h"

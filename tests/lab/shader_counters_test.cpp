@@ -82,10 +82,9 @@ TEST(TripCounts, AreThoseOfTheActiveVoxels) {
 TEST(TripCounts, OfTheSoftShadowAreItsTaps) {
     Settings settings = smallSettings(64, pixelsAlongASide);
     settings.shadow = Shadow::softMap;
-    settings.blockerTaps = 5;
     settings.filterTaps = 7;
     const StageCount tracer = stage(counted(settings).counts, "passes/shade.frag");
-    const double searches = trips(tracer, "blocker tap") / 5.0;
+    const double searches = trips(tracer, "blocker tap") / 8.0;
     const double penumbrae = trips(tracer, "filter tap") / 7.0;
     EXPECT_EQ(searches, std::floor(searches));
     EXPECT_EQ(penumbrae, std::floor(penumbrae));

@@ -16,9 +16,9 @@ class CpuConeTracer {
     CpuConeTracer(std::vector<Words> levels, const shared::FrameUniforms& frame);
 
     struct Gather {
-        glm::dvec3 radiance{0.0};  // relative to E/pi
-        double ambientVisibility = 0.0;     // 1 - ambient occlusion
-        int steps = 0;             // of all six cones; each reads one level
+        glm::dvec3 radiance{0.0};        // relative to E/pi
+        double ambientVisibility = 0.0;  // 1 - ambient occlusion
+        int steps = 0;                   // of all six cones; each reads one level
     };
     // `reach` in volume sides. 1 for indirect light, the AO distance for occlusion alone.
     Gather gather(const glm::dvec3& positionVolume, const glm::dvec3& normal, double reach) const;

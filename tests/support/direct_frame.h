@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "image/image.h"
-#include "platform/context.h"
-#include "engine/passes/shade.h"
 #include "engine/frame_uniforms.h"
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/shade.h"
 #include "engine/passes/shadow_map.h"
+#include "image/image.h"
+#include "platform/context.h"
 #include "support/renderers.h"
 #include "support/surface_pixels.h"
 

@@ -4,11 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "platform/context.h"
-#include "engine/passes/shade.h"
 #include "engine/frame_uniforms.h"
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/shade.h"
 #include "engine/renderer.h"
+#include "platform/context.h"
 #include "support/voxels.h"
 
 namespace vct::test {

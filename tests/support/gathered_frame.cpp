@@ -11,7 +11,7 @@ namespace {
 shared::FrameUniforms uniformsOf(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                                  const Volume& volume, const Camera& camera) {
     shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
-    uniforms.faces.x = faceSumUnits(scene.triangleCount(), settings.voxelSamples);
+    uniforms.faces.x = faceSumUnits(scene.triangleCount());
     uniforms.faces.y = faceRadianceRange(scene, light, settings.skyRadiance);
     uniforms.faces.z = largestBounceShare(scene);
     return uniforms;
@@ -37,8 +37,7 @@ GatheredFrame::GatheredFrame(const Context& context, const Scene& scene, const D
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
-    DirectionalVoxelizer(shaders_, scene_, volume.grid, settings.voxelization, settings.voxelSamples)
-        .run(scene_, shadow, voxels_);
+    DirectionalVoxelizer(shaders_, scene_, volume.grid, settings.voxelization).run(scene_, shadow, voxels_);
     mipmapper_.makeLevels(voxels_);
 }
 
@@ -72,7 +71,7 @@ Image GatheredFrame::view(int view) {
         settle(view != VCT_VIEW_INDIRECT);
     const Irradiance& received = occlusion ? occlusion_ : light_;
     return readImage(shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(),
-                                      {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
+                                 {nullptr, received.irradiance(), received.bricks(), &voxels_.faces()}));
 }
 
 }  // namespace vct::test

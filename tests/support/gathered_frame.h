@@ -1,18 +1,18 @@
-// One frame through directional coverage voxels with its passes laid open: over a volume of the test's choosing, and with
-// what each face received.
+// One frame through directional coverage voxels with its passes laid open: over a volume of the test's
+// choosing, and with what each face received.
 #pragma once
 
 #include <vector>
 
-#include "image/image.h"
-#include "platform/context.h"
-#include "engine/passes/shade.h"
 #include "engine/directional/directional_mipmapper.h"
 #include "engine/directional/directional_voxelizer.h"
+#include "engine/directional/irradiance.h"
 #include "engine/frame_uniforms.h"
 #include "engine/passes/g_buffer.h"
-#include "engine/directional/irradiance.h"
+#include "engine/passes/shade.h"
 #include "engine/passes/shadow_map.h"
+#include "image/image.h"
+#include "platform/context.h"
 #include "support/cpu_directional_cones.h"
 #include "support/faces.h"
 #include "support/received.h"
@@ -40,8 +40,8 @@ class GatheredFrame {
     const gl::Texture& irradiance() const { return *light_.irradiance(); }
     const gl::Texture& bricks() const { return *light_.bricks(); }
 
-    // `view`: VCT_VIEW_*, or a mode. Where no step was made, when the light stands still: that of one bounce in
-    // VCT_VIEW_INDIRECT, as the light parts show it.
+    // `view`: VCT_VIEW_*, or a mode. Where no step was made, when the light stands still: that of one bounce
+    // in VCT_VIEW_INDIRECT, as the light parts show it.
     Image view(int view);
 
   private:

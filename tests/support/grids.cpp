@@ -11,7 +11,8 @@ namespace vct::test {
 
 namespace {
 
-std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels, std::uint32_t count) {
+std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels,
+                                                           std::uint32_t count) {
     const std::vector<std::uint32_t> entries = readEntries(voxels.index(), 0, count);
     std::vector<std::uint32_t> words(entries.size() * VCT_SLOT_WORDS);
     voxels.sums().read(words.data(), words.size() * sizeof words[0]);
@@ -35,8 +36,8 @@ std::vector<FaceLevel> coverageOf(const Grid& grid) {
     std::vector<FaceLevel> faces = grid.faces;
     for (std::size_t level = 0; level < faces.size(); ++level)
         for (const std::uint32_t entry : grid.faceLists[level]) {
-            glm::u8vec4& face =
-                faces[level].at(glm::ivec3(shared::unpackFaceVoxel(entry)), static_cast<int>(shared::unpackFace(entry)));
+            glm::u8vec4& face = faces[level].at(glm::ivec3(shared::unpackFaceVoxel(entry)),
+                                                static_cast<int>(shared::unpackFace(entry)));
             face = {0, 0, 0, face.a};
         }
     return faces;

@@ -18,7 +18,8 @@ struct Grid {
     std::vector<std::vector<std::uint32_t>> faceLists;  // as the lists of voxels
     // And what voxelization added up: of each listed voxel which faces are not empty, and their words.
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
-    bool received = false;  // whether the faces shine with what they received, too, which no frame alone determines
+    bool received =
+        false;  // whether the faces shine with what they received, too, which no frame alone determines
 };
 Grid gridOf(Renderer& renderer);
 

@@ -21,7 +21,7 @@ void Stage::frameAt(double seconds, Mode mode) {
 }
 
 void Stage::stillAt(double seconds, Mode mode) {
-    renderer_.still(mode, moveTo(seconds));
+    renderer_.renderConverged(mode, moveTo(seconds));
 }
 
 std::size_t Stage::bytes() const {
@@ -44,8 +44,8 @@ void expectFresh(Stage& stage, const Context& context, const Scene& scene, const
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 
-void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings, double seconds,
-                      Mode mode) {
+void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+                      double seconds, Mode mode) {
     const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
     stage.stillAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);

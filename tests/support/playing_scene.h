@@ -26,14 +26,14 @@ class Stage {
     Renderer renderer_;
 };
 
-// Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its picture, where that
-// does not show what faces received: they remember earlier poses.
+// Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its
+// picture, where that does not show what faces received: they remember earlier poses.
 void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Mode mode = Mode::gi);
 
-// Likewise of what faces received, when it stands still: the difference of the two is noise of the last round of
-// directions and of 8 bits, not a trace of where things were.
-void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings, double seconds,
-                      Mode mode = Mode::gi);
+// Likewise of what faces received, when it stands still: the difference of the two is noise of the last round
+// of directions and of 8 bits, not a trace of where things were.
+void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+                      double seconds, Mode mode = Mode::gi);
 
 }  // namespace vct::test

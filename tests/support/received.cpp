@@ -22,8 +22,10 @@ ReceivedFaces readReceived(const DirectionalVoxels& voxels, const gl::Buffer& re
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
         face.steps = bSteps.y;
-        face.coverage =
-            base.at(glm::ivec3(shared::unpackFaceVoxel(list[i])), static_cast<int>(shared::unpackFace(list[i]))).a / 255.0;
+        face.coverage = base.at(glm::ivec3(shared::unpackFaceVoxel(list[i])),
+                                static_cast<int>(shared::unpackFace(list[i])))
+                            .a /
+                        255.0;
         faces[list[i]] = face;
     }
     return faces;

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "engine/renderer.h"
 #include "gl/shader_source.h"
 #include "platform/context.h"
-#include "engine/renderer.h"
 #include "scene/gltf.h"
 
 namespace vct::test {

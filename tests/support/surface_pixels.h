@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "gl/program.h"
 #include "engine/passes/g_buffer.h"
+#include "gl/program.h"
 #include "shared/layout.h"
 
 namespace vct::test {

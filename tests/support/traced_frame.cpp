@@ -21,9 +21,8 @@ TracedFrame::TracedFrame(const Context& context, const Scene& scene, const Direc
     const gl::Texture& shadow = shadowMap_.draw(scene_);
     if (shadow.levels() > 1) shadowMap_.makeLevels();
     gBuffer_.draw(scene_);
-    PackedVoxelizer(shaders_, scene_, settings.grid, settings.voxelization, settings.voxelSamples)
-        .run(scene_, shadow, pyramid_);
-    PackedMipmapper(shaders_, packedMipmapperProgram()).run(pyramid_);
+    PackedVoxelizer(shaders_, scene_, settings.grid, settings.voxelization).run(scene_, shadow, pyramid_);
+    PackedMipmapper(shaders_).run(pyramid_);
 }
 
 Words TracedFrame::level(int level) const {
@@ -43,8 +42,7 @@ std::vector<SurfacePixel> TracedFrame::pixels() const {
 
 Image TracedFrame::view(int view) {
     uniformBuffer_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
-    return readImage(
-        shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {&pyramid_.texture(), {}}));
+    return readImage(shade_.draw(view, gBuffer_.targets(), &shadowMap_.texture(), {&pyramid_.texture(), {}}));
 }
 
 }  // namespace vct::test

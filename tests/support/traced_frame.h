@@ -4,14 +4,14 @@
 
 #include <vector>
 
+#include "engine/frame_uniforms.h"
+#include "engine/packed/packed_mipmapper.h"
+#include "engine/packed/packed_voxelizer.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/passes/shade.h"
+#include "engine/passes/shadow_map.h"
 #include "image/image.h"
 #include "platform/context.h"
-#include "engine/passes/shade.h"
-#include "engine/frame_uniforms.h"
-#include "engine/passes/g_buffer.h"
-#include "engine/packed/packed_mipmapper.h"
-#include "engine/passes/shadow_map.h"
-#include "engine/packed/packed_voxelizer.h"
 #include "support/surface_pixels.h"
 #include "support/voxels.h"
 

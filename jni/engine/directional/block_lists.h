@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "gl/objects.h"
 #include "engine/directional/dirty_blocks.h"
+#include "gl/objects.h"
 
 namespace vct {
 
@@ -27,7 +27,8 @@ class BlockLists {
         return static_cast<std::uint32_t>(lists_[list].entries.size());
     }
 
-    // What this frame makes anew; null: everything. Also binds it for shaders (directional/dirty_blocks.glsl).
+    // What this frame makes anew; null: everything. Also binds it for shaders
+    // (directional/dirty_blocks.glsl).
     void choose(const BlockMask* changed);
 
     // Of entries, in buffers that hold them one behind the other.

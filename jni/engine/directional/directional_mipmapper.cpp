@@ -1,7 +1,7 @@
 #include "engine/directional/directional_mipmapper.h"
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 

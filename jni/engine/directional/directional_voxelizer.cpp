@@ -1,8 +1,8 @@
 #include "engine/directional/directional_voxelizer.h"
 
-#include "gl/debug.h"
-#include "engine/programs.h"
 #include "engine/packed/packed_voxelizer.h"
+#include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 
@@ -17,8 +17,8 @@ glm::ivec4 viewportFor(int side) {
 
 }  // namespace
 
-FaceProjection::FaceProjection(int grid, int samples)
-    : viewport_(viewportFor(grid * samples)),
+FaceProjection::FaceProjection(int grid)
+    : viewport_(viewportFor(grid)),
       framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
 
 void FaceProjection::use() const {
@@ -29,14 +29,15 @@ void FaceProjection::use() const {
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                             Voxelization voxelization, int samples)
+                                           Voxelization voxelization)
     : touch_(shaders, scene, [=](unsigned features) { return occupancyProgram(features, voxelization); }),
       accumulate_(shaders, scene,
                   [=](unsigned features) { return directionalVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, directionalResolveProgram()),
-      projection_(grid, samples) {}
+      projection_(grid) {}
 
-void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxels& voxels) {
+void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap,
+                               DirectionalVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
     touch(scene, {}, voxels);
@@ -45,7 +46,8 @@ void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowM
     resolve(resolve_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
 }
 
-void DirectionalVoxelizer::touch(const GpuScene& scene, const ScenePart& part, DirectionalVoxels& voxels) const {
+void DirectionalVoxelizer::touch(const GpuScene& scene, const ScenePart& part,
+                                 DirectionalVoxels& voxels) const {
     projection_.use();
     voxels.index().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.index().bindLists();
@@ -54,8 +56,9 @@ void DirectionalVoxelizer::touch(const GpuScene& scene, const ScenePart& part, D
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
-                               const gl::Texture& shadowMap, DirectionalVoxels& voxels) const {
+void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part,
+                                      const MaterialPrograms& programs, const gl::Texture& shadowMap,
+                                      DirectionalVoxels& voxels) const {
     projection_.use();
     voxels.bindLists();
     shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
@@ -65,7 +68,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& pa
 }
 
 void DirectionalVoxelizer::resolve(const gl::Program& program, DirectionalVoxels& voxels,
-                            const std::function<void()>& dispatch) const {
+                                   const std::function<void()>& dispatch) const {
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     program.use();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);

@@ -13,8 +13,7 @@ namespace vct {
 // makes fragments.
 class FaceProjection {
   public:
-    // `samples`: Settings::voxelSamples.
-    FaceProjection(int grid, int samples);
+    explicit FaceProjection(int grid);
 
     // Of draws to come.
     void use() const;
@@ -27,9 +26,8 @@ class FaceProjection {
 
 class DirectionalVoxelizer {
   public:
-    // `samples`: as above.
     DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                  Voxelization voxelization, int samples);
+                         Voxelization voxelization);
 
     // Empties `voxels`, then writes its base level and the base level's list.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxels& voxels);
@@ -42,7 +40,8 @@ class DirectionalVoxelizer {
                     const gl::Texture& shadowMap, DirectionalVoxels& voxels) const;
     const MaterialPrograms& programs() const { return accumulate_; }
     // The sums into the faces and their lists, by a program for whichever voxels `dispatch` visits.
-    void resolve(const gl::Program& program, DirectionalVoxels& voxels, const std::function<void()>& dispatch) const;
+    void resolve(const gl::Program& program, DirectionalVoxels& voxels,
+                 const std::function<void()>& dispatch) const;
 
   private:
     MaterialPrograms touch_, accumulate_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "gl/debug.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 
@@ -25,11 +25,9 @@ double areaWorld(const Mesh& mesh, const Instance& instance) {
 
 }  // namespace
 
-float faceSumUnits(std::size_t triangles, int samples) {
-    // Each fragment may be rounded up by half a unit; a single one is at most the whole face, which is not.
-    const std::size_t rounding = static_cast<std::size_t>(samples) * samples / 2;
+float faceSumUnits(std::size_t triangles) {
     const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
-    return static_cast<float>(std::clamp<std::size_t>(room > rounding ? room - rounding : 1, 1, 4096));
+    return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
 }
 
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance) {

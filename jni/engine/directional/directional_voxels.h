@@ -8,9 +8,8 @@
 namespace vct {
 
 // The fixed-point units of a whole face in the sums of voxelization: 4096, or fewer where a scene has so many
-// triangles that a sum could overflow otherwise. (A triangle makes samples^2 fragments in a voxel at most,
-// each with its part of the face.)
-float faceSumUnits(std::size_t triangles, int samples = 1);
+// triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
+float faceSumUnits(std::size_t triangles);
 
 // The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
 // and by bounces, or the brightest emitter and what goes round of the light of all of them, as in a closed
@@ -37,8 +36,8 @@ class DirectionalVoxels {
     const gl::Texture& faces() const { return faces_; }
     // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
     const VoxelPyramid& index() const { return index_; }
-    // What voxelization adds up per occupied voxel, and the lists of faces: shaders/directional/face_sums.glsl,
-    // face_list.glsl. Empty before makeRoom().
+    // What voxelization adds up per occupied voxel, and the lists of faces:
+    // shaders/directional/face_sums.glsl, face_list.glsl. Empty before makeRoom().
     const gl::Buffer& sums() const { return sums_; }
 
     // Empties everything through the last frame's lists.

@@ -99,7 +99,7 @@ Bounds grown(const Bounds& box, double by) {
 }
 
 BlockMask dirtyBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
-                        const ShadowReach& shadow, double voxel) {
+                      const ShadowReach& shadow, double voxel) {
     const double snapped = snappingReach(voxel);
     BlockMask mask;
     ShadowReach reach = shadow;

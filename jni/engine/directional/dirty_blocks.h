@@ -41,8 +41,8 @@ struct Placement {
 
 struct ShadowReach {
     glm::dvec3 towardsLight;
-    double margin;    // how far beside its own projection something can change the filtered shadow
-    double above;     // and how far towards the light
+    double margin;     // how far beside its own projection something can change the filtered shadow
+    double above;      // and how far towards the light
     Bounds staticBox;  // around what can be in shadow and does not move
 };
 
@@ -56,6 +56,6 @@ Bounds grown(const Bounds& box, double by);
 // `before` and `after` hold the same instances. Those that have not moved count too, as all that can move is
 // taken out and put in again, but not their shadows. `voxel`: a voxel's side.
 BlockMask dirtyBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
-                        const ShadowReach& shadow, double voxel);
+                      const ShadowReach& shadow, double voxel);
 
 }  // namespace vct

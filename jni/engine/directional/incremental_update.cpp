@@ -2,23 +2,25 @@
 
 #include <algorithm>
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 
 using Of = ScenePart::Of;
 
-IncrementalUpdate::IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization)
+IncrementalUpdate::IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                                     Voxelization voxelization)
     : clearBase_(shaders, dirtyClearBaseProgram()),
       resolve_(shaders, dirtyResolveProgram()),
       resolveStatic_(shaders, staticResolveProgram()),
       mipmap_(shaders, dirtyMipmapperProgram()),
       static_(shaders, scene,
-             [=](unsigned features) { return staticVoxelizerProgram(features, voxelization); }) {}
+              [=](unsigned features) { return staticVoxelizerProgram(features, voxelization); }) {}
 
-void IncrementalUpdate::voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                            DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels) {
+void IncrementalUpdate::voxelize(const GpuScene& scene, const gl::Texture& shadowMap,
+                                 const BlockMask* changed, DirectionalVoxelizer& voxelizer,
+                                 DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels) {
     keptFaces_ = staticFaces_;
     if (!staticEntries_) {
         keptFaces_ = 0;
@@ -35,8 +37,9 @@ void IncrementalUpdate::voxelize(const GpuScene& scene, const gl::Texture& shado
 
 // Which voxels and faces the static geometry fills, as no light and no pose changes that; and makes room for
 // those of the present pose, and some more.
-void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxelizer& voxelizer,
-                         DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels) {
+void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& shadowMap,
+                                     DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper,
+                                     DirectionalVoxels& voxels) {
     const gl::DebugGroup group("static voxels");
     staticEntries_.reset();
     voxels.clear();
@@ -59,8 +62,8 @@ void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& s
 }
 
 // In the base level's list; of the static voxels there and in `changed`, empties the sums.
-void IncrementalUpdate::replaceMoving(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
-                                 DirectionalVoxels& voxels) {
+void IncrementalUpdate::replaceMoving(const GpuScene& scene, const BlockMask* changed,
+                                      DirectionalVoxelizer& voxelizer, DirectionalVoxels& voxels) {
     staticEntries_->choose(changed);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_TEXTURE_FETCH_BARRIER_BIT);

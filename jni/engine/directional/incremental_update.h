@@ -17,7 +17,8 @@ class IncrementalUpdate {
     // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
     // them. What moves must have been in `changed` before, and must be in it now.
     void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
-                  DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
+                  DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper,
+                  DirectionalVoxels& voxels);
     // The coarser levels of that. False where there were more voxels than there is room for: to be made again
     // from the start.
     bool mipmap(DirectionalVoxels& voxels);
@@ -30,7 +31,7 @@ class IncrementalUpdate {
 
   private:
     void recordStatic(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxelizer& voxelizer,
-               DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
+                      DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
     void replaceMoving(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
                        DirectionalVoxels& voxels);
     void dispatchOverPart(int level, int emptied, const DirectionalVoxels& voxels) const;
@@ -40,7 +41,7 @@ class IncrementalUpdate {
     // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
     std::optional<BlockLists> staticEntries_;
     std::uint32_t staticFaces_ = 0, keptFaces_ = 0;
-    gl::Buffer staticCommands_;                         // those of the static geometry alone
+    gl::Buffer staticCommands_;                        // those of the static geometry alone
     std::vector<shared::LevelCommands> lastCommands_;  // those of the last frame
 };
 

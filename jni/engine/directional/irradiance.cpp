@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 
@@ -32,8 +32,8 @@ constexpr float bounceGain = 1.06F;
 constexpr std::uint32_t conesOfNew = 8;
 // Of light that stands still, in steps: what a few cones add to it then is hardly seen.
 constexpr float longestMemory = 192.0F;
-// The 16 faces of a block look into 16 directions in a row (shaders/directional/irradiance.comp): in the next step these
-// are others. Odd, so that each face comes to all of them.
+// The 16 faces of a block look into 16 directions in a row (shaders/directional/irradiance.comp): in the next
+// step these are others. Odd, so that each face comes to all of them.
 constexpr std::uint32_t directionsOfBlock = 17;
 // Once the changes have ended, so much less of a face's light is its block's in each step.
 constexpr float smoothingLess = 0.25F;

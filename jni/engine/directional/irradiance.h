@@ -42,7 +42,8 @@ class Irradiance {
     const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
     const gl::Texture* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
 
-    // What each face received, in the order of the base level's list of faces: shaders/directional/received.glsl.
+    // What each face received, in the order of the base level's list of faces:
+    // shaders/directional/received.glsl.
     const gl::Buffer& received() const { return received_; }
     std::vector<const gl::Texture*> textures() const;
 

@@ -1,17 +1,16 @@
 #include "engine/directional/relighter.h"
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 
 namespace vct {
 
 Relighter::Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                             Voxelization voxelization, int samples)
+                     Voxelization voxelization)
     : clearRadiance_(shaders, clearRadianceProgram()),
-      accumulate_(shaders, scene,
-                  [=](unsigned features) { return relightProgram(features, voxelization); }),
+      accumulate_(shaders, scene, [=](unsigned features) { return relightProgram(features, voxelization); }),
       resolve_(shaders, relightResolveProgram()),
-      projection_(grid, samples) {}
+      projection_(grid) {}
 
 void Relighter::run(const GpuScene& scene, const gl::Texture& shadowMap, const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("relight");

@@ -10,8 +10,7 @@ namespace vct {
 class Relighter {
   public:
     // As the DirectionalVoxelizer that made the voxels.
-    Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                  Voxelization voxelization, int samples);
+    Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, Voxelization voxelization);
 
     // The base level of `voxels`. Afterwards it is ready to be fetched as a texture.
     void run(const GpuScene& scene, const gl::Texture& shadowMap, const DirectionalVoxels& voxels);

@@ -1,11 +1,12 @@
 #include "engine/packed/packed_mipmapper.h"
 
+#include "engine/programs.h"
 #include "gl/debug.h"
 
 namespace vct {
 
-PackedMipmapper::PackedMipmapper(const gl::ShaderLibrary& shaders, const gl::ProgramDescription& program)
-    : program_(shaders, program) {}
+PackedMipmapper::PackedMipmapper(const gl::ShaderLibrary& shaders)
+    : program_(shaders, packedMipmapperProgram()) {}
 
 void PackedMipmapper::run(VoxelPyramid& voxels) {
     const gl::DebugGroup group("mipmap");

@@ -7,8 +7,7 @@ namespace vct {
 
 class PackedMipmapper {
   public:
-    // `program`: packedMipmapperProgram(), or its variant where the lists are there.
-    PackedMipmapper(const gl::ShaderLibrary& shaders, const gl::ProgramDescription& program);
+    explicit PackedMipmapper(const gl::ShaderLibrary& shaders);
 
     // Afterwards the pyramid is ready to be fetched as a texture, and the lists to be drawn.
     void run(VoxelPyramid& voxels);

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "gl/objects.h"
 #include "engine/gpu_scene.h"
 #include "engine/programs.h"
+#include "gl/objects.h"
 
 namespace vct {
 

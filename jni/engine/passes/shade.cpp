@@ -1,7 +1,7 @@
 #include "engine/passes/shade.h"
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -17,13 +17,12 @@ const gl::Program& Shade::program(int mode, const GBuffer::Targets& surface) {
     const auto key = std::make_tuple(mode, targets.emissive, targets.gloss);
     auto found = programs_.find(key);
     if (found == programs_.end())
-        found =
-            programs_.emplace(key, gl::Program(shaders_, shadeProgram(mode, targets, settings_))).first;
+        found = programs_.emplace(key, gl::Program(shaders_, shadeProgram(mode, targets, settings_))).first;
     return found->second;
 }
 
 const gl::Texture& Shade::draw(int mode, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                                    const Light& light) {
+                               const Light& light) {
     const gl::DebugGroup group("cone trace");
     program(mode, surface).use();
     framebuffer_.bind();

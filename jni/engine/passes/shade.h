@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "gl/program.h"
 #include "engine/passes/g_buffer.h"
 #include "engine/settings.h"
+#include "gl/program.h"
 
 namespace vct {
 

@@ -1,7 +1,7 @@
 #include "engine/passes/shadow_map.h"
 
-#include "gl/debug.h"
 #include "engine/programs.h"
+#include "gl/debug.h"
 #include "shared/layout.h"
 
 namespace vct {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "gl/objects.h"
 #include "engine/gpu_scene.h"
 #include "engine/settings.h"
+#include "gl/objects.h"
 
 namespace vct {
 
