@@ -346,7 +346,7 @@ void App::measure() {
                 BenchRun::Input{*request_, scene_, gl_->capabilities(),
                                 shadersFromAssets(glue_.activity->assetManager), "android",
                                 selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
-                *results_);
+                results_->path());
         }
         if (!bench_->advance()) endMeasuring("");
     } catch (const gl::ContextLost&) {

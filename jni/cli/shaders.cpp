@@ -10,11 +10,11 @@
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/files.h"
-#include "lab/options.h"
-#include "lab/timings.h"
-#include "lab/shader_counters.h"
-#include "platform/context.h"
 #include "engine/programs.h"
+#include "lab/options.h"
+#include "lab/shader_counters.h"
+#include "lab/timings.h"
+#include "platform/context.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 
@@ -125,7 +125,7 @@ ordered_json countsJson(const std::vector<StageCount>& counts) {
             loops.push_back({{"name", loop.name},
                              {"depth", loop.depth},
                              {"constant", loop.constant},
-                             {"trips", loop.trips}});
+                             {"trips", loop.iterations}});
         json[stage.shader] = {{"invocations", stage.invocations}, {"loops", loops}};
     }
     return json;
