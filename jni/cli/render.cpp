@@ -126,8 +126,7 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
         pictures.debugViews = renderer.debugViews(camera);
     }
     const Progress progress("writing the pictures");
-    write(pictures, options.pictures, out);
-    return filesOf(pictures, options.pictures);
+    return write(pictures, options.pictures, out);
 }
 
 // Every mode at each moment, written frame by frame: a sequence may be longer than the memory. With timings
