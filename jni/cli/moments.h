@@ -23,7 +23,7 @@ struct MomentOptions {
 // animation and a moment of it was asked for.
 std::vector<double> momentsOf(const MomentOptions& options, const Scene& scene);
 
-// Of frame `index` of a sequence: "_0012".
+// The end of the name of frame `index` of a sequence: "_0012".
 std::string frameSuffix(std::size_t index);
 
 }  // namespace vct::cli

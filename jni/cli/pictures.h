@@ -19,10 +19,10 @@ struct PictureOptions {
     bool contactSheet = false;
 };
 
-// Of one moment. Everything is rendered before anything is written.
+// The pictures of one moment. Everything is rendered before anything is written.
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
-    std::vector<std::pair<std::string, Image>> lightParts;  // likewise
+    std::vector<std::pair<std::string, Image>> lightParts;  // PNG with exposure, and EXR
     std::vector<Renderer::DebugView> debugViews;
 };
 

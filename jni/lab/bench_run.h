@@ -74,7 +74,7 @@ class BenchRun {
     const BenchReport& report() const { return report_; }
 
     std::string progress() const;  // "2 of 15: scene 5, 256^3, 10 degrees, run 1 of 3: gi-cone-shadow"
-    // Of the configuration that is being measured; null between two of them.
+    // The renderer of the configuration that is being measured; null between two of them.
     const Renderer* renderer() const { return renderer_ ? &*renderer_ : nullptr; }
 
   private:

@@ -37,7 +37,7 @@ class Player {
         renderer_.frame(options_.mode, options_.camera);
     }
 
-    // Of the third frame: every pass is made in the first two.
+    // The cost of the third frame: every pass is made in the first two.
     FrameCost cost() {
         for (int i = 0; i < 2; ++i)
             frame();

@@ -46,7 +46,7 @@ ordered_json gpuStepsJson(const StepTimes& times) {
     return json;
 }
 
-// Of all modes together: a clock that is wrong in one is not believed in the others.
+// One answer for all modes: a clock that is wrong in one is not believed in the others.
 std::string gpuClockText(const TimingsReport& report) {
     for (const auto& [mode, times] : report.modes)
         if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())

@@ -155,12 +155,6 @@ TEST_F(BadScene, ListThatIsTooSmallNamesTheSizeThatIsNeeded) {
     expectOneError(render("cornell.glb", cornell(), "--grid 64 --active-voxels 100"), "--active-voxels");
 }
 
-TEST_F(BadScene, OutputThatCannotBeWritten) {
-    std::ofstream(folder.file("out")) << "a file where the folder should be";
-    EXPECT_EQ(render("good.glb", triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0})), 1);
-    EXPECT_EQ(errors(), 1) << text;
-}
-
 // As on a full disk.
 TEST_F(BadScene, OutputThatDoesNotFitLeavesNothing) {
     expectOneError(render("cornell.glb", cornell(), "--mode phong", "ulimit -f 4;"),

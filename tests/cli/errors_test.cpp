@@ -12,12 +12,16 @@ struct BadCommand {
     std::string says;
 };
 
+std::string onCornell(const std::string& command, const std::string& options) {
+    return command + " " + ProgramRun::cornell + " " + options;
+}
+
 std::string renderCornell(const std::string& options) {
-    return std::string("render ") + ProgramRun::cornell + " " + options;
+    return onCornell("render", options);
 }
 
 std::string benchCornell(const std::string& options) {
-    return std::string("bench ") + ProgramRun::cornell + " " + options;
+    return onCornell("bench", options);
 }
 
 class CommandLine : public ::testing::TestWithParam<BadCommand> {};
@@ -84,6 +88,13 @@ INSTANTIATE_TEST_SUITE_P(
                    "--light-frames must be between 1 and 1000\n"},
         BadCommand{"LightBeyondFloat", renderCornell("--out out --light intensity=1e39"),
                    "--light: color times"},
+        BadCommand{"ShadersPreset", onCornell("shaders", "--out out --preset best"),
+                   "thesis, mobile, quality"},
+        BadCommand{"InfoBackend", "info --backend direct3d", "egl, osmesa, zink"},
+        BadCommand{"InfoScene", "info none.glb", "none.glb"},
+        BadCommand{"InfoPreset", onCornell("info", "--preset best"), "thesis, mobile, quality"},
+        BadCommand{"InfoModes", onCornell("info", "--mode ao,gi"), "name one"},
+        BadCommand{"InfoGrid", onCornell("info", "--grid 100"), "{64,128,256,512,auto}"},
         BadCommand{"InfoWithoutScene", "info --times 5", "--times requires scene"}),
     [](const ::testing::TestParamInfo<BadCommand>& test) { return std::string(test.param.name); });
 

@@ -54,12 +54,6 @@ TEST(Info, TakesEssl310WithExtensionsWhereTheContextIsEs31) {
     EXPECT_TRUE(has(outcome, "KHR_debug messages and groups")) << outcome.output;
 }
 
-TEST(Info, RefusesAnUnknownBackEnd) {
-    const Outcome outcome = info("", "--backend direct3d");
-    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
-    EXPECT_TRUE(has(outcome, "egl, osmesa, zink")) << outcome.output;
-}
-
 TEST(Info, PrintsNothingButItsReportOnZink) {
     VCT_SKIP_IF_ABSENT(Backend::zink);
     const Outcome outcome = info("env -u XDG_RUNTIME_DIR", "--backend zink");
@@ -103,19 +97,6 @@ TEST(Info, CostsOfWhatMoves) {
         EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
         EXPECT_TRUE(has(outcome, "\n| moving objects | +0 | +")) << outcome.output;
         EXPECT_TRUE(has(outcome, "\n| moving light | +0 | +0 | +0 | +0.0 | – |\n")) << outcome.output;
-    }
-}
-
-TEST(Info, ABadSceneIsOneError) {
-    const std::string cases[][2] = {{"none.glb", "none.glb"},
-                                    {courtyard + " --preset best", "thesis, mobile, quality"},
-                                    {courtyard + " --mode ao,gi", "name one"},
-                                    {courtyard + " --grid 100", "64,128,256,512,auto"}};
-    for (const auto& [arguments, says] : cases) {
-        const Outcome outcome = info("", arguments);
-        EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
-        EXPECT_EQ(outcome.output.rfind("vct: error: ", 0), 0U) << outcome.output;
-        EXPECT_TRUE(has(outcome, says)) << outcome.output;
     }
 }
 
