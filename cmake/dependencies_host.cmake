@@ -3,7 +3,8 @@
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(tinyexr REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 
 find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
@@ -19,7 +20,8 @@ add_library(vct_dependencies INTERFACE)
 target_include_directories(vct_dependencies SYSTEM INTERFACE
     ${TINYGLTF_INCLUDE_DIR} ${STB_INCLUDE_DIR} ${EGL_INCLUDE_DIR} ${GLES_INCLUDE_DIR})
 target_link_libraries(vct_dependencies INTERFACE
-    ${TINYGLTF_LIBRARY} ${STB_LIBRARY} tinyexr::tinyexr nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
+    ${TINYGLTF_LIBRARY} ${STB_LIBRARY} OpenEXR::OpenEXR ZLIB::ZLIB nlohmann_json::nlohmann_json Threads::Threads
+    ${CMAKE_DL_LIBS})
 find_library(EGL_LIBRARY EGL REQUIRED)
 target_link_libraries(vct_dependencies INTERFACE ${EGL_LIBRARY})
 

@@ -7,7 +7,7 @@ set -euo pipefail
 # and lavapipe for zink); what the tests call: GoogleTest, glslang, and Python for tools/make_assets.py.
 required=(
     g++ cmake ninja-build
-    libglm-dev libtinygltf-dev libtinyexr-dev libstb-dev nlohmann-json3-dev libcli11-dev libimgui-dev
+    libglm-dev libtinygltf-dev libopenexr-dev zlib1g-dev libstb-dev nlohmann-json3-dev libcli11-dev libimgui-dev
     libegl-dev libgles-dev
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools python3

@@ -49,7 +49,7 @@ void App::measure() {
                 BenchRun::Input{*request_, scene_, gl_->capabilities(),
                                 shadersFromAssets(glue_.activity->assetManager), "android",
                                 selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
-                *results_);
+                results_->path());
         }
         more = bench_->advance();
     });

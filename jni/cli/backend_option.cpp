@@ -1,7 +1,5 @@
 #include "cli/backend_option.h"
 
-#include "cli/numbers.h"
-
 namespace vct::cli {
 
 void BackendOption::addTo(CLI::App& command) {
@@ -13,7 +11,7 @@ void BackendOption::addTo(CLI::App& command) {
     command
         .add_option("--device", device,
                     "EGL device by index (`vct info --list-devices`; default: the driver's choice)")
-        ->check(number("the index of a device, 0 or more", [](double value) { return value >= 0.0; }));
+        ->check(CLI::Range(0, 1000));
 }
 
 }  // namespace vct::cli

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/numbers.h"
 #include "core/error.h"
 #include "image/compare.h"
 #include "image/files.h"
+#include "scene/gltf.h"
 
 namespace vct::cli {
 namespace {
@@ -48,7 +48,7 @@ std::string parseNumber(const std::string& text, double& value) {
 }
 
 Picture read(const std::string& path) {
-    const Bytes bytes = readImageFile(path);
+    const Bytes bytes = readFileFromDisk(path);
     const ImageFormat format = imageFormat(path, bytes);
     if (format == ImageFormat::exr) return {decodeExr(path, bytes), format};
     Image image = decodePng(path, bytes);
@@ -113,7 +113,7 @@ void addCompare(CLI::App& app, int& exitCode) {
         ->add_option("--max-fraction", options->maxFraction,
                      "Fraction of the pixels that may differ by more, 0 to 1")
         ->required()
-        ->check(number("a fraction from 0 to 1", [](double v) { return v >= 0.0 && v <= 1.0; }));
+        ->check(CLI::Range(0.0, 1.0));
     command->add_option("--diff", options->diff,
                         "Write |A - B| as a PNG: mid-grey is --max-difference, magenta a NaN or infinity");
     command->callback([options, &exitCode] { exitCode = compare(*options); });

@@ -1,11 +1,9 @@
 #include "cli/grid_option.h"
 
 #include <limits>
-#include <sstream>
 
 #include "cli/numbers.h"
 #include "cli/progress.h"
-#include "core/error.h"
 #include "core/memory.h"
 #include "engine/grid_choice.h"
 
@@ -16,21 +14,21 @@ constexpr const char* automatic = "auto";
 }
 
 void GridOption::addTo(CLI::App& command) {
-    CLI::Option* gridOption = command.add_option("--grid", grid,
-                                                 "Voxels along a side: 64, 128, 256, 512, or auto, by the "
-                                                 "scene's narrowest parts (default: the preset's)");
+    CLI::Option* gridOption =
+        command
+            .add_option(
+                "--grid", grid,
+                "Voxels along a side, or auto, by the scene's narrowest parts (default: the preset's)")
+            ->check(CLI::IsMember({"64", "128", "256", "512", automatic}));
     command
         .add_option("--voxel-size", voxelSize,
                     "Largest voxel in metres: the smallest grid with such voxels around the scene")
-        ->check(number("a length above 0, in metres", [](double v) { return v > 0.0; }))
+        ->check(positive)
         ->excludes(gridOption);
 }
 
 void GridOption::applyNumber(Settings& settings) const {
-    if (!grid || *grid == automatic) return;
-    std::istringstream text(*grid);
-    if (!(text >> settings.grid) || !text.eof())
-        throw Error("--grid '" + *grid + "' is not one of 64, 128, 256, 512, auto");
+    if (grid && *grid != automatic) settings.grid = std::stoi(*grid);
 }
 
 void GridOption::applyScene(Settings& settings, const Scene& scene, bool texturesInMainMemory) const {
@@ -46,20 +44,6 @@ void GridOption::applyScene(Settings& settings, const Scene& scene, bool texture
     say(gridText(scene.boundsWorld, settings.grid));
     const std::string warning = coarseGridWarning(scene, settings);
     if (!warning.empty()) say(warning);
-}
-
-std::string GridOption::name(int presetGrid) const {
-    if (voxelSize) return "voxels of a given size";
-    if (grid == automatic) return "grid auto";
-    return grid.value_or(std::to_string(presetGrid)) + "^3";
-}
-
-std::string GridOption::argument(int presetGrid) const {
-    if (!voxelSize) return "--grid=" + grid.value_or(std::to_string(presetGrid));
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << "--voxel-size=" << *voxelSize;
-    return text.str();
 }
 
 }  // namespace vct::cli

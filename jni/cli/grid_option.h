@@ -16,16 +16,11 @@ struct GridOption {
 
     bool given() const { return grid || voxelSize; }
     void addTo(CLI::App& command);
-    // Sets a grid that is given as a number; the preset's stays where it follows from the scene. Throws
-    // vct::Error where it is neither.
+    // Sets a grid that is given as a number; the preset's stays where it follows from the scene.
     void applyNumber(Settings& settings) const;
     // Sets one that follows from the scene. Prints how large the voxels are, and why. `texturesInMainMemory`:
     // so how much memory there is can be asked.
     void applyScene(Settings& settings, const Scene& scene, bool texturesInMainMemory) const;
-    // For people: "64^3", "grid auto".
-    std::string name(int presetGrid) const;
-    // What another process of vct has to be told for the same.
-    std::string argument(int presetGrid) const;
 };
 
 }  // namespace vct::cli

@@ -6,7 +6,6 @@
 #include "cli/backend_option.h"
 #include "cli/commands.h"
 #include "cli/grid_option.h"
-#include "cli/numbers.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
@@ -114,7 +113,7 @@ void addInfo(CLI::App& app, int& exitCode) {
     command
         ->add_option("--times", options->timedFrames,
                      "Time so many frames with and without each need, in turn; the difference of the medians")
-        ->check(number("a whole number from 1 to 1000", [](double v) { return v >= 1.0 && v <= 1000.0; }));
+        ->check(CLI::Range(1, 1000));
     for (const char* ofAScene :
          {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
         command->get_option(ofAScene)->needs(scene);

@@ -5,14 +5,12 @@
 
 #include "cli/commands.h"
 #include "cli/numbers.h"
-#include "cli/parse_error.h"
 
 int main(int argc, char** argv) {
     // Writing beyond `ulimit -f` shall be an error that is reported and tidied up after, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
     app.set_version_flag("--version", "vct " VCT_VERSION);
-    app.require_subcommand(1);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
     vct::cli::addBench(app, exitCode);
@@ -20,12 +18,17 @@ int main(int argc, char** argv) {
     vct::cli::addInfo(app, exitCode);
     vct::cli::addShaders(app, exitCode);
     for (CLI::App* command : app.get_subcommands({}))
-        vct::cli::checkNumbers(*command);
+        for (CLI::Option* option : command->get_options())
+            if (option->get_type_name().rfind("FLOAT", 0) == 0) option->check(vct::cli::finite);
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        std::fprintf(stderr, "vct: error: %s\n", vct::cli::parseErrorText(app, error).c_str());
+        const std::vector<CLI::App*> command = app.get_subcommands();
+        const std::string help =
+            command.empty() ? "vct --help" : "vct " + command.front()->get_name() + " --help";
+        std::fprintf(stderr, "vct: error: %s; see %s\n", error.what(), help.c_str());
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vct: error: %s\n", error.what());

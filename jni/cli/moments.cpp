@@ -2,21 +2,26 @@
 
 #include <cstdio>
 
+#include "cli/numbers.h"
 #include "core/error.h"
 
 namespace vct::cli {
 
-namespace {
-constexpr int mostFrames = 10000;  // as many as four digits count
-}
-
-void validate(const MomentOptions& options) {
-    if (options.timeS && *options.timeS < 0.0) throw Error("--time must be a number of seconds from 0 on");
-    if (options.frames.has_value() != options.fps.has_value())
-        throw Error("--frames and --fps go together: --frames 48 --fps 24 renders two seconds");
-    if (options.frames && (*options.frames < 1 || *options.frames > mostFrames))
-        throw Error("--frames must be between 1 and " + std::to_string(mostFrames));
-    if (options.fps && !(*options.fps > 0.0)) throw Error("--fps must be a number above 0");
+void MomentOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--time", timeS,
+                    "The moment of the scene's animation, in seconds; before its first key and after its "
+                    "last it stands still (default: at rest, as the file puts the nodes)")
+        ->check(CLI::Range(0.0, 1e6));
+    CLI::Option* const framesOption =
+        command
+            .add_option("--frames", frames,
+                        "A sequence of so many pictures, from --time (default 0) on, --fps of them a second")
+            ->check(CLI::Range(1, 10000));  // as many as four digits count
+    CLI::Option* const fpsOption =
+        command.add_option("--fps", fps, "Pictures for each second of the animation")->check(positive);
+    framesOption->needs(fpsOption);
+    fpsOption->needs(framesOption);
 }
 
 std::vector<double> momentsOf(const MomentOptions& options, const Scene& scene) {

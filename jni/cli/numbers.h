@@ -1,15 +1,13 @@
-// What options take whose value is a number.
+// Checks of options whose value is a number. They return what is wrong, or nothing.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
 
 namespace vct::cli {
 
-// A finite number for which `allowed` holds. `what` ends the sentence "'x' is not ...".
-CLI::Validator number(const char* what, bool (*allowed)(double value));
-
-// Gives every option of `command` that takes a number a check of its own: CLI11 takes NaN and infinity for
-// numbers, and of the rest it says only that it could not convert them.
-void checkNumbers(CLI::App& command);
+// CLI11 takes NaN and infinity for numbers, and knows no float's limits.
+std::string finite(const std::string& text);
+// Finite and above 0.
+std::string positive(const std::string& text);
 
 }  // namespace vct::cli

@@ -1,7 +1,5 @@
 #include "cli/output.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -64,19 +62,6 @@ void requireWritableFile(const std::string& path) {
     if (cause != 0)
         throw Error("cannot write '" + path + "': " + std::strerror(cause) +
                     "; choose a file in an existing, writable folder");
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::error_code error;
-    path_ = (fs::temp_directory_path(error) / "vct-XXXXXX").string();
-    if (error || ::mkdtemp(path_.data()) == nullptr)
-        throw Error("cannot make a temporary folder like '" + path_ + "': " + std::strerror(errno) +
-                    "; set TMPDIR to a writable folder");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
 }
 
 }  // namespace vct::cli

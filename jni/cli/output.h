@@ -30,18 +30,4 @@ class OutputFolder {
 // Throws vct::Error where a file could not be written at `path`; writes nothing.
 void requireWritableFile(const std::string& path);
 
-// A folder for the system's temporary files that goes away with all its contents.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();  // throws vct::Error
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string file(const std::string& name) const { return path_ + "/" + name; }
-
-  private:
-    std::string path_;
-};
-
 }  // namespace vct::cli

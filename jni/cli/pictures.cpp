@@ -25,15 +25,19 @@ void writePicture(const std::string& name, const Image& image, const PictureOpti
     writePng(out.file(name + ".png"), exposed(image, options.exposure));
 }
 
-void write(const Pictures& pictures, const PictureOptions& options, OutputFolder& out) {
+std::set<std::string> write(const Pictures& pictures, const PictureOptions& options, OutputFolder& out) {
+    std::set<std::string> made;
     std::vector<std::pair<std::string, Image>> sheet;
     for (const auto* group : {&pictures.modes, &pictures.lightParts})
         for (const auto& [name, image] : *group) {
             writePicture(name, image, options, out);
+            made.insert({name + ".exr", name + ".png"});
             if (group == &pictures.modes) sheet.emplace_back(name, exposed(image, options.exposure));
         }
-    if (options.contactSheet && sheet.size() > 1)
+    if (options.contactSheet && sheet.size() > 1) {
         writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
+        made.insert("contact_sheet.png");
+    }
     if (!pictures.debugViews.empty()) {
         OutputFolder views(out.file("debug_views"));
         for (const DebugView& view : pictures.debugViews) {
@@ -41,17 +45,9 @@ void write(const Pictures& pictures, const PictureOptions& options, OutputFolder
             if (view.hasUnits) writeExr(views.file(view.name + ".exr"), view.image);
         }
         views.keep();
+        made.insert("debug_views");
     }
     out.keep();
-}
-
-std::set<std::string> filesOf(const Pictures& pictures, const PictureOptions& options) {
-    std::set<std::string> made;
-    for (const auto* group : {&pictures.modes, &pictures.lightParts})
-        for (const auto& [name, image] : *group)
-            made.insert({name + ".exr", name + ".png"});
-    if (options.contactSheet && pictures.modes.size() > 1) made.insert("contact_sheet.png");
-    if (options.debugViews) made.insert("debug_views");
     return made;
 }
 

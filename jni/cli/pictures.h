@@ -20,20 +20,18 @@ struct PictureOptions {
     bool contactSheet = false;
 };
 
-// Of one moment. Everything is rendered before anything is written.
+// The pictures of one moment. Everything is rendered before anything is written.
 struct Pictures {
     std::vector<std::pair<std::string, Image>> modes;       // PNG with exposure, and EXR
-    std::vector<std::pair<std::string, Image>> lightParts;  // likewise
+    std::vector<std::pair<std::string, Image>> lightParts;  // PNG with exposure, and EXR
     std::vector<DebugView> debugViews;
 };
 
 // NAME.png and NAME.exr.
 void writePicture(const std::string& name, const Image& image, const PictureOptions& options,
                   const OutputFolder& out);
-void write(const Pictures& pictures, const PictureOptions& options, OutputFolder& out);
-
-// What write() made.
-std::set<std::string> filesOf(const Pictures& pictures, const PictureOptions& options);
+// Returns the names of what it made.
+std::set<std::string> write(const Pictures& pictures, const PictureOptions& options, OutputFolder& out);
 
 // Nothing is deleted from a folder that was used before, so what is not of this run is named.
 void nameOlderPictures(const std::set<std::string>& made, const PictureOptions& options);

@@ -127,8 +127,7 @@ std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mod
         pictures.debugViews = debugViews(renderer, camera);
     }
     const Progress progress("writing the pictures");
-    write(pictures, options.pictures, out);
-    return filesOf(pictures, options.pictures);
+    return write(pictures, options.pictures, out);
 }
 
 // Every mode at each moment, written frame by frame: a sequence may be longer than the memory. With timings
@@ -173,7 +172,6 @@ void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     Settings settings = settingsFrom(options);
     const Backend backend = backendFromName(options.backend.name);
-    validate(options.moments);
     const bool sequence = options.moments.frames.has_value();
     if (sequence && (options.pictures.debugViews || options.lightParts || options.pictures.contactSheet))
         throw Error(
@@ -288,18 +286,13 @@ void addRender(CLI::App& app, int&) {
         "--light", options->light,
         "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
         "each part may be left out");
-    command->add_option("--time", options->moments.timeS,
-                        "The moment of the scene's animation, in seconds; before its first key and after its "
-                        "last it stands still (default: at rest, as the file puts the nodes)");
-    command->add_option("--frames", options->moments.frames,
-                        "A sequence of so many pictures, from --time (default 0) on, --fps of them a second");
-    command->add_option("--fps", options->moments.fps, "Pictures for each second of the animation");
+    options->moments.addTo(*command);
     command->add_option("--animation", options->animation,
                         "Which of the scene's animations to play, by name or index (default: its first)");
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
         ->capture_default_str();
     command->add_option("--exposure", options->pictures.exposure, "Scales the PNGs, never the EXRs")
-        ->check(number("a number above 0", [](double value) { return value > 0.0; }))
+        ->check(positive)
         ->capture_default_str();
     command->add_flag("--debug-views", options->pictures.debugViews,
                       "Also write every intermediate into DIR/debug_views/");
@@ -318,7 +311,7 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--active-voxels", options->activeVoxels,
                      "Room in the active-voxel list (default: 16 grid^2)")
-        ->check(number("a whole number above 0", [](double value) { return value > 0.0; }));
+        ->check(positive);
     command->add_option("--seed-order", options->seedOrder,
                         "Shuffle the triangles; the result must not change");
     command->callback([options] { render(*options); });

@@ -1,6 +1,7 @@
 // vct shaders: every program of every preset as the ESSL that a phone's driver compiles, and how often each
 // stage and loop runs in a frame. tools/mali.py makes bounds of both.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -76,16 +77,11 @@ gl::ShaderLibrary phoneLibrary(const Settings& settings) {
 }
 
 const char* stageName(const std::string& shader) {
-    switch (gl::shaderStage(shader)) {
-        case GL_VERTEX_SHADER:
-            return "vertex";
-        case GL_GEOMETRY_SHADER:
-            return "geometry";
-        case GL_FRAGMENT_SHADER:
-            return "fragment";
-        default:
-            return "compute";
-    }
+    static const std::map<GLenum, const char*> names{{GL_VERTEX_SHADER, "vertex"},
+                                                     {GL_GEOMETRY_SHADER, "geometry"},
+                                                     {GL_FRAGMENT_SHADER, "fragment"},
+                                                     {GL_COMPUTE_SHADER, "compute"}};
+    return names.at(gl::shaderStage(shader));
 }
 
 // Writes the sources into DIR/<preset>/<number>/ and returns the manifest's entries.
@@ -103,9 +99,10 @@ ordered_json writeSources(const std::vector<Variant>& programs, const Settings& 
         for (const std::string& shader : variant.program.shaders) {
             const std::string text =
                 gl::assembleShader(library.read, shader, defines, gl::Language::essl310).text;
-            replaceFile(programFolder.file(shader), Bytes(text.begin(), text.end()));
+            const std::string file = shader.substr(shader.rfind('/') + 1);
+            replaceFile(programFolder.file(file), Bytes(text.begin(), text.end()));
             stages.push_back(
-                {{"stage", stageName(shader)}, {"shader", shader}, {"file", folder + "/" + shader}});
+                {{"stage", stageName(shader)}, {"shader", shader}, {"file", folder + "/" + file}});
         }
         programFolder.keep();
         entries.push_back({{"name", variant.program.name},
@@ -125,7 +122,7 @@ ordered_json countsJson(const std::vector<StageCount>& counts) {
             loops.push_back({{"name", loop.name},
                              {"depth", loop.depth},
                              {"constant", loop.constant},
-                             {"trips", loop.trips}});
+                             {"trips", loop.iterations}});
         json[stage.shader] = {{"invocations", stage.invocations}, {"loops", loops}};
     }
     return json;

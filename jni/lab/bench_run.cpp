@@ -1,6 +1,5 @@
 #include "lab/bench_run.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -14,24 +13,27 @@ namespace vct {
 
 namespace {
 
-constexpr int tablesGrid = 256;
-
-int wholeNumber(const std::string& key, const std::string& value) {
-    char* end = nullptr;
-    const long number = std::strtol(value.c_str(), &end, 10);
-    if (value.empty() || *end != '\0' || number < 1 || number > 100000)
-        throw Error("bench: " + key + "=" + value + " is not a whole number above 0");
-    return static_cast<int>(number);
+bool isThesisAlone(const BenchRequest& request) {
+    return request.presets == std::vector<std::string>{"thesis"} && request.grid.value_or(256) == 256;
 }
 
-Settings settingsFor(const BenchRequest& request, const BenchConfig& config) {
-    Settings settings = presetSettings(request.preset);
-    settings.grid = config.grid;
-    settings.size = request.size;
-    settings.shadowMapSize = request.shadowMap;
-    settings.shadowConeAngleDeg = static_cast<float>(config.coneAngleDeg);
-    settings.revoxelize = true;
-    return settings;
+std::vector<BenchConfig> configsOf(const BenchRequest& request) {
+    if (isThesisAlone(request)) return thesisConfigs();
+    std::vector<BenchConfig> configs;
+    for (const std::string& preset : request.presets) {
+        const int grid = request.grid.value_or(presetSettings(preset).grid);
+        configs.push_back(
+            {preset + ", scenes 1 to 5, " + std::to_string(grid) + "^3", preset, "all", grid, 5.0});
+    }
+    return configs;
+}
+
+std::vector<std::string> separated(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> parts;
+    for (std::string part; std::getline(stream, part, ',');)
+        parts.push_back(part);
+    return parts.empty() ? std::vector<std::string>{text} : parts;
 }
 
 void writeText(const std::string& path, const std::string& text) {
@@ -46,7 +48,6 @@ BenchRequest benchRequestFromText(const std::string& text) {
     words >> word;
     if (word != "bench") throw Error("'" + text + "' begins with '" + word + "'; the one command is bench");
     BenchRequest request;
-    std::optional<int> grid;  // over the preset's, in whichever order they stand
     while (words >> word) {
         const std::size_t equals = word.find('=');
         const std::string key = word.substr(0, equals);
@@ -54,15 +55,15 @@ BenchRequest benchRequestFromText(const std::string& text) {
         if (key == "scene")
             request.scene = value;
         else if (key == "preset")
-            request.preset = value;
+            request.presets = separated(value);
         else if (key == "grid")
-            grid = wholeNumber(key, value);
+            request.grid = wholeNumberFromText("bench: " + key, value, 100000);
         else if (key == "size")
             request.size = sizeFromText(value);
         else if (key == "shadow-map")
-            request.shadowMap = wholeNumber(key, value);
+            request.shadowMap = wholeNumberFromText("bench: " + key, value, 100000);
         else if (key == "repeat")
-            request.repeat = wholeNumber(key, value);
+            request.repeat = wholeNumberFromText("bench: " + key, value, 100000);
         else if (key == "camera")
             request.camera = value;
         else if (key == "light")
@@ -73,7 +74,8 @@ BenchRequest benchRequestFromText(const std::string& text) {
                 "'; there are scene, preset, grid, size, shadow-map, repeat, camera and light, each as "
                 "name=value");
     }
-    request.grid = grid.value_or(presetSettings(request.preset).grid);
+    for (const std::string& preset : request.presets)
+        presetSettings(preset);  // throws where there is none of that name
     return request;
 }
 
@@ -97,29 +99,33 @@ ResultsFolder::~ResultsFolder() {
 void ResultsFolder::say(const char* name, const std::string& text) {
     if (said_) return;
     said_ = true;
-    writeText(file(name), text + "\n");
+    writeText(path_ + "/" + name, text + "\n");
 }
 
-BenchRun::BenchRun(Input input, ResultsFolder& results)
+BenchRun::BenchRun(Input input, std::string folder)
     : input_(std::move(input)),
-      results_(results),
+      folder_(std::move(folder)),
       camera_(cameraFromText(input_.request.camera, *input_.scene)),
-      light_(lightFromText(input_.request.light, *input_.scene)),
-      configs_(benchConfigs()) {
-    if (input_.request.grid != tablesGrid) {
-        configs_.resize(1);
-        configs_[0].grid = input_.request.grid;
-        configs_[0].name = "scenes 1 to 5, " + std::to_string(input_.request.grid) + "^3, 5 degrees";
-        input_.log("bench: no tables, which are of 256^3 and 128^3");
+      light_(lightFromText(input_.request.light, *input_.scene)) {
+    for (const BenchConfig& config : configsOf(input_.request)) {
+        validate(settingsFor(config));
+        runs_.push_back({config, {}});
     }
-    for (const BenchConfig& config : configs_)
-        validate(settingsFor(input_.request, config));
+}
+
+Settings BenchRun::settingsFor(const BenchConfig& config) const {
+    Settings settings = presetSettings(config.preset);
+    settings.grid = config.grid;
+    settings.size = input_.request.size;
+    settings.shadowMapSize = input_.request.shadowMap;
+    settings.shadowConeAngleDeg = static_cast<float>(config.coneAngleDeg);
+    settings.revoxelize = true;
+    return forDriver(settings, input_.capabilities);
 }
 
 std::string BenchRun::progress() const {
-    const std::size_t count = configs_.size() * static_cast<std::size_t>(input_.request.repeat);
-    std::string text = std::to_string(run_ + 1) + " of " + std::to_string(count) + ": " + config().name +
-                       ", run " + std::to_string(run_ / configs_.size() + 1) + " of " +
+    std::string text = std::to_string(run_ + 1) + " of " + std::to_string(count()) + ": " + config().name +
+                       ", run " + std::to_string(run_ / runs_.size() + 1) + " of " +
                        std::to_string(input_.request.repeat);
     if (renderer_ && mode_ < modes_.size()) text += std::string(": ") + modeName(modes_[mode_]);
     return text;
@@ -139,24 +145,24 @@ bool BenchRun::advance() {
     } catch (const std::exception& error) {
         throw Error("bench (" + progress() + "): " + error.what());
     }
-    if (run_ < configs_.size() * static_cast<std::size_t>(input_.request.repeat)) return true;
-    writeTables();
+    if (run_ < count()) return true;
+    writeReport();
     return false;
 }
 
 void BenchRun::beginRun() {
     input_.log("bench: " + progress());
-    const Settings settings = forDriver(settingsFor(input_.request, config()), input_.capabilities);
+    const Settings settings = settingsFor(config());
     renderer_.emplace(*input_.scene, light_, settings, input_.capabilities, input_.shaders);
     modes_ = modesFromText(config().modes);
     mode_ = 0;
     frame_ = 0;
-    report_ = {};
-    report_.scene = input_.request.scene;
-    report_.triangles = input_.scene->triangleCount();
-    report_.backend = input_.backend;
-    report_.preset = input_.request.preset;
-    report_.settings = settings;
+    timings_ = {};
+    timings_.scene = input_.request.scene;
+    timings_.triangles = input_.scene->triangleCount();
+    timings_.backend = input_.backend;
+    timings_.preset = config().preset;
+    timings_.settings = settings;
 }
 
 void BenchRun::frame() {
@@ -167,35 +173,32 @@ void BenchRun::frame() {
 
 void BenchRun::endMode() {
     const Mode mode = modes_[mode_];
-    report_.modes.emplace_back(mode, renderer_->timer().stopRecording());
-    report_.activeVoxels = renderer_->activeVoxels();
-    if (run_ == 0) writePng(results_.file(std::string(modeName(mode)) + ".png"), renderer_->radiance());
+    timings_.modes.emplace_back(mode, renderer_->timer().stopRecording());
+    timings_.activeVoxels = renderer_->activeVoxels();
+    if (run_ == 0 && !folder_.empty())
+        writePng(folder_ + "/" + modeName(mode) + ".png", renderer_->radiance());
     ++mode_;
     frame_ = 0;
 }
 
 void BenchRun::endRun() {
-    report_.resources = renderer_->resources();
-    input_.log(timingsTable(report_.modes));
-    nlohmann::ordered_json timings = timingsJson(report_, input_.capabilities);
-    timings["self_test"] = input_.selfTest;
-    collect(timings, config(), measurements_);
-    if (run_ == 0) {
-        writeJson(results_.file("timings.json"), timings);
-        timings_ = std::move(timings);
-    }
+    timings_.resources = renderer_->resources();
+    nlohmann::ordered_json timings = timingsJson(timings_, input_.capabilities);
+    if (!input_.selfTest.is_null()) timings["self_test"] = input_.selfTest;
+    if (run_ == 0 && !folder_.empty()) writeJson(folder_ + "/timings.json", timings);
+    current().timings.push_back(std::move(timings));
     renderer_.reset();
     ++run_;
 }
 
-void BenchRun::writeTables() {
-    if (input_.request.grid != tablesGrid) return;
-    nlohmann::ordered_json bench = benchJson(timings_, measurements_, "renderers");
-    bench["self_test"] = input_.selfTest;
-    writeJson(results_.file("bench.json"), bench);
-    const std::string text = benchText(bench, measurements_);
-    writeText(results_.file("bench.txt"), text);
-    input_.log(text);
+void BenchRun::writeReport() {
+    const bool thesis = isThesisAlone(input_.request);
+    report_ = thesis ? thesisReport(runs_) : comparisonReport(runs_);
+    if (!input_.selfTest.is_null()) report_.json["self_test"] = input_.selfTest;
+    if (folder_.empty()) return;
+    const std::string name = folder_ + (thesis ? "/bench" : "/presets");
+    writeJson(name + ".json", report_.json);
+    writeText(name + ".txt", report_.text);
 }
 
 }  // namespace vct

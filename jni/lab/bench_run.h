@@ -1,5 +1,5 @@
-// `vct bench` inside a program that must go on answering events: one frame at a time, a fresh renderer where
-// the command line starts a fresh process.
+// A measurement by the thesis's method (5.1.2), one frame at a time for a program that must go on answering
+// events: a fresh renderer for each run of a configuration, frames to warm up, and frames that count.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "engine/renderer.h"
-#include "lab/bench_plan.h"
+#include "lab/bench_report.h"
 #include "lab/timings.h"
 
 namespace vct {
 
 struct BenchRequest {
     std::string scene;
-    std::string preset = "thesis";
-    // Another than 256 measures its five modes only: the thesis's tables are of 256^3 and 128^3.
-    int grid = 256;
+    // The preset thesis alone, at no other grid, gives the thesis's tables; presets are else compared.
+    std::vector<std::string> presets{"thesis"};
+    std::optional<int> grid;  // of every preset; where it is missing, each preset has its own
     glm::ivec2 size{400, 400};
     int shadowMap = 512;
     int repeat = 3;
@@ -27,7 +27,7 @@ struct BenchRequest {
 };
 
 // "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=... light=...",
-// each but the first word may be left out; without grid it is the preset's. Throws vct::Error.
+// each but the first word may be left out; several presets are separated by commas. Throws vct::Error.
 BenchRequest benchRequestFromText(const std::string& text);
 
 // Where a measurement's files go. `done` or `failed` appears last, whole: whoever waits for either finds
@@ -41,7 +41,7 @@ class ResultsFolder {
     ResultsFolder(const ResultsFolder&) = delete;
     ResultsFolder& operator=(const ResultsFolder&) = delete;
 
-    std::string file(const std::string& name) const { return path_ + "/" + name; }
+    const std::string& path() const { return path_; }
     void done(const std::string& text) { say("done", text); }
     void failed(const std::string& text) { say("failed", text); }
 
@@ -59,40 +59,47 @@ class BenchRun {
         gl::Capabilities capabilities;
         gl::ReadShader shaders;
         std::string backend;              // driver.backend of timings.json
-        nlohmann::ordered_json selfTest;  // becomes part of the files
+        nlohmann::ordered_json selfTest;  // becomes part of the files, where there was one
         std::function<void(const std::string&)> log;
     };
-    // Throws vct::Error where the request cannot be followed.
-    BenchRun(Input input, ResultsFolder& results);
+    // Into `folder` go the report, as bench.json and bench.txt or presets.json and presets.txt, and of the
+    // first run timings.json and its pictures; "" writes no files. Throws vct::Error where the request cannot
+    // be followed.
+    BenchRun(Input input, std::string folder);
 
     // The next frame, or the next file; false once everything is written. Throws vct::Error.
     bool advance();
 
+    // What was measured, after the last frame.
+    const BenchReport& report() const { return report_; }
+
     std::string progress() const;  // "2 of 15: scene 5, 256^3, 10 degrees, run 1 of 3: gi-cone-shadow"
-    // Of the configuration that is being measured; null between two of them.
+    // The renderer of the configuration that is being measured; null between two of them.
     const Renderer* renderer() const { return renderer_ ? &*renderer_ : nullptr; }
 
   private:
-    const BenchConfig& config() const { return configs_[run_ % configs_.size()]; }
+    BenchRuns& current() { return runs_[run_ % runs_.size()]; }
+    const BenchConfig& config() const { return runs_[run_ % runs_.size()].config; }
+    std::size_t count() const { return runs_.size() * static_cast<std::size_t>(input_.request.repeat); }
+    Settings settingsFor(const BenchConfig& config) const;
     void beginRun();
     void frame();
     void endMode();
     void endRun();
-    void writeTables();
+    void writeReport();
 
     Input input_;
-    ResultsFolder& results_;
+    std::string folder_;
     Camera camera_;
     DirectionalLight light_;
-    std::vector<BenchConfig> configs_;
-    std::size_t run_ = 0;  // of configs_.size() * repeat
+    std::vector<BenchRuns> runs_;  // of each configuration
+    std::size_t run_ = 0;          // of count()
     std::vector<Mode> modes_;
     std::size_t mode_ = 0;
     int frame_ = 0;  // of this mode
     std::optional<Renderer> renderer_;
-    TimingsReport report_;
-    Measurements measurements_;
-    nlohmann::ordered_json timings_;  // of the first run
+    TimingsReport timings_;  // of this run
+    BenchReport report_;
 };
 
 }  // namespace vct

@@ -51,14 +51,18 @@ double one(const std::string& option, const std::string& key, const std::vector<
 
 }  // namespace
 
+int wholeNumberFromText(const std::string& option, const std::string& text, int most) {
+    const double value = numberFromText(option, text);
+    if (value != std::floor(value) || value < 1.0 || value > most)
+        throw Error(option + "=" + text + ": expected a whole number from 1 to " + std::to_string(most));
+    return static_cast<int>(value);
+}
+
 glm::ivec2 sizeFromText(const std::string& text) {
     const std::size_t x = text.find('x');
     if (x == std::string::npos) throw Error("--size '" + text + "': expected WIDTHxHEIGHT, such as 400x400");
-    const glm::dvec2 size(numberFromText("--size", text.substr(0, x)),
-                          numberFromText("--size", text.substr(x + 1)));
-    if (size != glm::floor(size) || size.x < 1.0 || size.y < 1.0 || size.x > 8192.0 || size.y > 8192.0)
-        throw Error("--size " + text + ": both sides must be whole numbers of pixels from 1 to 8192");
-    return glm::ivec2(size);
+    return {wholeNumberFromText("--size", text.substr(0, x), 8192),
+            wholeNumberFromText("--size", text.substr(x + 1), 8192)};
 }
 
 Camera cameraFromText(const std::string& text, const Scene& scene) {

@@ -8,6 +8,9 @@
 
 namespace vct {
 
+// A number from 1 to `most`; `option` is its name in the error.
+int wholeNumberFromText(const std::string& option, const std::string& text, int most);
+
 // "400x300" -> (400, 300).
 glm::ivec2 sizeFromText(const std::string& text);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 #include "gl/api.h"
+#include "lab/table.h"
 #include "scene/camera.h"
 
 namespace vct {
@@ -37,7 +37,7 @@ class Player {
         renderer_.frame(options_.mode, options_.camera);
     }
 
-    // Of the third frame: every pass is made in the first two.
+    // The cost of the third frame: every pass is made in the first two.
     FrameCost cost() {
         for (int i = 0; i < 2; ++i)
             frame();
@@ -71,24 +71,17 @@ double addedMs(Player& with, Player& without, int frames) {
     return median(withMs) - median(withoutMs);
 }
 
-std::string formatted(const char* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-std::string rowText(const SceneCosts& costs, const SceneCosts::Row& row, bool timed) {
-    std::string text = "| " + row.name + " | ";
-    if (!row.occurs) return text + "does not occur | | | |" + (timed ? " |" : "") + "\n";
-    const FrameCost &with = costs.frame, &without = row.without;
-    const double kilobytes = (static_cast<double>(with.bytes()) - static_cast<double>(without.bytes())) / 1e3;
-    return text + formatted("%+.0f | ", with.passes() - without.passes()) +
-           formatted("%+.0f | ", with.programs() - without.programs()) +
-           formatted("%+.0f | ", with.calls.calls - without.calls.calls) + formatted("%+.1f |", kilobytes) +
-           (!timed        ? ""
-            : row.addedMs ? formatted(" %+.2f |", *row.addedMs)
-                          : " – |") +
-           "\n";
+std::vector<std::string> cellsOf(const SceneCosts& costs, const SceneCosts::Row& row, bool timed) {
+    std::vector<std::string> cells{row.name, "does not occur", "", "", ""};
+    if (row.occurs) {
+        const FrameCost &with = costs.frame, &without = row.without;
+        const double bytes = static_cast<double>(with.bytes()) - static_cast<double>(without.bytes());
+        cells = {row.name, cellText("%+.0f", with.passes() - without.passes()),
+                 cellText("%+.0f", with.programs() - without.programs()),
+                 cellText("%+.0f", with.calls.calls - without.calls.calls), cellText("%+.1f", bytes / 1e3)};
+    }
+    if (timed) cells.push_back(row.addedMs ? cellText("%+.2f", *row.addedMs) : row.occurs ? "–" : "");
+    return cells;
 }
 
 }  // namespace
@@ -150,19 +143,19 @@ SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl:
 }
 
 std::string sceneCostsText(const SceneCosts& costs, bool timed) {
-    std::string text = "| pass | GL calls |\n|---|---|\n";
-    for (const auto& [group, calls] : costs.frame.calls.byGroup)
-        text += "| " + (group.empty() ? "between them" : group) + " | " + std::to_string(calls) + " |\n";
     const FrameCost& frame = costs.frame;
-    text += "| the frame: " + std::to_string(frame.calls.draws) + " draws, " +
-            std::to_string(frame.calls.dispatches) + " dispatches, " + std::to_string(frame.programs()) +
-            " programs, " + formatted("%.1f kB | ", static_cast<double>(frame.bytes()) / 1e3) +
-            std::to_string(frame.calls.calls) +
-            " |\n\n| what it needs, and what that adds | passes | programs | GL calls | kB |" +
-            (timed ? " ms |" : "") + "\n|---|---|---|---|---|" + (timed ? "---|" : "") + "\n";
+    TableRows passes{{"pass", "GL calls"}};
+    for (const auto& [group, calls] : frame.calls.byGroup)
+        passes.push_back({group.empty() ? "between them" : group, std::to_string(calls)});
+    passes.push_back({"the frame", std::to_string(frame.calls.calls)});
+    TableRows needs{{"what it needs, and what that adds", "passes", "programs", "GL calls", "kB"}};
+    if (timed) needs[0].emplace_back("ms");
     for (const SceneCosts::Row& row : costs.rows)
-        text += rowText(costs, row, timed);
-    return text;
+        needs.push_back(cellsOf(costs, row, timed));
+    return markdownTable(passes) + "\nthe frame: " + std::to_string(frame.calls.draws) + " draws, " +
+           std::to_string(frame.calls.dispatches) + " dispatches, " + std::to_string(frame.programs()) +
+           " programs, " + cellText("%.1f kB", static_cast<double>(frame.bytes()) / 1e3) + "\n\n" +
+           markdownTable(needs);
 }
 
 }  // namespace vct

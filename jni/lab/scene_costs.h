@@ -44,7 +44,7 @@ struct SceneCosts {
         std::string name;
         bool occurs = false;
         FrameCost without;              // where it occurs
-        std::optional<double> addedMs;  // likewise, where that is timed: difference of the medians
+        std::optional<double> addedMs;  // the difference of the medians, where it occurs and takes time
     };
     FrameCost frame;
     std::vector<Row> rows;  // of allSceneFeatures(), in that order

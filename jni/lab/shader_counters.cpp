@@ -96,7 +96,7 @@ const std::vector<Stage>& stages() {
 std::vector<StageCount> countInvocations(Renderer& renderer, Mode mode, const Camera& camera) {
     renderer.frame(mode, camera);  // a first frame has nothing to clear
     std::array<std::uint32_t, VCT_COUNTER_COUNT> counts{};
-    const gl::Buffer counters("trip counters", GL_SHADER_STORAGE_BUFFER, sizeof counts, counts.data(),
+    const gl::Buffer counters("shader counters", GL_SHADER_STORAGE_BUFFER, sizeof counts, counts.data(),
                               GL_DYNAMIC_COPY);
     counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COUNTERS);
     renderer.frame(mode, camera);

@@ -14,7 +14,7 @@ struct LoopCount {
     std::string name;
     int depth;      // 0: in no other loop
     bool constant;  // its length: the compiler may unroll it
-    double trips;
+    double iterations;
 };
 
 struct StageCount {

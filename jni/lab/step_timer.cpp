@@ -20,21 +20,9 @@ double StepTimer::finishedAtMs() {
 }
 
 const char* stepName(Step step) {
-    switch (step) {
-        case Step::shadowMap:
-            return "shadow_map";
-        case Step::renderData:
-            return "render_data";
-        case Step::voxelize:
-            return "voxelize";
-        case Step::mipmap:
-            return "mipmap";
-        case Step::irradiance:
-            return "irradiance";
-        case Step::trace:
-            return "trace";
-    }
-    return "";
+    static constexpr std::array<const char*, stepCount> names{"shadow_map", "render_data", "voxelize",
+                                                              "mipmap",     "irradiance",  "trace"};
+    return names[static_cast<std::size_t>(step)];
 }
 
 double median(std::vector<double> samples) {

@@ -50,8 +50,8 @@ class StepTimer {
         Scope scope(*this, step);
         return work();
     }
-    // Likewise, of work that is the CPU's but for small uploads: the GPU is not waited for, which takes time
-    // of its own.
+    // Runs work that is the CPU's but for small uploads, and times it without waiting for the GPU, which
+    // takes time of its own.
     template <typename Work>
     void timeOnCpu(Step step, Work&& work) {
         if (!recording_) {

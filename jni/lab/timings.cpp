@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <thread>
 
 #include "core/files.h"
+#include "lab/table.h"
 
 namespace vct {
 
@@ -22,19 +22,8 @@ using nlohmann::ordered_json;
 
 constexpr int timingsVersion = 2;
 
-double rounded(double ms) {
-    return std::round(ms * 1000.0) / 1000.0;
-}
-
 ordered_json samplesJson(const std::vector<double>& samples) {
-    ordered_json json;
-    json["median"] = rounded(median(samples));
-    json["min"] = samples.empty() ? 0.0 : rounded(*std::min_element(samples.begin(), samples.end()));
-    json["max"] = samples.empty() ? 0.0 : rounded(*std::max_element(samples.begin(), samples.end()));
-    json["samples"] = ordered_json::array();
-    for (double sample : samples)
-        json["samples"].push_back(rounded(sample));
-    return json;
+    return spreadJson("median", median(samples), "samples", samples);
 }
 
 ordered_json stepsJson(const StepTimes& times) {
@@ -57,7 +46,7 @@ ordered_json gpuStepsJson(const StepTimes& times) {
     return json;
 }
 
-// Of all modes together: a clock that is wrong in one is not believed in the others.
+// One answer for all modes: a clock that is wrong in one is not believed in the others.
 std::string gpuClockText(const TimingsReport& report) {
     for (const auto& [mode, times] : report.modes)
         if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())
@@ -97,6 +86,26 @@ std::string deviceName() {
 }
 
 }  // namespace
+
+double roundedMs(double ms) {
+    return std::round(ms * 1000.0) / 1000.0;
+}
+
+ordered_json roundedJson(const std::vector<double>& valuesMs) {
+    ordered_json json = ordered_json::array();
+    for (const double ms : valuesMs)
+        json.push_back(roundedMs(ms));
+    return json;
+}
+
+ordered_json spreadJson(const char* middle, double value, const char* list,
+                        const std::vector<double>& valuesMs) {
+    const auto [least, most] = std::minmax_element(valuesMs.begin(), valuesMs.end());
+    return {{middle, roundedMs(value)},
+            {"min", valuesMs.empty() ? 0.0 : roundedMs(*least)},
+            {"max", valuesMs.empty() ? 0.0 : roundedMs(*most)},
+            {list, roundedJson(valuesMs)}};
+}
 
 ordered_json machineJson() {
     std::string cpu = deviceName();
@@ -155,19 +164,14 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
 }
 
 std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
-    std::string table = "milliseconds      CS      RT       V       M       I      Tr     Tot\n";
-    char cell[32];
+    TableRows rows{{"milliseconds", "CS", "RT", "V", "M", "I", "Tr", "Tot"}};
     for (const auto& [mode, times] : modes) {
-        std::snprintf(cell, sizeof cell, "%-14s", modeName(mode));
-        table += cell;
-        for (const std::vector<double>& samples : times.stepMs) {
-            std::snprintf(cell, sizeof cell, "%8.2f", median(samples));
-            table += cell;
-        }
-        std::snprintf(cell, sizeof cell, "%8.2f\n", median(times.totalMs));
-        table += cell;
+        rows.push_back({modeName(mode)});
+        for (const std::vector<double>& samples : times.stepMs)
+            rows.back().push_back(cellText("%.2f", median(samples)));
+        rows.back().push_back(cellText("%.2f", median(times.totalMs)));
     }
-    return table;
+    return markdownTable(rows);
 }
 
 void writeJson(const std::string& path, const ordered_json& json) {

@@ -35,6 +35,12 @@ nlohmann::ordered_json timingsJson(const TimingsReport& report, const gl::Capabi
 // milliseconds.
 std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes);
 
+double roundedMs(double ms);  // to a microsecond
+nlohmann::ordered_json roundedJson(const std::vector<double>& valuesMs);
+// {`middle`: value, "min", "max", `list`: the values}; zeros where there are none.
+nlohmann::ordered_json spreadJson(const char* middle, double value, const char* list,
+                                  const std::vector<double>& valuesMs);
+
 // Processor, its threads and the system, for people.
 nlohmann::ordered_json machineJson();
 

@@ -99,10 +99,11 @@ TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
     EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
 }
 
-TEST(MeasureInTheApp, APresetBringsItsOwnGrid) {
-    EXPECT_EQ(benchRequestFromText("bench").grid, 256);
-    EXPECT_EQ(benchRequestFromText("bench preset=mobile").grid, presetSettings("mobile").grid);
+TEST(MeasureInTheApp, PresetsAndAGridCanBeAskedFor) {
+    EXPECT_FALSE(benchRequestFromText("bench preset=mobile").grid);
     EXPECT_EQ(benchRequestFromText("bench grid=128 preset=mobile").grid, 128);
+    EXPECT_EQ(benchRequestFromText("bench preset=thesis,mobile").presets,
+              (std::vector<std::string>{"thesis", "mobile"}));
 }
 
 struct Failure {

@@ -1,38 +1,30 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
+#include <regex>
 #include <string>
 
+#include "cli/program_run.h"
 #include "platform/contexts.h"
 #include "support/moving_scenes.h"
-#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
 
 struct Outcome {
-    int exitCode = -1;
+    int exitCode;
     std::string output;
 };
 
 // Mesa can be told through the environment to have less than it has; it reads that once in a process.
 Outcome info(const std::string& environment, const std::string& arguments) {
-    const std::string command = environment + " " + VCT_PROGRAM + " info " + arguments + " 2>&1";
-    Outcome outcome;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) return outcome;
-    std::array<char, 4096> buffer;
-    for (size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-        outcome.output.append(buffer.data(), count);
-    const int status = pclose(pipe);
-    outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
+    ProgramRun program;
+    const int exitCode = program.run("info " + arguments, environment);
+    return {exitCode, program.err + program.out};
 }
 
+// Whether the output has the text, where tables are not padded.
 bool has(const Outcome& outcome, const std::string& text) {
-    return outcome.output.find(text) != std::string::npos;
+    return std::regex_replace(outcome.output, std::regex(" +"), " ").find(text) != std::string::npos;
 }
 
 TEST(Info, SaysWhatTheDriverIsAndThatNothingIsMissing) {
@@ -50,7 +42,7 @@ TEST(Info, NamesWhatIsMissingAndExitsWithOne) {
         "");
     EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
     EXPECT_TRUE(has(outcome, "MISSING GL_OES_shader_image_atomic")) << outcome.output;
-    EXPECT_TRUE(has(outcome, "absent  GL_EXT_geometry_shader")) << outcome.output;
+    EXPECT_TRUE(has(outcome, "absent GL_EXT_geometry_shader")) << outcome.output;
     EXPECT_TRUE(has(outcome, "no global illumination without")) << outcome.output;
 }
 
@@ -60,12 +52,6 @@ TEST(Info, TakesEssl310WithExtensionsWhereTheContextIsEs31) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     EXPECT_TRUE(has(outcome, "310 es with extensions")) << outcome.output;
     EXPECT_TRUE(has(outcome, "KHR_debug messages and groups")) << outcome.output;
-}
-
-TEST(Info, RefusesAnUnknownBackEnd) {
-    const Outcome outcome = info("", "--backend direct3d");
-    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
-    EXPECT_TRUE(has(outcome, "egl, osmesa, zink")) << outcome.output;
 }
 
 TEST(Info, PrintsNothingButItsReportOnZink) {
@@ -111,19 +97,6 @@ TEST(Info, CostsOfWhatMoves) {
         EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
         EXPECT_TRUE(has(outcome, "\n| moving objects | +0 | +")) << outcome.output;
         EXPECT_TRUE(has(outcome, "\n| moving light | +0 | +0 | +0 | +0.0 | – |\n")) << outcome.output;
-    }
-}
-
-TEST(Info, ABadSceneIsOneError) {
-    const std::string cases[][2] = {{"none.glb", "none.glb"},
-                                    {courtyard + " --preset best", "thesis, mobile, quality"},
-                                    {courtyard + " --mode ao,gi", "name one"},
-                                    {courtyard + " --grid 100", "64, 128, 256, 512"}};
-    for (const auto& [arguments, says] : cases) {
-        const Outcome outcome = info("", arguments);
-        EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
-        EXPECT_EQ(outcome.output.rfind("vct: error: ", 0), 0U) << outcome.output;
-        EXPECT_TRUE(has(outcome, says)) << outcome.output;
     }
 }
 

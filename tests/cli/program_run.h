@@ -18,10 +18,10 @@ class ProgramRun {
     // The scene of the tests; absolute, as the program runs elsewhere.
     static constexpr const char* cornell = VCT_SOURCE_DIR "/assets/cornell.glb";
 
-    int run(const std::string& arguments) {
-        const std::string command = "cd '" + folder.path() + "' && TMPDIR='" + temporary.path() + "' '" +
-                                    VCT_PROGRAM + "' " + arguments + " > '" + said.file("out") + "' 2> '" +
-                                    said.file("err") + "'";
+    // `before` is shell text in front of the program: variables, or a limit.
+    int run(const std::string& arguments, const std::string& before = "") {
+        const std::string command = "cd '" + folder.path() + "' && " + before + " '" + VCT_PROGRAM + "' " +
+                                    arguments + " > '" + said.file("out") + "' 2> '" + said.file("err") + "'";
         const int status = std::system(command.c_str());
         out = readBytes(said.file("out"));
         err = readBytes(said.file("err"));
@@ -32,8 +32,7 @@ class ProgramRun {
         return nlohmann::json::parse(readBytes(folder.file(name)), nullptr, false);
     }
 
-    TemporaryFolder folder;     // working folder
-    TemporaryFolder temporary;  // what the program takes for the system's
+    TemporaryFolder folder;  // working folder
     std::string out, err;
 
   private:

@@ -38,12 +38,5 @@ TEST(Shaders, OfEveryPresetAreWrittenAndCounted) {
     }
 }
 
-TEST(Shaders, UnknownPresetWritesNothing) {
-    ProgramRun program;
-    EXPECT_EQ(program.run(std::string("shaders ") + ProgramRun::cornell + " --out out --preset best"), 1);
-    EXPECT_NE(program.err.find("thesis"), std::string::npos) << program.err;
-    EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
-}
-
 }  // namespace
 }  // namespace vct::test

@@ -8,9 +8,9 @@
 #include <map>
 #include <random>
 
-#include "lab/cpu_voxelizer.h"
 #include "lab/read_back.h"
 #include "scene/camera.h"
+#include "support/cpu_voxelizer.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 #include "support/voxels.h"

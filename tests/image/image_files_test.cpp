@@ -1,6 +1,9 @@
 // Pictures on disk: what is written is what is read, and what cannot be is refused without a trace.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
 #include <gtest/gtest.h>
-#include <tinyexr.h>
 
 #include <cmath>
 #include <cstring>
@@ -45,37 +48,24 @@ Image gradient(int width, int height) {
     return image;
 }
 
-// Planes in the order given, which writeExr() does not offer.
-void writeExrPlanes(const std::string& path, const std::vector<std::pair<std::string, int>>& channels,
-                    int size) {
-    std::vector<std::vector<float>> planes;
-    std::vector<unsigned char*> pointers;
-    std::vector<EXRChannelInfo> infos(channels.size());
-    std::vector<int> given;
-    std::vector<int> stored;
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        std::memset(&infos[i], 0, sizeof infos[i]);
-        std::strcpy(infos[i].name, channels[i].first.c_str());
-        // Distinct for each name, and exact in half precision.
-        planes.emplace_back(static_cast<std::size_t>(size * size), float(channels[i].first.back()) + 0.5F);
-        given.push_back(TINYEXR_PIXELTYPE_FLOAT);
-        stored.push_back(channels[i].second);
+// Planes of other names and types than writeExr() offers, each of one value that follows from its name and is
+// exact in half precision.
+void writeExrPlanes(const std::string& path,
+                    const std::vector<std::pair<std::string, Imf::PixelType>>& channels, int size) {
+    Imf::Header header(size, size);
+    Imf::FrameBuffer planes;
+    std::vector<std::vector<std::pair<float, half>>> rows;
+    for (const auto& [name, type] : channels) {
+        const float value = float(name.back()) + 0.5F;
+        auto& row = rows.emplace_back(size, std::pair<float, half>(value, value));
+        header.channels().insert(name, Imf::Channel(type));
+        void* const first = type == Imf::HALF ? static_cast<void*>(&row[0].second) : &row[0].first;
+        // The lines lie 0 bytes apart: every one is this row.
+        planes.insert(name, Imf::Slice(type, static_cast<char*>(first), sizeof row[0], 0));
     }
-    for (auto& plane : planes)
-        pointers.push_back(reinterpret_cast<unsigned char*>(plane.data()));
-    EXRHeader header;
-    InitEXRHeader(&header);
-    header.num_channels = static_cast<int>(channels.size());
-    header.channels = infos.data();
-    header.pixel_types = given.data();
-    header.requested_pixel_types = stored.data();
-    EXRImage image;
-    InitEXRImage(&image);
-    image.num_channels = header.num_channels;
-    image.images = pointers.data();
-    image.width = image.height = size;
-    const char* message = nullptr;
-    ASSERT_EQ(SaveEXRImageToFile(&image, &header, path.c_str(), &message), TINYEXR_SUCCESS);
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(planes);
+    file.writePixels(size);
 }
 
 TEST(Srgb, MatchesTheStandardAtKnownPoints) {
@@ -127,7 +117,7 @@ TEST(Png, WritesNanAsBlackAndClampsTheRest) {
 
 TEST(Exr, RoundTripsUnclampedValuesBitForBit) {
     const TemporaryFolder folder;
-    for (const int side : {1, 40}) {  // tinyexr and OpenEXR pack small and large pictures differently
+    for (const int side : {1, 40}) {  // OpenEXR packs small and large pictures differently
         Image written(side, side, {1e-6F, 1000.0F, -2.5F});
         written.at(side - 1, side - 1) = {1e30F, 0.1F, -0.0F};
         written.at(0, side - 1) = {std::nanf(""), std::numeric_limits<float>::infinity(), 3.0F};
@@ -146,8 +136,8 @@ TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     const glm::vec3 expected('R' + 0.5F, 'G' + 0.5F, 'B' + 0.5F);
-    for (const int type : {TINYEXR_PIXELTYPE_HALF, TINYEXR_PIXELTYPE_FLOAT}) {
-        writeExrPlanes(path, {{"R", type}, {"A", type}, {"G", type}, {"B", TINYEXR_PIXELTYPE_FLOAT}}, 20);
+    for (const Imf::PixelType type : {Imf::HALF, Imf::FLOAT}) {
+        writeExrPlanes(path, {{"R", type}, {"A", type}, {"G", type}, {"B", Imf::FLOAT}}, 20);
         const Image read = readImage(path);
         ASSERT_EQ(read.pixels.size(), 400U);
         for (const glm::vec3& pixel : read.pixels)
@@ -157,9 +147,9 @@ TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
 
 TEST(Exr, ReplicatesYAndRefusesOtherChannels) {
     const TemporaryFolder folder;
-    writeExrPlanes(folder.file("y.exr"), {{"Y", TINYEXR_PIXELTYPE_HALF}}, 3);
+    writeExrPlanes(folder.file("y.exr"), {{"Y", Imf::HALF}}, 3);
     EXPECT_EQ(readImage(folder.file("y.exr")).at(2, 1), glm::vec3('Y' + 0.5F));
-    writeExrPlanes(folder.file("z.exr"), {{"R", TINYEXR_PIXELTYPE_HALF}, {"Z", TINYEXR_PIXELTYPE_FLOAT}}, 3);
+    writeExrPlanes(folder.file("z.exr"), {{"R", Imf::HALF}, {"Z", Imf::FLOAT}}, 3);
     EXPECT_NE(messageOf([&] { readImage(folder.file("z.exr")); }).find("channels R, G and B"),
               std::string::npos);
 }
@@ -168,7 +158,7 @@ TEST(ReadImage, RefusesEveryTruncation) {
     const TemporaryFolder folder;
     writePng(folder.file("a.png"), gradient(20, 40));
     writeExr(folder.file("a.exr"), gradient(20, 40));
-    writeExrPlanes(folder.file("b.exr"), {{"Y", TINYEXR_PIXELTYPE_FLOAT}}, 5);
+    writeExrPlanes(folder.file("b.exr"), {{"Y", Imf::FLOAT}}, 5);
     for (const char* name : {"a.png", "a.exr", "b.exr"}) {
         const std::string whole = readBytes(folder.file(name));
         ASSERT_GT(whole.size(), 100U);
@@ -203,12 +193,12 @@ TEST(ReadImage, NamesTheFileAndTheCause) {
     const auto message = [&](const std::string& name) {
         return messageOf([&] { readImage(folder.file(name)); });
     };
-    EXPECT_NE(message("none.png").find("none.png': No such file"), std::string::npos);
+    EXPECT_NE(message("none.png").find("none.png: there is no such file"), std::string::npos);
     writeBytes(folder.file("text.png"), "not a picture at all");
     EXPECT_NE(message("text.png").find("neither a PNG nor an EXR"), std::string::npos);
     writeBytes(folder.file("empty.exr"), "");
     EXPECT_NE(message("empty.exr").find("empty"), std::string::npos);
-    EXPECT_NE(message("").find("Is a directory"), std::string::npos);
+    EXPECT_NE(message("").find("it is not a file"), std::string::npos);
 }
 
 TEST(ReadImage, RefusesEnormousPictures) {
@@ -226,7 +216,8 @@ TEST(ReadImage, RefusesEnormousPictures) {
     ASSERT_NE(window, std::string::npos);
     exr.replace(window + 21 + 8, 4, std::string("\x00\x40\x00\x00", 4));  // maxX, little-endian: 16384
     writeBytes(folder.file("a.exr"), exr);
-    EXPECT_NE(messageOf([&] { readImage(folder.file("a.exr")); }).find("16385 x 8"), std::string::npos);
+    EXPECT_NE(messageOf([&] { readImage(folder.file("a.exr")); }).find("maximum width of 16384"),
+              std::string::npos);
 }
 
 TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {

@@ -25,9 +25,9 @@ const StageCount& stage(const std::vector<StageCount>& counts, const std::string
     return *found;
 }
 
-double trips(const StageCount& stage, const std::string& loop) {
+double iterations(const StageCount& stage, const std::string& loop) {
     for (const LoopCount& count : stage.loops)
-        if (count.name == loop) return count.trips;
+        if (count.name == loop) return count.iterations;
     throw std::runtime_error(loop + " was not counted");
 }
 
@@ -45,7 +45,7 @@ Counted counted(Settings settings) {
     return {countInvocations(renderer, Mode::giConeShadow, chooseCamera(scene, "")), renderer.activeVoxels()};
 }
 
-TEST(TripCounts, AreThoseOfTheCpusCones) {
+TEST(ShaderCounters, AreThoseOfTheCpusCones) {
     const Settings settings = smallSettings(64, pixelsAlongASide);
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
@@ -62,30 +62,31 @@ TEST(TripCounts, AreThoseOfTheCpusCones) {
     }
     const StageCount tracer = stage(counted(settings).counts, "passes/shade.frag");
     EXPECT_EQ(tracer.invocations, pixelsAlongASide * pixelsAlongASide);
-    EXPECT_EQ(trips(tracer, "diffuse cone"), 6.0 * surfaces);
+    EXPECT_EQ(iterations(tracer, "diffuse cone"), 6.0 * surfaces);
     std::printf("  diffuse steps %.0f (CPU %.0f), shadow steps %.0f (CPU %.0f)\n",
-                trips(tracer, "diffuse step"), diffuseSteps, trips(tracer, "shadow step"), shadowSteps);
+                iterations(tracer, "diffuse step"), diffuseSteps, iterations(tracer, "shadow step"),
+                shadowSteps);
     // Where rounding decides whether a cone goes on, one of them takes a step more.
-    EXPECT_NEAR(trips(tracer, "diffuse step") / diffuseSteps, 1.0, 1e-3);
-    EXPECT_NEAR(trips(tracer, "shadow step") / shadowSteps, 1.0, 1e-3);
+    EXPECT_NEAR(iterations(tracer, "diffuse step") / diffuseSteps, 1.0, 1e-3);
+    EXPECT_NEAR(iterations(tracer, "shadow step") / shadowSteps, 1.0, 1e-3);
 }
 
-TEST(TripCounts, AreThoseOfTheActiveVoxels) {
+TEST(ShaderCounters, AreThoseOfTheActiveVoxels) {
     const Counted found = counted(smallSettings(64, pixelsAlongASide));
     const auto& active = found.activeVoxels;
     const double all = std::accumulate(active.begin(), active.end(), 0.0);
-    EXPECT_EQ(trips(stage(found.counts, "packed/clear.comp"), "voxel"), all);
-    EXPECT_EQ(trips(stage(found.counts, "packed/mipmapper.comp"), "voxel"), all - active.back());
+    EXPECT_EQ(iterations(stage(found.counts, "packed/clear.comp"), "voxel"), all);
+    EXPECT_EQ(iterations(stage(found.counts, "packed/mipmapper.comp"), "voxel"), all - active.back());
     EXPECT_GE(stage(found.counts, "packed/voxelizer.frag").invocations, active.front());
 }
 
-TEST(TripCounts, OfTheSoftShadowAreItsTaps) {
+TEST(ShaderCounters, OfTheSoftShadowAreItsTaps) {
     Settings settings = smallSettings(64, pixelsAlongASide);
     settings.shadow = Shadow::softMap;
     settings.filterTaps = 7;
     const StageCount tracer = stage(counted(settings).counts, "passes/shade.frag");
-    const double searches = trips(tracer, "blocker tap") / 8.0;
-    const double penumbrae = trips(tracer, "filter tap") / 7.0;
+    const double searches = iterations(tracer, "blocker tap") / 8.0;
+    const double penumbrae = iterations(tracer, "filter tap") / 7.0;
     EXPECT_EQ(searches, std::floor(searches));
     EXPECT_EQ(penumbrae, std::floor(penumbrae));
     EXPECT_LT(penumbrae, searches);  // none where nothing blocks the sun

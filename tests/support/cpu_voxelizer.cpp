@@ -1,4 +1,4 @@
-#include "lab/cpu_voxelizer.h"
+#include "support/cpu_voxelizer.h"
 
 #include <algorithm>
 #include <cmath>
