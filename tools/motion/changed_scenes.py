@@ -6,8 +6,7 @@ import struct
 from pathlib import Path
 from typing import Any
 
-from dynamic import product
-from scenes.glb import Glb, axis_angle
+from scenes.glb import Glb, axis_angle, product
 from truth.gltf_file import GltfError
 
 JSON_CHUNK = 0x4E4F534A
@@ -43,11 +42,6 @@ def has_sun(path: Path) -> bool:
     return sun_node(read_glb(path)) is not None
 
 
-def turned(rotation: list[float], degrees: float) -> list[float]:
-    """About the vertical."""
-    return product(axis_angle((0, 1, 0), degrees), rotation)
-
-
 def written(glb: Glb, out: Path) -> Path:
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_bytes(glb.to_bytes())
@@ -61,7 +55,8 @@ def with_light(path: Path, out: Path, times_s: list[float], degrees: list[float]
     if node is None:
         raise GltfError(f"{path}: has no sun that could move")
     rotation = glb.json["nodes"][node].get("rotation", [0, 0, 0, 1])
-    glb.animate(ANIMATION, node, "rotation", times_s, [turned(rotation, angle) for angle in degrees], interpolation)
+    glb.animate(ANIMATION, node, "rotation", times_s, [product(axis_angle((0, 1, 0), angle), rotation) for angle in degrees],
+                interpolation)
     return written(glb, out)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 import metrics
 from motion.lag import FPS
-from motion.program import Program, errors, sequence
+from motion.renderer import Renderer, errors
 from sweep.measures import References
 from truth.exr import read_exr
 
@@ -76,25 +76,25 @@ def reference_of(references: References, kind: str, shape: tuple[int, ...]) -> n
     return found if found is not None and found.shape == shape else None
 
 
-def still(program: Program, what: str, scene: Path, preset: str, *more: str) -> dict[str, np.ndarray]:
-    folder = program.render(what, scene, "--preset", preset, "--mode", "gi", "--light-parts", *more)
+def still(renderer: Renderer, what: str, scene: Path, preset: str, *more: str) -> dict[str, np.ndarray]:
+    folder = renderer.render(what, scene, "--preset", preset, "--mode", "gi", "--light-parts", *more)
     return {name: read_exr(folder / f"{name}.exr") for name in ("gi", "indirect_light")}
 
 
-def from_nothing(program: Program, scene: Path, preset: str, references: References) -> dict[str, Any]:
+def from_nothing(renderer: Renderer, scene: Path, preset: str, references: References) -> dict[str, Any]:
     """`gi`: all light against all bounces; `indirect_light`: the indirect light alone against one bounce."""
     what = f"{scene.stem}, {preset}, convergence from nothing"
-    converged = still(program, what, scene, preset)
-    steps = {count: still(program, f"{what}: {count} frames", scene, preset, "--light-frames", str(count))
+    converged = still(renderer, what, scene, preset)
+    steps = {count: still(renderer, f"{what}: {count} frames", scene, preset, "--light-frames", str(count))
              for count in FRAMES}
     return {name: steps_of({count: pictures[name] for count, pictures in steps.items()}, converged[name],
                            reference_of(references, kind, converged[name].shape))
             for name, kind in (("gi", "full"), ("indirect_light", "indirect"))}
 
 
-def after_a_jump(program: Program, name: str, scene: Path, preset: str, references: References) -> dict[str, Any]:
+def after_a_jump(renderer: Renderer, name: str, scene: Path, preset: str, references: References) -> dict[str, Any]:
     """`scene`: its light jumps between the first frame and the second, to where the references have it."""
     what = f"{name}, {preset}, convergence after the light has moved"
-    shown = sequence(program, what, scene, preset, FPS, list(FRAMES))
-    converged = still(program, what, scene, preset, "--time", "1")["gi"]
+    shown = renderer.sequence(what, scene, preset, FPS, list(FRAMES))
+    converged = still(renderer, what, scene, preset, "--time", "1")["gi"]
     return {"gi": steps_of(shown, converged, reference_of(references, "full", converged.shape))}

@@ -6,11 +6,13 @@ import json
 from pathlib import Path
 from typing import Any
 
+import files
+from motion.tables import tables
 from report.pictures import Album, error_palette, small_png
-from report.sweep_data import add_pictures, point, usual_settings
-from sweep import identity
+from report.sweep_data import add_pictures, point
 from sweep.measures import MEASURES
 from sweep.settings import MODES, SETTINGS
+from sweep.usual import usual_settings
 
 METRICS = (
     ("relmse", "relMSE", "relMSE", "Mean of (x − r)² / (r² + 0.01): how wrong, dark parts weighted like bright ones."),
@@ -20,6 +22,7 @@ METRICS = (
     ("p999", "99.9 %", "99.9th percentile of the error", "The 99.9th percentile of the absolute error: leaks, fireflies."),
     ("rmse", "RMSE", "RMSE", "Root of the mean squared error."),
 )
+FILE_VERSION = 1  # of the JSON of vct bench and of tools/motion.py
 LABELS = {"backend": "driver", "cone_angle_deg": "cone angle"}
 SOFTWARE = ("llvmpipe", "softpipe", "lavapipe", "swrast")
 
@@ -34,8 +37,7 @@ def metric_rows(entries: list[dict[str, Any]]) -> list[dict[str, str]]:
 def setting_rows(entries: list[dict[str, Any]]) -> list[dict[str, Any]]:
     rows = []
     for setting in SETTINGS:
-        values = sorted({entry["settings"].get(setting.name, setting.default[0]) for entry in entries},
-                        key=lambda value: (value != setting.leave_out, isinstance(value, str), value))
+        values = sorted({entry["settings"][setting.name] for entry in entries}, key=lambda value: (isinstance(value, str), value))
         rows.append({"name": setting.name, "label": LABELS.get(setting.name, setting.name), "values": values,
                      "changes": sorted(setting.changes) if setting.changes else None})
     return rows
@@ -70,7 +72,7 @@ def facts(sweep: dict[str, Any], entries: list[dict[str, Any]]) -> list[tuple[st
         ("Timing", joined(f"{e['method']['clock']}; median of {e['method']['frames']} frames after "
                           f"{e['method']['warm_up_frames']} to warm up" for e in done)),
         ("Points", f"{len(done)} done, {failed} failed, in {len(sweep['runs'])} run(s)"),
-        ("Page", f"made {datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d %H:%M} UTC at {identity.commit()}"),
+        ("Page", f"made {datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d %H:%M} UTC at {files.commit()}"),
     ]
 
 
@@ -109,36 +111,24 @@ def hard_cases(path: Path | None, album: Album) -> list[dict[str, Any]] | None:
     return rows
 
 
-def sequence(path: Path | None, album: Album) -> dict[str, Any] | None:
-    """The moments of tools/sequence.py; each names its two pictures in the album."""
-    if path is None:
-        return None
-    data = bench_file(path, "frames", 2)
-    for frame in data["frames"]:
-        for kind in ("picture", "indirect_light"):
-            name, picture = f"sequence {frame[kind]}", path.parent / frame[kind]
-            frame[kind] = name if album.add(name, lambda: small_png(picture, 400)) else None
-    return data
+def motion(path: Path | None) -> list[dict[str, Any]] | None:
+    """What tools/motion.py measured, as tables."""
+    return [vars(table) for table in tables(json_file(path, "size"))] if path else None
 
 
-def motion(path: Path | None) -> dict[str, Any] | None:
-    """What tools/motion.py measured."""
-    return bench_file(path, "size") if path else None
-
-
-def bench_file(path: Path, needs: str, version: int = 1) -> dict[str, Any]:
+def json_file(path: Path, needs: str) -> dict[str, Any]:
     """`needs`: what the file must hold beside its version."""
     data = json.loads(path.read_text())
-    if data.get("version") != version or needs not in data:
+    if data.get("version") != FILE_VERSION or needs not in data:
         raise SystemExit(f"error: {path} has version {data.get('version')}, {'with' if needs in data else 'without'} {needs}; "
-                         f"this program reads version {version} with {needs}")
+                         f"this program reads version {FILE_VERSION} with {needs}")
     return data
 
 
 def presets(path: Path | None) -> dict[str, Any] | None:
     if path is None:
         return None
-    data = bench_file(path, "presets")
+    data = json_file(path, "presets")
     note = (f"Milliseconds; {data['method']['statistic']}. {data['driver']['renderer']}, {data['machine']['cpu']}. The last "
             "rows: how many times the first preset's.")
     return {"scene": data["scene"], "note": note, "presets": data["presets"], "ratios": data["ratios"]}
@@ -147,20 +137,18 @@ def presets(path: Path | None) -> dict[str, Any] | None:
 def bench(path: Path | None) -> dict[str, Any] | None:
     if path is None:
         return None
-    data = bench_file(path, "tables")
+    data = json_file(path, "tables")
     note = (f"Milliseconds; {data['method']['statistic']}. {data['driver']['renderer']}, {data['machine']['cpu']}. The "
             "thesis's rows are its own, on its own scene.")
     return {"scene": data["scene"], "note": note, "tables": data["tables"]}
 
 
-def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_folder: Path, references: Path,
-              hard: Path | None, tables: Path | None, beside: Path | None, moments: Path | None,
-              moving: Path | None, album: Album) -> dict[str, Any]:
+def page_data(sweep: dict[str, Any], sweep_folder: Path, references: Path, hard: Path | None, tables: Path | None,
+              beside: Path | None, moving: Path | None, album: Album) -> dict[str, Any]:
     """All of it; the pictures go into the album, whose part they name."""
     entries = sweep["points"]
     usual = usual_settings(entries)
     hard_rows = hard_cases(hard, album)
-    animation = sequence(moments, album)
     pictures = add_pictures(entries, usual, sweep_folder, references, album)
     colours = error_palette()
     asked = {mode for entry in entries for mode in entry["modes"]}
@@ -170,8 +158,6 @@ def page_data(sweep: dict[str, Any], experiments: list[dict[str, Any]], sweep_fo
         "settings": setting_rows(entries), "scenes": scene_rows(sweep, entries),
         "measures": [{"name": m.name, "what": m.what, "mode": m.mode} for m in MEASURES],
         "points": [point(entry) for entry in entries], "pictures": pictures,
-        "experiments": [point(entry) for entry in experiments], "hard": hard_rows,
-        "sequence": animation, "motion": motion(moving),
-        "bench": bench(tables), "presets": presets(beside), "album": album.pictures,
+        "hard": hard_rows, "motion": motion(moving), "bench": bench(tables), "presets": presets(beside), "album": album.pictures,
         "error_colours": [f"rgb({r},{g},{b})" for r, g, b in zip(colours[::3], colours[1::3], colours[2::3])],
     }

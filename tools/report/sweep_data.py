@@ -1,24 +1,15 @@
 """What the page needs of sweep.json, and the pictures of its points."""
 from __future__ import annotations
 
-import statistics
 from pathlib import Path
 from typing import Any
 
 from report import pictures
 from report.pictures import Album
 from sweep.measures import MEASURES, Measure, NoReference, References, pair
+from sweep.usual import closeness, light_ms
 
-# "light" is what makes the light: all but the shadow map and the G-buffer, which are the same with every preset.
-LIGHT = ("voxelize", "mipmap", "irradiance", "trace")
 STEPS = ("shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace", "total")
-USUAL = {"grid": 256, "cone_angle_deg": 5.0}
-
-
-def light_ms(steps: dict[str, Any]) -> list[float]:
-    """Median, smallest and largest over the frames."""
-    frames = [sum(parts) for parts in zip(*(steps[step]["samples"] for step in LIGHT))]
-    return [statistics.median(frames), min(frames), max(frames)]
 
 
 def point(entry: dict[str, Any]) -> dict[str, Any]:
@@ -27,21 +18,6 @@ def point(entry: dict[str, Any]) -> dict[str, Any]:
              | {"light": light_ms(steps)} for mode, steps in entry["modes"].items() if steps}
     kept = ("key", "scene", "settings", "grid", "run", "status", "message", "active_voxels", "resources", "errors", "wall_s")
     return {name: entry[name] for name in kept if name in entry} | {"modes": modes, "asked_modes": list(entry["modes"])}
-
-
-def usual_settings(points: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
-    """By preset, the settings that the summary shows: the thesis's where they were swept, else the first point's."""
-    found: dict[str, dict[str, Any]] = {}
-    for preset in dict.fromkeys(entry["settings"]["preset"] for entry in points):
-        mine = [entry["settings"] for entry in points if entry["settings"]["preset"] == preset]
-        found[preset] = mine[0] | {name: value for name, value in USUAL.items()
-                                   if any(settings.get(name) == value for settings in mine)}
-    return found
-
-
-def closeness(entry: dict[str, Any], usual: dict[str, dict[str, Any]]) -> int:
-    """How many settings differ from the preset's usual: whose pictures come first."""
-    return sum(entry["settings"].get(name) != value for name, value in usual[entry["settings"]["preset"]].items())
 
 
 class ScenePictures:

@@ -68,7 +68,6 @@ function settingsFor(mode) {
 function configText(point, mode) {
   const names = settingsFor(mode);
   return (names.length ? names : DATA.settings.filter(setting => setting.name === "grid"))
-    .filter(setting => setting.name !== "experiment" || point.settings.experiment !== "none")
     .map(setting => settingText(setting.name, point.settings[setting.name])).join(" · ");
 }
 

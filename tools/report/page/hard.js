@@ -1,5 +1,5 @@
 // The hard cases, as cards; then everything starts.
-const STATUS = {pass: "pass", fail: "fail", "known-failure": "known failure", "not-run": "not run"};
+const STATUS = {pass: "pass", fail: "fail", "known-failure": "known failure"};
 
 function hardCard(hard) {
   const measured = hard.measured === null || hard.measured === undefined ? null
@@ -39,14 +39,13 @@ function start() {
   $("scene").addEventListener("change", event => choose({scene: event.target.value, key: null}));
   listeners.push(change => { if (change.scene) $("scene").value = change.scene; });
   listeners.push(change => { if (change.measure) drawTables(); });
-  for (const draw of [drawTables, drawVoxels, drawExperiments]) {
+  for (const draw of [drawTables, drawVoxels]) {
     listeners.push(change => { if (change.scene) draw(); });
     draw();
   }
   drawFacts();
   drawSummary();
   drawMethod();
-  drawSequence();
   drawMotion();
   drawHard();
   startViewer();

@@ -26,10 +26,7 @@ function range(values) {
 
 function plotPoints(scene, choice) {
   const mode = measureOf(choice.measure).mode;
-  // Experiments are not candidates: they join only where they can be told apart.
-  const experiments = [choice.colour, choice.shape].includes("experiment");
-  return done.filter(point => point.scene === scene && point.modes[mode]
-    && (experiments || (point.settings.experiment ?? "none") === "none") && errorOf(point, choice.measure)
+  return done.filter(point => point.scene === scene && point.modes[mode] && errorOf(point, choice.measure)
     && typeof errorOf(point, choice.measure)[choice.metric] === "number").map(point => ({point, mode,
       time: point.modes[mode][choice.time][0], error: Math.abs(errorOf(point, choice.measure)[choice.metric])}));
 }

@@ -29,7 +29,7 @@ function drawSummary() {
   const rows = sceneNames.flatMap(scene => presets.map((preset, i) =>
     summaryRow(scene, preset, i === 0 && presets.length, modes, groups)));
   const usual = Object.values(DATA.usual).map(settings => Object.entries(settings)
-    .filter(([name, value]) => !(name === "experiment" && value === "none")).map(([name, value]) => settingText(name, value))
+    .map(([name, value]) => settingText(name, value))
     .join(", ")).join("; ");
   $("summary-body").append(make("p", {}, `At ${usual}. Times are medians; errors are of linear light. “At the floor”: the
     error cannot be told from the reference's own noise, so its number says nothing.`), table(head, rows));

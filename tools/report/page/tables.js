@@ -1,4 +1,4 @@
-// Tables of the chosen scene, of the thesis, of voxels and memory, and of the experiments.
+// Tables of the chosen scene, of the thesis, of voxels and memory.
 const STEP_NAMES = {shadow_map: "CS shadow map", render_data: "RT G-buffer", voxelize: "V voxelize", mipmap: "M mipmap",
   irradiance: "I irradiance", trace: "Tr cones", total: "Tot frame"};
 const ofScene = () => done.filter(point => point.scene === state.scene);
@@ -59,9 +59,9 @@ function benchTables() {
 function drawVoxels() {
   const seen = new Set();
   const points = ofScene().filter(point => {
-    const id = JSON.stringify([point.settings.grid, point.settings.preset, point.settings.size, point.settings.experiment]);
+    const id = JSON.stringify([point.settings.grid, point.settings.preset, point.settings.size]);
     return point.active_voxels && point.active_voxels.length && !seen.has(id) && seen.add(id);
-  }).filter(point => (point.settings.experiment ?? "none") === "none");
+  });
   const levels = Math.max(0, ...points.map(point => point.active_voxels.length));
   const name = point => configText(point, "gi");
   const resources = [...new Set(points.flatMap(point => point.resources.map(resource => resource.name)))];
@@ -80,35 +80,4 @@ function drawVoxels() {
         points.map(point => make("td", {}, bytes(size(point, resource)))))),
       make("tr", {class: "usual"}, make("th", {scope: "row"}, "together"),
         points.map(point => make("td", {}, bytes(point.resources.reduce((sum, one) => sum + one.bytes, 0)))))]));
-}
-
-function drawExperiments() {
-  const points = DATA.experiments.length ? DATA.experiments.filter(point => point.status === "done") : done;
-  const changed = points.filter(point => (point.settings.experiment ?? "none") !== "none");
-  const body = $("experiments-body");
-  if (!changed.length) {
-    body.replaceChildren(make("p", {class: "note"}, "Not in this sweep: tools/sweep.py --experiments."));
-    return;
-  }
-  const without = point => points.find(other => other.scene === point.scene && Object.entries(point.settings)
-    .every(([name, value]) => other.settings[name] === (name === "experiment" ? "none" : value)));
-  const measures = DATA.measures.filter(measure => changed.some(point => errorOf(point, measure.name)));
-  const cell = (point, base, measure) => {
-    const [now, before] = [errorOf(point, measure.name), base && errorOf(base, measure.name)];
-    if (!now) return make("td", {class: "soft"}, "–");
-    return make("td", {title: before ? `bias ${percent(before.bias)} → ${percent(now.bias)}` : null},
-      before ? `${number(before.relmse)} → ${number(now.relmse)}` : number(now.relmse));
-  };
-  const times = (point, base) => DATA.modes.map(mode => make("td", {}, !point.modes[mode] ? "–"
-    : base && base.modes[mode] && base.run === point.run ? `${number(base.modes[mode].total[0])} → ${number(point.modes[mode].total[0])}`
-      : number(point.modes[mode].total[0])));
-  const rows = changed.filter(point => point.scene === state.scene).map(point => {
-    const base = without(point);
-    return make("tr", {}, make("th", {scope: "row"}, point.settings.experiment), make("td", {}, settingText("grid", point.settings.grid)),
-      times(point, base), measures.map(measure => cell(point, base, measure)));
-  });
-  body.replaceChildren(make("p", {}, `One change to the algorithm at a time, ${state.scene}: without it → with it. Times of a
-    frame in ms; errors as relMSE. A time of one
-    process on a machine that does other things is rough: docs/defects.md measures each in turns.`), table(headRow(["Experiment", "Grid", ...DATA.modes.map(mode => `${mode}, ms`),
-    ...measures.map(measure => measure.name)]), rows));
 }
