@@ -42,31 +42,31 @@ def modes(timings: dict[str, Any]) -> dict[str, Any]:
     return {name: mode["steps"] for name, mode in timings.get("modes", {}).items()}
 
 
-def bench_tables(files: list[File]) -> list[str]:
-    """Rows of machines; the thesis's own last, once."""
+def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
+    """Title, head and rows of machines; the thesis's own last, once."""
     benches = [(name, content["tables"]) for name, content in files if "tables" in content]
-    text = []
+    tables = []
     for number, first in (benches[0][1] if benches else {}).items():
-        rows = [(row["platform"].replace("Here", name), row["values"]) for name, tables in benches
-                for row in tables[number]["rows"] if row["source"] == "measured"]
+        rows = [(row["platform"].replace("Here", name), row["values"]) for name, measured in benches
+                for row in measured[number]["rows"] if row["source"] == "measured"]
         rows += [(f"{row['platform']} (thesis)", row["values"]) for row in first["rows"] if row["source"] == "thesis"]
-        text.append(f"Table {number}: {first['title']}\n\n" + markdown(
-            ["", *first["columns"]], ([name, *(f"{value:.2f}" for value in values)] for name, values in rows)))
-    return text
+        tables.append((f"Table {number}: {first['title']}", ["", *first["columns"]],
+                       [[name, *(f"{value:.2f}" for value in values)] for name, values in rows]))
+    return tables
 
 
-def step_tables(files: list[File]) -> list[str]:
+def step_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
     """A table for each mode, in the order of the first file that has it: medians of its steps."""
     measured = [(f"{name}, {content['settings']['grid']}^3", modes(content)) for name, content in files
                 if "tables" not in content]
-    text = []
+    tables = []
     for mode in dict.fromkeys(mode for _, found in measured for mode in found):
         columns = [(name, found[mode]) for name, found in measured if mode in found]
         steps = dict.fromkeys(key for _, found in columns for key in found)
-        text.append(f"{mode}, medians in ms\n\n" + markdown(["", *(name for name, _ in columns)], (
+        tables.append((f"{mode}, medians in ms", ["", *(name for name, _ in columns)], [
             [LABELS.get(key, key.replace("_", " ")), *(f"{found[key]['median']:.2f}" if key in found else "–" for _, found in columns)]
-            for key in steps)))
-    return text
+            for key in steps]))
+    return tables
 
 
 def main() -> int:
@@ -82,7 +82,7 @@ def main() -> int:
         except ValueError as error:
             print(f"error: {error}", file=sys.stderr)
             return 1
-    print("\n".join(bench_tables(files) + step_tables(files)), end="")
+    print("\n".join(f"{title}\n\n{markdown(head, rows)}" for title, head, rows in bench_tables(files) + step_tables(files)), end="")
     return 0
 
 
