@@ -4,14 +4,11 @@
     .venv/bin/python tools/motion.py --out out/motion
     .venv/bin/python tools/motion.py --parts swim --scenes cornell --presets mobile
 
-swim         a slow camera (sideways, forward, turning; 1.3 pixels a frame): the change from frame to frame of the light
-             that the same surface points receive, carried by the true geometry; it should be none. The floor is that of
-             a field that is known not to change
-lag          a sun that goes once around in 10 s, and moving objects (`moving`, and the hundred `balls`), at 30
-             frames a second: each frame against the still picture of its moment
-convergence  the picture after 1, 2, 4 ... 32 frames from nothing (vct render --light-frames), after a sun has jumped by
-             30 degrees, and after the box of `moving` has jumped aside, whose ghost must go; against the converged still
-             and against path tracing
+swim  a slow camera (sideways, forward, turning; 1.3 pixels a frame): the change from frame to frame of the light
+      that the same surface points receive, carried by the true geometry; it should be none. The floor is that of
+      a field that is known not to change
+lag   a sun that goes once around in 10 s, and moving objects (`moving`, and the hundred `balls`), at 30
+      frames a second: each frame against the still picture of its moment
 
 Entries of the same program stay in the file, so that several runs can share one; another program's are dropped. Ends with
 1 where a run failed.
@@ -28,11 +25,10 @@ from typing import Any
 
 import program
 from files import ROOT, commit, program_sha256, shown, write_whole
-from motion import changed_scenes, convergence, lag, swim, tables
+from motion import changed_scenes, lag, swim, tables
 from motion.renderer import Renderer
 from references import SAME_PICTURE, parse_size, still_scenes
 from scenes import balls, moving
-from sweep.measures import References
 
 VERSION = 1
 DARK = {"lone_plane"}  # no light comes from other surfaces there: nothing that could lag
@@ -120,21 +116,6 @@ class Motion:
             scene, frames = found
             what = name if name in OBJECTS else f"{name}, sun"
             self.keep("lag", what, preset, lambda: lag.lag(self.renderer, what, scene, preset, frames, self.options.every))
-
-    def convergence(self, name: str, preset: str) -> None:
-        if name not in DARK and name != "balls":
-            self.keep("convergence", name, preset, lambda: self.converging(name, preset))
-
-    def converging(self, name: str, preset: str) -> dict[str, Any]:
-        references = References(ROOT / "references", name)
-        if name in OBJECTS:
-            scene = changed_scenes.box_that_jumps(asset(name), self.temporary / f"{name}_jumps.glb", 1 / lag.FPS)
-            return {"moved box": convergence.after_a_jump(self.renderer, name, scene, preset, references)}
-        found = {"nothing": convergence.from_nothing(self.renderer, asset(name), preset, references)}
-        if changed_scenes.has_sun(asset(name)):
-            scene = changed_scenes.light_that_jumps(asset(name), self.temporary / f"{name}_jumps.glb", 1 / lag.FPS)
-            found["moved sun"] = convergence.after_a_jump(self.renderer, name, scene, preset, references)
-        return found
 
     def run(self) -> int:
         for part in self.options.parts:

@@ -92,10 +92,6 @@ class Sweep:
         runs = self.store.data.setdefault("runs", [])
         runs.append({"run": self.run_number, "started": now(), "commit": files.commit(),
                      "program_sha256": self.program_sha256})
-        self.store.data["measures"] = [
-            {"name": measure.name, "what": measure.what, "mode": measure.mode, "pictures": measure.pictures,
-             "references": measure.references} for measure in measures.MEASURES]
-        self.store.data["settings"] = [{"name": setting.name, "help": setting.help} for setting in SETTINGS]
         known = self.store.data.setdefault("scenes", {})
         for scene, sha256 in self.scene_sha256.items():
             known[scene.stem] = {"path": files.shown(scene), "sha256": sha256,

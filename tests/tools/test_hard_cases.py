@@ -17,7 +17,7 @@ KEYS = {"name", "what", "right_answer", "preset", "measured", "unit", "bar", "st
 def quick(program, tmp_path_factory):
     """Rows and folder of one quick run."""
     folder = tmp_path_factory.mktemp("hard_cases")
-    return hard_cases.run(pathlib.Path(program), folder, quick=True, show=False), folder
+    return hard_cases.run(pathlib.Path(program), folder, quick=True), folder
 
 
 def test_every_case_passes_or_fails_with_its_known_size(quick):
@@ -46,7 +46,7 @@ def test_a_crash_is_a_fail(tmp_path):
     program = tmp_path / "crashing"
     program.write_text("#!/bin/sh\nkill -SEGV $$\n")
     program.chmod(0o755)
-    (row,) = hard_cases.run(program, tmp_path / "out", only=["furnace"], show=False)
+    (row,) = hard_cases.run(program, tmp_path / "out", only=["furnace"])
     assert row["status"] == "fail" and row["measured"] is None and "-11" in row["note"]
 
 

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import json
 import subprocess
-import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -34,7 +33,6 @@ class Answer:
     folder: Path
     images: dict[str, np.ndarray] = field(default_factory=dict)
     active_voxels: int = 0  # of the finest level
-    seconds: float = 0.0
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.images[name]
@@ -85,11 +83,10 @@ class Vct:
         return answer
 
     def _read(self, scene: Path, folder: Path, flags: list[str]) -> Answer:
-        start = time.monotonic()
         done = self.command(scene, folder, flags)
         if done.returncode != 0:
             raise Unacceptable(f"{scene.stem}: exit code {done.returncode}: {program.last_words(done.stderr)}")
-        answer = Answer(folder, seconds=time.monotonic() - start)
+        answer = Answer(folder)
         for path in sorted(folder.glob("*.exr")):
             image = answer.images[path.stem] = read_exr(path)
             if wrong := int((~np.isfinite(image)).any(axis=2).sum()):

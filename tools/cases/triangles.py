@@ -5,7 +5,7 @@ import random
 
 import numpy as np
 
-from scenes.hard_cases import RED, SUN, Part, View, box, ceiling, floor, frame_markers, make, room, rotated, triangles
+from scenes.hard_cases import RED, SUN, Part, View, box, floor, frame_markers, make, room, rotated, triangles
 from scenes.shapes import quads
 
 from .case import INDIRECT, PIXELS, Case
@@ -110,7 +110,8 @@ def voxel_boundary(vct: Vct) -> Measured:
     """A lit ceiling exactly on a voxel boundary, and 0.01 voxels above and below: the light on the floor beneath."""
     light, means = (0.0, 1.0, 0.9), []  # from below: it lights the ceiling and not the floor
     for y in (7.99, 8.0, 8.01):
-        parts = [frame_markers(), Part(floor(20, -8)), Part(ceiling(20, y), (0.8, 0.8, 0.8))]
+        ceiling = quads(((-20, y, -20), (40, 0, 0), (0, 0, 40)))
+        parts = [frame_markers(), Part(floor(20, -8)), Part(ceiling, (0.8, 0.8, 0.8))]
         answer = vct.render(f"boundary_{y:g}", make(parts, light, View((0, -4, 28), (0, -8, 0), 40)))
         means.append(float(answer["indirect_light"].mean()))
     spread = (max(means) - min(means)) / max(np.mean(means), 1e-9)

@@ -49,28 +49,7 @@ def lag(entries: Entries) -> Table:
                  *of_presets(entries, "what moves", text))
 
 
-def convergence(entries: Entries) -> Table:
-    counts: list[int] = []
-    rows = []
-    for scene, presets in entries.items():
-        for preset, cases in presets.items():
-            for case, found in cases.items():
-                if case == "failed":
-                    rows.append([scene, preset, f"failed: {found}"])
-                    continue
-                steps, until = found["gi"]["steps"], found["gi"].get("frames_until", "–")
-                counts = [step["frames"] for step in steps]
-                errors = (step["to_converged"] for step in steps)
-                rows.append([scene, preset, case, *(f"{error['relmse']:.4f} / {error['flip']:.3f}" for error in errors),
-                             "more" if until is None else str(until)])
-    head = ["scene", "preset", "from", *map(str, counts), "frames until"]
-    return Table("Convergence", "Mode gi after so many frames, from nothing or after what moves has jumped, against its converged still "
-                 "picture: relMSE / FLIP. Frames until: from when on that relMSE is less than a tenth of the converged "
-                 "picture's own against path tracing, and the mean within 3 %.",
-                 head, [row + ["–"] * (len(head) - len(row)) for row in rows])
-
-
-PARTS = {"swim": swim, "lag": lag, "convergence": convergence}
+PARTS = {"swim": swim, "lag": lag}
 
 
 def tables(data: dict[str, Any]) -> list[Table]:

@@ -36,21 +36,22 @@ class Glb:
         self.binary += data
         return self._append("bufferViews", view)
 
+    def accessor(self, view, component, count, kind, low, high):
+        return self._append("accessors", {"bufferView": view, "componentType": component, "count": count, "type": kind,
+                                          "min": low, "max": high})
+
     def _floats(self, rows, kind, target=ARRAY_BUFFER):
         width = len(rows[0])
         data = struct.pack(f"<{len(rows) * width}f", *(tidy(x) for row in rows for x in row))
         stored = struct.unpack(f"<{len(rows) * width}f", data)  # min and max are of the rounded values
         columns = [stored[i::width] for i in range(width)]
-        return self._append("accessors", {
-            "bufferView": self._view(data, target), "componentType": FLOAT, "count": len(rows),
-            "type": kind, "min": [min(c) for c in columns], "max": [max(c) for c in columns]})
+        return self.accessor(self._view(data, target), FLOAT, len(rows), kind, [min(c) for c in columns], [max(c) for c in columns])
 
     def _indices(self, indices):
         wide = max(indices) >= 255  # 255 itself would be the restart index
         data = struct.pack(f"<{len(indices)}{'H' if wide else 'B'}", *indices)
-        return self._append("accessors", {
-            "bufferView": self._view(data, ELEMENT_ARRAY_BUFFER), "componentType": U16 if wide else U8,
-            "count": len(indices), "type": "SCALAR", "min": [min(indices)], "max": [max(indices)]})
+        return self.accessor(self._view(data, ELEMENT_ARRAY_BUFFER), U16 if wide else U8, len(indices), "SCALAR", [min(indices)],
+                             [max(indices)])
 
     def primitive(self, shape, material, mode=TRIANGLES):
         attributes = {"POSITION": self._floats(shape.positions, "VEC3"),

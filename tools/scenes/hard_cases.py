@@ -66,11 +66,6 @@ def floor(half: float = HALF, y: float = 0.0) -> shapes.Shape:
     return shapes.quads(((-half, y, half), (2 * half, 0, 0), (0, 0, -2 * half)))
 
 
-def ceiling(half: float = HALF, y: float = 0.0) -> shapes.Shape:
-    """Faces down."""
-    return shapes.quads(((-half, y, -half), (2 * half, 0, 0), (0, 0, 2 * half)))
-
-
 def room() -> shapes.Shape:
     return shapes.room(HALF)
 
