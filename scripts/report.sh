@@ -33,37 +33,25 @@ step() {
     [[ $status -eq 0 ]] || failed=1
 }
 # Those of an older program beside a new sweep would mislead; the sweep sorts its own out.
-rm -rf "$out/hard_cases" "$out/bench.json" "$out/presets.json" "$out/bars.md" "$out/sequence" "$out/motion"
+rm -rf "$out/hard_cases" "$out/bench.json" "$out/presets.json" "$out/motion"
 step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
 if [[ ${#quick[@]} -eq 0 ]]; then
-    # In a file of its own, so that each time is compared with one of the same minutes.
-    step "each known defect alone, at 128^3" "$python" tools/sweep.py --out "$out/experiments" --presets thesis \
-        --grids 128 --cone-angles 5 \
-        --experiments none,coverage-opacity,rounded-mips,light-share,long-shadow-steps,near-start,second-atomic
     step "the thesis's tables" build/desktop/vct bench assets/cornell.glb --repeat 1 --json "$out/bench.json"
     step "the presets side by side" build/desktop/vct bench assets/cornell.glb --preset thesis,mobile,quality \
         --json "$out/presets.json"
 fi
-step "moments of an animation" "$python" tools/sequence.py --program build/desktop/vct --out "$out/sequence"
 light=()
 [[ ${#quick[@]} -eq 0 ]] || light=(--parts swim --scenes cornell --presets mobile --frames 2)
-step "light over frames" "$python" tools/motion.py "${light[@]}" --program build/desktop/vct --out "$out/motion"
-step "hard cases" "$python" tools/hard_cases.py "${quick[@]}" --vct build/desktop/vct --out "$out/hard_cases"
+step "light over frames" "$python" tools/motion.py "${light[@]}" --out "$out/motion"
+step "hard cases" "$python" tools/hard_cases.py "${quick[@]}" --out "$out/hard_cases"
 
 page=("$python" tools/report.py --sweep "$out/sweep/sweep.json" --out "$out/index.html")
 [[ ! -e "$out/hard_cases/hard_cases.json" ]] || page+=(--hard-cases "$out/hard_cases/hard_cases.json")
-[[ ! -e "$out/sequence/sequence.json" ]] || page+=(--sequence "$out/sequence/sequence.json")
 [[ ! -e "$out/motion/motion.json" ]] || page+=(--motion "$out/motion/motion.json")
-[[ ! -e "$out/experiments/sweep.json" ]] || page+=(--experiments "$out/experiments/sweep.json")
 [[ ! -e "$out/bench.json" ]] || page+=(--bench "$out/bench.json")
 [[ ! -e "$out/presets.json" ]] || page+=(--presets "$out/presets.json")
 "${page[@]}" >/dev/null
 "$python" tools/pareto.py --sweep "$out/sweep/sweep.json" --out "$out/pareto.png" >/dev/null
-if [[ -e "$out/presets.json" ]]; then
-    # A bar that is missed is a result, not a failure of the report.
-    "$python" tools/bars.py --sweep "$out/sweep/sweep.json" --bench "$out/presets.json" >"$out/bars.md" || [[ $? -eq 1 ]]
-    echo "report: $(tail -n 1 "$out/bars.md") $out/bars.md"
-fi
 [[ $failed -eq 0 ]] || echo "report: some points or cases failed; the page shows them"
 echo "Open $out/index.html in a browser."
 exit "$failed"

@@ -14,14 +14,13 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from mali.bound import stage_cost  # noqa: E402
-from mali.compiler import G57, HOW, T880, CompilerError, Gpu, Stage, compile_shaders  # noqa: E402
-from mali.loops import LoopError  # noqa: E402
-from mali.page import Preset, Program, StageOfFrame, page  # noqa: E402
-from mali.varyings import passing_vertex_shader  # noqa: E402
-from sweep.identity import ROOT, shown, write_beside  # noqa: E402
+import program
+from files import ROOT, shown, write_whole
+from mali.bound import stage_cost
+from mali.compiler import G57, HOW, T880, CompilerError, Gpu, Stage, compile_shaders
+from mali.loops import LoopError
+from mali.page import Preset, Program, StageOfFrame, page
+from mali.varyings import passing_vertex_shader
 
 
 def compiled(entry: dict[str, Any], folder: Path, compiler: Path, gpu: Gpu) -> dict[str, Stage]:
@@ -39,11 +38,11 @@ def compiled(entry: dict[str, Any], folder: Path, compiler: Path, gpu: Gpu) -> d
 def frame(programs: list[Program], mode: str, counts: dict[str, Any], vertices: int) -> list[StageOfFrame]:
     """What a frame of a mode runs. Of several variants of one shader, whose counts are one, the costliest counts."""
     stages: dict[str, StageOfFrame] = {}
-    for program in programs:
-        if mode not in program.entry["modes"]:
+    for one in programs:
+        if mode not in one.entry["modes"]:
             continue
-        for source in program.entry["stages"]:
-            stage = program.stages[T880].get(source["stage"])
+        for source in one.entry["stages"]:
+            stage = one.stages[T880].get(source["stage"])
             shader = source["shader"]
             if stage is None:
                 continue
@@ -56,10 +55,10 @@ def frame(programs: list[Program], mode: str, counts: dict[str, Any], vertices: 
             try:
                 cost = stage_cost(stage, count["invocations"], count["loops"])
             except LoopError as why:
-                raise LoopError(f"{program.title()}, {shader}, mode {mode}: {why}") from why
-            key = shader if source["stage"] != "vertex" else f"{shader} {program.entry['name']}"
+                raise LoopError(f"{one.title()}, {shader}, mode {mode}: {why}") from why
+            key = shader if source["stage"] != "vertex" else f"{shader} {one.entry['name']}"
             if key not in stages or cost.bound_ms() > stages[key].cost.bound_ms():
-                stages[key] = StageOfFrame(program, stage, cost, count["loops"])
+                stages[key] = StageOfFrame(one, stage, cost, count["loops"])
     return list(stages.values())
 
 
@@ -67,8 +66,8 @@ def measured(manifest: dict[str, Any], folder: Path, compiler: Path) -> list[Pre
     presets = []
     for entry in manifest["presets"]:
         print(f"mali: {entry['name']}, {len(entry['programs'])} programs", file=sys.stderr, flush=True)
-        programs = [Program(program, {gpu: compiled(program, folder, compiler, gpu) for gpu in (T880, G57)})
-                    for program in entry["programs"]]
+        programs = [Program(about, {gpu: compiled(about, folder, compiler, gpu) for gpu in (T880, G57)})
+                    for about in entry["programs"]]
         frames = {mode: frame(programs, mode, counts, manifest["vertices"])
                   for mode, counts in entry["counts"].items()}
         presets.append(Preset(entry["name"], entry["grid"], programs, frames))
@@ -81,14 +80,13 @@ def main() -> int:
     parser.add_argument("--compiler", type=Path, required=True, help="the panfrost compiler's command; see below")
     parser.add_argument("--scene", type=Path, default=ROOT / "assets/cornell.glb", help="default: assets/cornell.glb")
     parser.add_argument("--size", default="400x400", help="picture (default: %(default)s)")
-    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="default: build/desktop/vct")
+    program.add_option(parser)
     parser.add_argument("--page", type=Path, default=ROOT / "docs/mali.md", help="default: docs/mali.md")
     options = parser.parse_args()
     try:
         if not options.compiler.is_file():
             raise CompilerError(f"--compiler {options.compiler}: no such file\n{HOW}")
-        if not options.program.is_file():
-            raise CompilerError(f"{options.program} is not there: scripts/build.sh makes it")
+        program.require(options.program)
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             subprocess.run([str(options.program), "shaders", str(options.scene), "--out", name, "--size", options.size],
@@ -101,7 +99,7 @@ def main() -> int:
     except (CompilerError, LoopError) as why:
         print(f"error: {why}", file=sys.stderr)
         return 1
-    write_beside(options.page, page(manifest, presets))
+    write_whole(options.page, page(manifest, presets))
     print(shown(options.page))
     return 0
 

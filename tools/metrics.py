@@ -1,7 +1,4 @@
-#!/usr/bin/env python3
 """The error of a picture against a reference, both linear RGB.
-
-    python tools/metrics.py PICTURE.exr REFERENCE.exr [--mask COVERAGE.exr] [--json] [--error-picture OUT.png]
 
 relmse    mean of (x - r)^2 / (r^2 + 0.01)
 bias      mean(x) / mean(r) - 1; none where the reference is black
@@ -15,15 +12,12 @@ hdr_flip  mean HDR-FLIP, in exposures that are fixed per scene (reference.json) 
 `at_noise_floor`: the picture cannot be told from a perfect one by this reference. A perfect picture's relMSE is the
 reference's own noise; one whose error is smaller than that noise stays below twice of it.
 """
-import argparse
-import json
 import math
-import pathlib
-import sys
 
+import flip_evaluator
 import numpy as np
 
-from truth.exr import PictureError, read_exr
+from truth.exr import PictureError
 
 EPSILON = 0.01  # of relMSE
 PIXELS_PER_DEGREE = 67
@@ -84,19 +78,18 @@ def sparks(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
 
 def flip_map(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """FLIP per pixel, (height, width), 0 to 1."""
-    import flip_evaluator
-    pair = [np.ascontiguousarray(srgb_from_linear(p), np.float32) for p in (reference, image)]
-    found = flip_evaluator.evaluate(*pair, "LDR", applyMagma=False, parameters={"ppd": PIXELS_PER_DEGREE})[0]
-    return found.reshape(image.shape[:2])
+    return _flip(srgb_from_linear(image), srgb_from_linear(reference), "LDR")
 
 
 def hdr_flip_map(image: np.ndarray, reference: np.ndarray, exposures: dict) -> np.ndarray:
     """HDR-FLIP per pixel, (height, width), 0 to 1."""
-    import flip_evaluator
-    pair = [np.ascontiguousarray(np.maximum(p, 0), np.float32) for p in (reference, image)]
-    fixed = {"startExposure": exposures["start"], "stopExposure": exposures["stop"],
-             "numExposures": exposures["count"], "tonemapper": "ACES"}
-    found = flip_evaluator.evaluate(*pair, "HDR", applyMagma=False, parameters={"ppd": PIXELS_PER_DEGREE, **fixed})[0]
+    return _flip(np.maximum(image, 0), np.maximum(reference, 0), "HDR", startExposure=exposures["start"],
+                 stopExposure=exposures["stop"], numExposures=exposures["count"], tonemapper="ACES")
+
+
+def _flip(image: np.ndarray, reference: np.ndarray, kind: str, **parameters: object) -> np.ndarray:
+    pair = [np.ascontiguousarray(picture, np.float32) for picture in (reference, image)]
+    found = flip_evaluator.evaluate(*pair, kind, applyMagma=False, parameters={"ppd": PIXELS_PER_DEGREE, **parameters})[0]
     return found.reshape(image.shape[:2])
 
 
@@ -126,66 +119,3 @@ def compare(image: np.ndarray, reference: np.ndarray, exposures: dict | None = N
     if noise_relmse is not None:
         result |= {"noise_relmse": noise_relmse, "at_noise_floor": result["relmse"] <= 2 * noise_relmse}
     return result
-
-
-def error_picture(image: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """(height, width, 3), 8 bits: black where right, red to yellow where too bright, blue to cyan where too dark.
-
-    Full colour at an error of 100 % of the reference, or of 0.1 where that is darker (the weights of relMSE); the
-    root of the error, so that 1 % is still seen.
-    """
-    image, reference = np.asarray(image, np.float64), np.asarray(reference, np.float64)
-    check(image, reference)
-    error = np.mean((image - reference) / np.sqrt(reference ** 2 + EPSILON), -1)
-    strength = np.sqrt(np.minimum(np.abs(error), 1.0))
-    first, second = np.minimum(2 * strength, 1), np.maximum(2 * strength - 1, 0)
-    bright = np.stack([first, second, np.zeros_like(first)], -1)
-    dark = np.stack([np.zeros_like(first), second, first], -1)
-    return np.round(255 * np.where((error > 0)[..., None], bright, dark)).astype(np.uint8)
-
-
-def stored_facts(reference: pathlib.Path) -> tuple[dict | None, float | None]:
-    """Exposures and noise that reference.json beside a reference states."""
-    path = reference.parent / "reference.json"
-    if not path.is_file():
-        return None, None
-    facts = json.loads(path.read_text())
-    return facts.get("hdr_flip_exposures"), facts.get("kinds", {}).get(reference.stem, {}).get("noise_relmse")
-
-
-def report(result: dict) -> str:
-    lines = []
-    for key in ("relmse", "bias", "rmse", "p999", "sparks", "flip", "hdr_flip"):
-        value = result[key]
-        text = "none: the reference is black" if value is None else f"{value:+.4f}" if key == "bias" else f"{value:.5g}"
-        if key == "relmse" and result.get("at_noise_floor"):
-            text += f"  (at the reference's noise floor, {result['noise_relmse']:.2g})"
-        lines.append(f"{key:9} {text}")
-    return "\n".join(lines)
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("picture", type=pathlib.Path)
-    parser.add_argument("reference", type=pathlib.Path, help="reference.json beside it gives exposures and noise")
-    parser.add_argument("--mask", type=pathlib.Path, help="EXR; pixels count where it is above 0.5")
-    parser.add_argument("--json", action="store_true", help="print JSON")
-    parser.add_argument("--error-picture", type=pathlib.Path, metavar="OUT.png",
-                        help="red: too bright, blue: too dark")
-    args = parser.parse_args()
-    try:
-        image, reference = read_exr(args.picture), read_exr(args.reference)
-        mask = read_exr(args.mask)[..., 0] > 0.5 if args.mask else None
-        result = compare(image, reference, *stored_facts(args.reference), mask)
-        if args.error_picture:
-            import PIL.Image
-            PIL.Image.fromarray(error_picture(image, reference)).save(args.error_picture)
-    except (PictureError, OSError, ValueError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
-    print(json.dumps(result, indent=1) if args.json else report(result))
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -4,14 +4,11 @@
     .venv/bin/python tools/motion.py --out out/motion
     .venv/bin/python tools/motion.py --parts swim --scenes cornell --presets mobile
 
-swim         a slow camera (sideways, forward, turning; 1.3 pixels a frame): the change from frame to frame of the light
-             that the same surface points receive, carried by the true geometry; it should be none. The floor is that of
-             a field that is known not to change
-lag          a sun that goes once around in 10 s, and moving objects (`moving`, and `balls` of tools/dynamic.py), at 30
-             frames a second: each frame against the still picture of its moment
-convergence  the picture after 1, 2, 4 ... 32 frames from nothing (vct render --light-frames), after a sun has jumped by
-             30 degrees, and after the box of `moving` has jumped aside, whose ghost must go; against the converged still
-             and against path tracing
+swim  a slow camera (sideways, forward, turning; 1.3 pixels a frame): the change from frame to frame of the light
+      that the same surface points receive, carried by the true geometry; it should be none. The floor is that of
+      a field that is known not to change
+lag   a sun that goes once around in 10 s, and moving objects (`moving`, and the hundred `balls`), at 30
+      frames a second: each frame against the still picture of its moment
 
 Entries of the same program stay in the file, so that several runs can share one; another program's are dropped. Ends with
 1 where a run failed.
@@ -26,19 +23,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-import dynamic  # noqa: E402
-from motion import changed_scenes, convergence, lag, swim, tables  # noqa: E402
-from motion.program import Failed, Program  # noqa: E402
-from references import SAME_PICTURE, parse_size, still_scenes  # noqa: E402
-from scenes import moving  # noqa: E402
-from sweep.identity import ROOT, commit, program_sha256, shown, write_beside  # noqa: E402
-from sweep.measures import References  # noqa: E402
+import program
+from files import ROOT, commit, program_sha256, shown, write_whole
+from motion import changed_scenes, lag, swim, tables
+from motion.renderer import Renderer
+from references import SAME_PICTURE, parse_size, still_scenes
+from scenes import balls, moving
 
 VERSION = 1
 DARK = {"lone_plane"}  # no light comes from other surfaces there: nothing that could lag
-OBJECTS = {"moving": moving.SECONDS, "balls": dynamic.SECONDS}  # the length of the animation, seconds
+OBJECTS = {"moving": moving.SECONDS, "balls": balls.SECONDS}  # the length of the animation, seconds
 
 
 def arguments() -> argparse.Namespace:
@@ -52,7 +46,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--lag-frames", type=int, default=300, help="of a sequence at most (default: %(default)s)")
     parser.add_argument("--every", type=int, default=10, help="the frames of it that are judged (default: every %(default)s)")
     parser.add_argument("--out", type=Path, default=ROOT / "out/motion", help="default: out/motion")
-    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="default: build/desktop/vct")
+    program.add_option(parser)
     options = parser.parse_args()
     options.parts, options.presets = options.parts.split(","), options.presets.split(",")
     if unknown := [part for part in options.parts if part not in tables.PARTS]:
@@ -74,7 +68,7 @@ class Motion:
 
     def __init__(self, options: argparse.Namespace, temporary: Path) -> None:
         self.options, self.temporary = options, temporary
-        self.program = Program(options.program, temporary / "pictures", options.size)
+        self.renderer = Renderer(options.program, temporary / "pictures", options.size)
         self.file = options.out / "motion.json"
         self.data = self.begun()
         self.failures: list[str] = []
@@ -93,15 +87,15 @@ class Motion:
         """Measures, and stores it or why it failed."""
         try:
             entry = measure()
-        except Failed as why:
+        except program.Failed as why:
             entry = {"failed": str(why)}
             self.failures.append(f"{part} {name} {preset}: {why}")
         self.data.setdefault(part, {}).setdefault(name, {})[preset] = entry
-        write_beside(self.file, json.dumps(self.data, indent=1) + "\n")
+        write_whole(self.file, json.dumps(self.data, indent=1) + "\n")
 
     def swim(self, name: str, preset: str) -> None:
         if name not in OBJECTS:
-            self.keep("swim", name, preset, lambda: swim.swim(self.program, asset(name), preset, self.options.frames))
+            self.keep("swim", name, preset, lambda: swim.swim(self.renderer, asset(name), preset, self.options.frames))
 
     def moving_scene(self, name: str) -> tuple[Path, int] | None:
         """A scene in which something moves, and its number of frames; None where nothing could."""
@@ -110,7 +104,7 @@ class Motion:
             if name == "moving":
                 return asset(name), frames
             path = self.temporary / "balls.glb"
-            path.write_bytes(dynamic.ball_room(moving=dynamic.ALONG_A_SIDE ** 2).to_bytes())
+            path.write_bytes(balls.build(moving=balls.COUNT).to_bytes())
             return path, frames
         if name in DARK or not changed_scenes.has_sun(asset(name)):
             return None
@@ -121,28 +115,9 @@ class Motion:
         if found := self.moving_scene(name):
             scene, frames = found
             what = name if name in OBJECTS else f"{name}, sun"
-            self.keep("lag", what, preset, lambda: lag.lag(self.program, what, scene, preset, frames, self.options.every))
-
-    def convergence(self, name: str, preset: str) -> None:
-        if name not in DARK and name != "balls":
-            self.keep("convergence", name, preset, lambda: self.converging(name, preset))
-
-    def converging(self, name: str, preset: str) -> dict[str, Any]:
-        references = References(ROOT / "references", name)
-        found = {}
-        if name in OBJECTS:
-            scene = changed_scenes.box_that_jumps(asset(name), self.temporary / f"{name}_jumps.glb", 1 / lag.FPS)
-            return {"moved box": convergence.after_a_jump(self.program, name, scene, preset, references)}
-        if self.program.has("--light-frames"):
-            found["nothing"] = convergence.from_nothing(self.program, asset(name), preset, references)
-        if changed_scenes.has_sun(asset(name)):
-            scene = changed_scenes.light_that_jumps(asset(name), self.temporary / f"{name}_jumps.glb", 1 / lag.FPS)
-            found["moved sun"] = convergence.after_a_jump(self.program, name, scene, preset, references)
-        return found
+            self.keep("lag", what, preset, lambda: lag.lag(self.renderer, what, scene, preset, frames, self.options.every))
 
     def run(self) -> int:
-        if "convergence" in self.options.parts and not self.program.has("--light-frames"):
-            print("motion: this program has no --light-frames: convergence is that of a moved sun alone", file=sys.stderr)
         for part in self.options.parts:
             for name in self.options.scenes:
                 for preset in self.options.presets:

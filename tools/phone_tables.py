@@ -3,23 +3,25 @@
 Of a bench.json it prints the thesis's tables 5.2 to 5.5, a row for each machine; of a timings.json the steps of each
 mode, a column for each machine. docs/timings.md describes both files.
 """
-
 from __future__ import annotations
 
 import argparse
 import json
-import pathlib
 import sys
+from pathlib import Path
 from typing import Any
+
+from tables import markdown
 
 # Steps that are not named as they are written.
 LABELS = {"render_data": "G-buffer"}
 # docs/timings.md says when they change, each for itself.
 BENCH_VERSION = 1
 TIMINGS_VERSION = 2
+File = tuple[str, dict[str, Any]]  # the machine's name, and what was measured there
 
 
-def read(path: pathlib.Path) -> dict[str, Any]:
+def read(path: Path) -> dict[str, Any]:
     """Raises ValueError with the file's name where it is neither of the two."""
     try:
         content = json.loads(path.read_text())
@@ -40,38 +42,31 @@ def modes(timings: dict[str, Any]) -> dict[str, Any]:
     return {name: mode["steps"] for name, mode in timings.get("modes", {}).items()}
 
 
-def bench_tables(files: list[tuple[str, dict[str, Any]]]) -> str:
-    """Rows of machines; the thesis's own last, once."""
+def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
+    """Title, head and rows of machines; the thesis's own last, once."""
     benches = [(name, content["tables"]) for name, content in files if "tables" in content]
-    text = ""
-    for number in benches[0][1] if benches else []:
-        first = benches[0][1][number]
-        rows = [(row["platform"].replace("Here", name), row["values"]) for name, tables in benches
-                for row in tables[number]["rows"] if row["source"] == "measured"]
+    tables = []
+    for number, first in (benches[0][1] if benches else {}).items():
+        rows = [(row["platform"].replace("Here", name), row["values"]) for name, measured in benches
+                for row in measured[number]["rows"] if row["source"] == "measured"]
         rows += [(f"{row['platform']} (thesis)", row["values"]) for row in first["rows"] if row["source"] == "thesis"]
-        width = max(len(name) for name, _ in rows)
-        text += f"\nTable {number}: {first['title']}\n{'':{width}}"
-        text += "".join(f"{column:>10}" for column in first["columns"]) + "\n"
-        text += "".join(f"{name:{width}}" + "".join(f"{value:10.2f}" for value in values) + "\n"
-                        for name, values in rows)
-    return text
+        tables.append((f"Table {number}: {first['title']}", ["", *first["columns"]],
+                       [[name, *(f"{value:.2f}" for value in values)] for name, values in rows]))
+    return tables
 
 
-def step_tables(files: list[tuple[str, dict[str, Any]]]) -> str:
+def step_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
     """A table for each mode, in the order of the first file that has it: medians of its steps."""
     measured = [(f"{name}, {content['settings']['grid']}^3", modes(content)) for name, content in files
                 if "tables" not in content]
-    text = ""
+    tables = []
     for mode in dict.fromkeys(mode for _, found in measured for mode in found):
         columns = [(name, found[mode]) for name, found in measured if mode in found]
-        text += f"\n{mode}, medians in ms\n{'':10}" + "".join(f"  {name:>18}" for name, _ in columns) + "\n"
-        for key in dict.fromkeys(key for _, steps in columns for key in steps):
-            text += f"{LABELS.get(key, key.replace('_', ' ')):10}"
-            for name, steps in columns:
-                value = f"{steps[key]['median']:.2f}" if key in steps else "-"
-                text += f"  {value:>{max(18, len(name))}}"
-            text += "\n"
-    return text
+        steps = dict.fromkeys(key for _, found in columns for key in found)
+        tables.append((f"{mode}, medians in ms", ["", *(name for name, _ in columns)], [
+            [LABELS.get(key, key.replace("_", " ")), *(f"{found[key]['median']:.2f}" if key in found else "–" for _, found in columns)]
+            for key in steps]))
+    return tables
 
 
 def main() -> int:
@@ -83,11 +78,11 @@ def main() -> int:
         if not separator:
             parser.error(f"'{entry}' is not NAME=FILE")
         try:
-            files.append((name, read(pathlib.Path(path))))
+            files.append((name, read(Path(path))))
         except ValueError as error:
             print(f"error: {error}", file=sys.stderr)
             return 1
-    print((bench_tables(files) + step_tables(files)).lstrip("\n"), end="")
+    print("\n".join(f"{title}\n\n{markdown(head, rows)}" for title, head, rows in bench_tables(files) + step_tables(files)), end="")
     return 0
 
 

@@ -40,11 +40,11 @@ import time
 
 import numpy as np
 
+from files import ROOT, write_whole
 from metrics import automatic_exposures, noise_of_halves, relmse
 from truth.exr import PictureError, read_exr, write_exr
 from truth.gltf_file import GltfError
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.0005 and more).
 SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glossy": 1024, "ao": 512,
            "sun": 256, "shadow": 512}
@@ -71,22 +71,6 @@ def reference_folder(scene: pathlib.Path, root: pathlib.Path = ROOT / "reference
     return root / SAME_PICTURE.get(scene.stem, scene.stem)
 
 
-class Progress:
-    """One line per kind; on a terminal it counts."""
-
-    def __init__(self, what: str, samples: int):
-        self.what, self.samples, self.done, self.start = what, samples, 0, time.monotonic()
-
-    def __call__(self, count: int) -> None:
-        self.done += count
-        seconds = time.monotonic() - self.start
-        if sys.stdout.isatty():
-            print(f"\r{self.what}: {self.done}/{self.samples} samples, {seconds:.0f} s", end="", flush=True)
-        if self.done == self.samples:
-            print(f"{chr(13) if sys.stdout.isatty() else ''}{self.what}: {self.samples} samples, {seconds:.1f} s",
-                  flush=True)
-
-
 def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | None) -> dict:
     """Kind -> (Drawn, samples). One-bounce brings direct and indirect with it."""
     from truth.drawing import Drawn, draw, make_world  # after the arguments are checked: loading takes a while
@@ -95,8 +79,10 @@ def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | No
     for kind in SAMPLES:
         if kind in wanted:
             count = samples or SAMPLES[kind]
-            progress = Progress(f"{scene.path.name} {kind}", count)
-            drawn[kind] = draw(world, scene, kind, size, count, SEED, progress), count
+            print(f"{scene.path.name} {kind}: {count} samples, ", end="", flush=True)
+            start = time.monotonic()
+            drawn[kind] = draw(world, scene, kind, size, count, SEED), count
+            print(f"{time.monotonic() - start:.1f} s", flush=True)
     if "one-bounce" in kinds:
         (a, count_a), (b, count_b) = drawn["direct"], drawn["indirect"]
         halves = tuple(x + y for x, y in zip(a.halves, b.halves))
@@ -111,7 +97,7 @@ def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
         "scene": scene.path.name,
         "scene_sha256": scene.sha256,
         "size": list(size),
-        "mitsuba": engine.load().__version__,
+        "mitsuba": engine.mi.__version__,
         "variant": engine.VARIANT,
         "camera": {"name": scene.camera.name, "eye_world": scene.camera.eye_world.tolist(),
                    "right_up_back": scene.camera.axes.tolist(), "vertical_fov_rad": scene.camera.vertical_fov_rad},
@@ -147,9 +133,7 @@ def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[in
     out.mkdir(parents=True, exist_ok=True)
     for kind, (result, _) in drawn.items():
         write_exr(out / f"{kind}.exr", result.image)
-    beside = out / "reference.json.tmp"
-    beside.write_text(json.dumps(rounded(describe(scene, drawn, size)), indent=1) + "\n")
-    beside.replace(out / "reference.json")
+    write_whole(out / "reference.json", json.dumps(rounded(describe(scene, drawn, size)), indent=1) + "\n")
 
 
 def differing(stored: pathlib.Path, made: pathlib.Path) -> list[str]:

@@ -1,75 +1,48 @@
 #!/usr/bin/env python3
-"""One self-contained HTML page from a sweep: opens from disk, asks for nothing from outside.
+"""One self-contained HTML page from a sweep: opens from disk, asks for nothing from outside, has no script.
 
-Time against error per scene, tables, pictures beside references and errors, voxels and memory, an animation, light over
-frames, hard cases.
+Summary, time against error per scene, pictures over their references and their errors, tables of steps, errors, voxels and
+memory, light over frames, hard cases.
 """
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+import files
+from report.page import page
+from report.pictures import Album
+from sweep import store
 
-from report.page_data import page_data  # noqa: E402
-from report.pictures import Album  # noqa: E402
-from sweep import identity, store  # noqa: E402
-
-PAGE = Path(__file__).resolve().parent / "report" / "page"
-SCRIPTS = ("base.js", "summary.js", "plots.js", "viewer.js", "tables.js", "sequence.js", "motion.js", "hard.js")
+GIVEN = {"hard_cases": "the JSON of tools/hard_cases.py", "bench": "the JSON of vct bench: the thesis's tables",
+         "presets": "the JSON of vct bench --preset thesis,mobile,quality",
+         "motion": "the JSON of tools/motion.py: what the light does over frames"}
 
 
-def arguments() -> argparse.ArgumentParser:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sweep", type=Path, default=Path("out/sweep/sweep.json"), help="default: %(default)s")
-    parser.add_argument("--experiments", type=Path,
-                        help="a sweep.json of --experiments: shown as with and without, apart from the rest")
-    parser.add_argument("--hard-cases", type=Path, help="the JSON of tools/hard_cases.py")
-    parser.add_argument("--bench", type=Path, help="the JSON of vct bench: the thesis's tables")
-    parser.add_argument("--presets", type=Path, help="the JSON of vct bench --preset thesis,mobile,quality")
-    parser.add_argument("--sequence", type=Path, help="the JSON of tools/sequence.py: moments of an animation")
-    parser.add_argument("--motion", type=Path, help="the JSON of tools/motion.py: what the light does over frames")
-    parser.add_argument("--references", type=Path, default=identity.ROOT / "references", help="default: references")
+    for name, what in GIVEN.items():
+        parser.add_argument(f"--{name.replace('_', '-')}", type=Path, help=what)
+    parser.add_argument("--references", type=Path, default=files.ROOT / "references", help="default: references")
     parser.add_argument("--out", type=Path, default=Path("out/report/index.html"), help="default: %(default)s")
     parser.add_argument("--megabytes", type=float, default=13, help="of pictures at most (default: %(default)g)")
-    return parser
-
-
-def build_page(data: dict) -> str:
-    """The template with style, scripts and data in it."""
-    page = (PAGE / "page.html").read_text()
-    parts = {"/*STYLE*/": (PAGE / "style.css").read_text(),
-             "/*SCRIPTS*/": "\n".join((PAGE / script).read_text() for script in SCRIPTS),
-             # "</script>" inside the data would end it.
-             "/*DATA*/": json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")}
-    for mark, text in parts.items():
-        page = page.replace(mark, text, 1)
-    return page
-
-
-def main() -> int:
-    options = arguments().parse_args()
-    for path in (options.sweep, options.experiments, options.hard_cases, options.bench, options.presets,
-                 options.sequence, options.motion):
+    options = parser.parse_args()
+    given = {name: getattr(options, name) for name in GIVEN}
+    for path in (options.sweep, *given.values()):
         if path is not None and not path.is_file():
             raise SystemExit(f"error: {path}: no such file")
     sweep = store.read(options.sweep)
     if not sweep["points"]:
         raise SystemExit(f"error: {options.sweep} has no points")
     album = Album(int(options.megabytes * 1e6))
-    experiments = store.read(options.experiments)["points"] if options.experiments else []
-    data = page_data(sweep, experiments, options.sweep.parent, options.references, options.hard_cases, options.bench,
-                     options.presets, options.sequence, options.motion, album)
-    page = build_page(data)
-    identity.write_beside(options.out, page)
+    text = page(sweep, options.sweep.parent, options.references, album, given)
+    files.write_whole(options.out, text)
     left_out = f", {album.refused} left out to stay below {options.megabytes:g} MB" if album.refused else ""
-    print(f"report: {len(data['points'])} points, {len(album.pictures)} pictures{left_out}, {len(page) / 1e6:.1f} MB",
-          file=sys.stderr)
-    print(identity.shown(options.out))
-    return 0
+    print(f"report: {len(sweep['points'])} points, {album.kept} pictures{left_out}, {len(text) / 1e6:.1f} MB", file=sys.stderr)
+    print(files.shown(options.out))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

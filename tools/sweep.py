@@ -10,17 +10,17 @@ import argparse
 import datetime
 import shutil
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
-from references import SAME_PICTURE, still_scenes  # noqa: E402
-from sweep import identity, measures  # noqa: E402
-from sweep.progress import Progress, duration  # noqa: E402
-from sweep.run import PointFailed, run  # noqa: E402
-from sweep.settings import MODES, SETTINGS, Point, Values, points, values_of_presets  # noqa: E402
-from sweep.store import Store  # noqa: E402
+import files
+import program
+from references import SAME_PICTURE, still_scenes
+from sweep import measures
+from sweep.run import run
+from sweep.settings import MODES, SETTINGS, Point, Values, points, values_of_presets
+from sweep.store import Store
 
 METRICS_SOURCE = Path(measures.metrics.__file__)
 
@@ -34,10 +34,9 @@ def arguments() -> argparse.ArgumentParser:
         parser.add_argument(setting.option, dest=setting.name, help=f"{setting.help} (default: {usual})")
     parser.add_argument("--modes", default="gi,gi-cone-shadow,ao", help="default: %(default)s")
     parser.add_argument("--out", type=Path, default=Path("out/sweep"), help="default: %(default)s")
-    parser.add_argument("--references", type=Path, default=identity.ROOT / "references",
+    parser.add_argument("--references", type=Path, default=files.ROOT / "references",
                         help="folder of tools/references.py (default: references)")
-    parser.add_argument("--program", type=Path, default=identity.ROOT / "build/desktop/vct",
-                        help="default: build/desktop/vct")
+    program.add_option(parser)
     parser.add_argument("--timeout", type=float, default=600, help="seconds for one point (default: %(default)g)")
     parser.add_argument("--quick", action="store_true", help="cornell alone, small; what is given still counts")
     return parser
@@ -45,13 +44,10 @@ def arguments() -> argparse.ArgumentParser:
 
 def scene_paths(text: str | None, quick: bool) -> list[Path]:
     """Scenes by name or by path, relative where they are the repository's, as sweep.json shows them."""
-    if text is None:
-        if quick:
-            text = "cornell"
-        else:
-            return still_scenes()
-    paths = [Path(name) if name.endswith((".glb", ".gltf")) else identity.ROOT / "assets" / f"{name}.glb"
-             for name in text.split(",")]
+    if text is None and not quick:
+        return still_scenes()
+    paths = [Path(name) if name.endswith((".glb", ".gltf")) else files.ROOT / "assets" / f"{name}.glb"
+             for name in (text or "cornell").split(",")]
     if missing := [str(path) for path in paths if not path.exists()]:
         raise SystemExit(f"error: no such scene: {', '.join(missing)}")
     return paths
@@ -79,10 +75,9 @@ class Sweep:
     def __init__(self, options: argparse.Namespace) -> None:
         self.options = options
         self.points = asked(options)
-        if not options.program.exists():
-            raise SystemExit(f"error: {options.program} is not built: scripts/build.sh desktop vct")
-        self.program_sha256 = identity.program_sha256(options.program)
-        self.scene_sha256 = {point.scene: identity.file_sha256(point.scene) for point in self.points}
+        program.require(options.program)
+        self.program_sha256 = files.program_sha256(options.program)
+        self.scene_sha256 = {point.scene: files.file_sha256(point.scene) for point in self.points}
         self.references = {point.scene.stem: measures.References(options.references, point.scene.stem)
                            for point in self.points}
         self.store = Store(options.out / "sweep.json")
@@ -95,15 +90,11 @@ class Sweep:
     def describe(self) -> None:
         """All of sweep.json but the points."""
         runs = self.store.data.setdefault("runs", [])
-        runs.append({"run": self.run_number, "started": now(), "commit": identity.commit(),
+        runs.append({"run": self.run_number, "started": now(), "commit": files.commit(),
                      "program_sha256": self.program_sha256})
-        self.store.data["measures"] = [
-            {"name": measure.name, "what": measure.what, "mode": measure.mode, "pictures": measure.pictures,
-             "references": measure.references} for measure in measures.MEASURES]
-        self.store.data["settings"] = [{"name": setting.name, "help": setting.help} for setting in SETTINGS]
         known = self.store.data.setdefault("scenes", {})
         for scene, sha256 in self.scene_sha256.items():
-            known[scene.stem] = {"path": identity.shown(scene), "sha256": sha256,
+            known[scene.stem] = {"path": files.shown(scene), "sha256": sha256,
                                  "reference": self.references[scene.stem].about}
 
     def key(self, point: Point) -> str:
@@ -116,8 +107,8 @@ class Sweep:
         entry["measured_with"] = self.measured_with(entry["scene"])
 
     def measured_with(self, scene: str) -> dict[str, str]:
-        return {"references": self.references[scene].sha256(), "metrics": identity.file_sha256(METRICS_SOURCE),
-                "measures": identity.file_sha256(Path(measures.__file__))}
+        return {"references": self.references[scene].sha256(), "metrics": files.file_sha256(METRICS_SOURCE),
+                "measures": files.file_sha256(Path(measures.__file__))}
 
     def render(self, point: Point, key: str) -> dict[str, Any]:
         """The point's entry, done or failed."""
@@ -128,10 +119,10 @@ class Sweep:
                  "folder": f"points/{key}", "started": now(), "status": "done", "message": ""}
         try:
             entry |= run(point, self.options.program, folder, self.options.timeout)
-            if identity.program_sha256(self.options.program) != self.program_sha256:
+            if files.program_sha256(self.options.program) != self.program_sha256:
                 raise SystemExit("error: the program or its shaders changed meanwhile; run the sweep again")
             self.measure(entry)
-        except PointFailed as why:
+        except program.Failed as why:
             entry |= {"status": "failed", "message": str(why), "modes": {mode: {} for mode in point.modes}}
         return entry
 
@@ -155,14 +146,19 @@ class Sweep:
         """All points; the exit status."""
         left = [not self.store.finished(self.key(point)) for point in self.points]
         say(f"{len(self.points)} points, {sum(left)} to render")
-        progress = Progress([point.cost() if new else 0.1 for point, new in zip(self.points, left)])
-        for point in self.points:
-            progress.line(point.name, self.outcome(point))
+        start = time.monotonic()
+        for number, point in enumerate(self.points, 1):
+            print(f"[{number}/{len(self.points)}] {point.name}: {self.outcome(point)} ({since(start)} so far)",
+                  file=sys.stderr, flush=True)
         self.store.save()
         failed = [point for point in self.points if self.store.entries[self.key(point)]["status"] == "failed"]
         say(f"{len(self.points) - len(failed)} points done, {len(failed)} failed, "
-            f"{duration(progress.elapsed())}: {identity.shown(self.store.path)}")
+            f"{since(start)}: {files.shown(self.store.path)}")
         return 1 if failed else 0
+
+
+def since(start: float) -> datetime.timedelta:
+    return datetime.timedelta(seconds=round(time.monotonic() - start))
 
 
 def now() -> str:

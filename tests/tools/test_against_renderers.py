@@ -1,12 +1,13 @@
 """Against two renderers that share no code with the references: `vct`, and Mitsuba's own path tracer."""
 import math
-import subprocess
 
 import numpy as np
 import pytest
 
-from truth import engine
+from files import ROOT
+from program import render
 from truth.drawing import draw, make_world
+from truth.engine import mi
 from truth.exr import read_exr
 from truth.scene import load_scene
 
@@ -16,11 +17,9 @@ SIZE = (128, 128)
 @pytest.fixture(scope="module", params=["cornell", "courtyard"])
 def both(request, program, tmp_path_factory):
     """(folder of vct's pictures, scene, world) of one scene."""
-    path = engine.__file__.rsplit("/tools/", 1)[0] + f"/assets/{request.param}.glb"
-    out = tmp_path_factory.mktemp(request.param)
-    subprocess.run([program, "render", path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--mode", "gi",
-                    "--grid", "128", "--shadow-map", "2048", "--stages", "--light-parts"], check=True,
-                   capture_output=True)
+    path, out = ROOT / f"assets/{request.param}.glb", tmp_path_factory.mktemp(request.param)
+    render(program, path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--mode", "gi", "--grid", 128, "--shadow-map", 2048,
+           "--debug-views", "--light-parts")
     scene = load_scene(path)
     return out, scene, make_world(scene)
 
@@ -31,7 +30,7 @@ def of_kind(both, kind, samples):
 
 def test_silhouettes_lie_on_the_same_pixels(both):
     """The renderer asks at the pixel's centre, the reference covers the pixel: half of it decides."""
-    seen = read_exr(both[0] / "stages/g_buffer_albedo.exr").max(-1) > 0
+    seen = read_exr(both[0] / "debug_views/g_buffer_albedo.exr").max(-1) > 0
     covered = of_kind(both, "coverage", 64)[..., 0]
     assert 0.3 < seen.mean() < 0.99
     assert np.mean(seen != (covered > 0.5)) < 0.003
@@ -40,7 +39,7 @@ def test_silhouettes_lie_on_the_same_pixels(both):
 
 def test_edges_within_the_picture_are_not_shifted(both):
     """Least squared difference of the albedo at no shift, by a clear margin, along both axes."""
-    mine, theirs = of_kind(both, "albedo", 64), read_exr(both[0] / "stages/g_buffer_albedo.exr")
+    mine, theirs = of_kind(both, "albedo", 64), read_exr(both[0] / "debug_views/g_buffer_albedo.exr")
     difference = {(dx, dy): np.mean((np.roll(theirs, (dy, dx), (0, 1)) - mine) ** 2)
                   for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
     still = difference.pop((0, 0))
@@ -55,7 +54,7 @@ def test_lit_surfaces_are_equally_bright(both):
     out on both sides: a texture seen at one point of a pixel is not its mean over the pixel."""
     direct, albedo = of_kind(both, "direct", 64), of_kind(both, "albedo", 64)
     shadow = of_kind(both, "shadow", 64)[..., 0]
-    root = read_exr(both[0] / "stages/g_buffer_albedo.exr")
+    root = read_exr(both[0] / "debug_views/g_buffer_albedo.exr")
     occlusion = read_exr(both[0] / "ambient_occlusion.exr")[..., :1]
     bright = (albedo.min(-1) > 0.03) & (root.min(-1) > 0.03)
     inside = bright & (occlusion[..., 0] > 0.9)
@@ -74,7 +73,6 @@ def test_lit_surfaces_are_equally_bright(both):
 
 def test_full_light_is_that_of_mitsubas_own_path_tracer(root):
     """Cornell has no masks and no textures: its plugins model it as well."""
-    mi = engine.load()
     scene = load_scene(root / "assets/cornell.glb")
     description = {"type": "scene", "sun": {
         "type": "directional", "direction": (-scene.sun.towards).tolist(),

@@ -12,12 +12,8 @@ import zipfile
 
 import pytest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools" / "apk"))
-
-import check  # noqa: E402
-import elf  # noqa: E402
-import pack  # noqa: E402
+from apk import check, elf, pack
+from files import ROOT
 
 APK = ROOT / "build" / "android" / "vct.apk"
 OURS = "lib/arm64-v8a/libvct.so"
@@ -126,22 +122,13 @@ def test_manifest(copy, ndk, old, new, words):
     assert words in "\n".join(copy.found(ndk)["manifest"])
 
 
-@pytest.mark.parametrize(("name", "value"), [("minSdkVersion", 24), ("targetSdkVersion", 36), ("glEsVersion", 0x30001)])
-def test_numbers_in_the_manifest(copy, ndk, name, value):
-    """Typed values of the binary XML: 8 bytes of size, type and data."""
-    kind = 0x11 if name == "glEsVersion" else 0x10
-    old, new = (struct.pack("<HBBI", 8, 0, kind, number) for number in (value, value + 1))
-    copy.replace("AndroidManifest.xml", old, new)
-    assert copy.found(ndk)["manifest"]
-
-
-@pytest.mark.parametrize("value", [0, 1])
-def test_flags_of_the_manifest(copy, ndk, value):
-    """hasCode and extractNativeLibs are its false ones, beside allowBackup: made true all at once."""
-    old, new = (struct.pack("<HBBI", 8, 0, 0x12, number) for number in (0, 0xFFFFFFFF))
-    copy.replace("AndroidManifest.xml", old, new)
-    text = "\n".join(copy.found(ndk)["manifest"])
-    assert ("hasCode=false", "extractNativeLibs=false")[value] in text
+@pytest.mark.parametrize(("kind", "value", "other", "words"), [
+    (0x10, 24, 25, "minSdk"), (0x10, 36, 37, "targetSdk"), (0x11, 0x30001, 0x30002, "OpenGL ES 3.1"),
+    (0x12, 0, 0xFFFFFFFF, "hasCode=false"), (0x12, 0, 0xFFFFFFFF, "extractNativeLibs=false")])
+def test_values_in_the_manifest(copy, ndk, kind, value, other, words):
+    """Typed values of the binary XML: 8 bytes of size, type and data. Its false ones are made true all at once."""
+    copy.replace("AndroidManifest.xml", *(struct.pack("<HBBI", 8, 0, kind, number) for number in (value, other)))
+    assert words in "\n".join(copy.found(ndk)["manifest"])
 
 
 def test_library_that_is_compressed(copy, ndk):

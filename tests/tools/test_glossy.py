@@ -4,13 +4,8 @@ import math
 import numpy as np
 import pytest
 
-from truth import engine
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
-
-from truth.glossy import Brdf  # noqa: E402
+from truth.engine import dr, mi
+from truth.glossy import Brdf
 
 SAMPLES = 200_000
 

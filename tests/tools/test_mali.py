@@ -1,8 +1,5 @@
-"""tools/mali: reading the compiler, telling loops, the bound's arithmetic; and the whole command where a compiler is."""
-import os
+"""tools/mali: reading the compiler, telling loops, the bound's arithmetic."""
 import pathlib
-import subprocess
-import sys
 
 import pytest
 
@@ -111,25 +108,3 @@ def test_the_passing_vertex_shader_keeps_the_variants():
 def test_a_compiler_that_is_not_there_says_how_it_is_built(tmp_path):
     with pytest.raises(CompilerError, match="drm-shim"):
         compile_shaders(tmp_path / "none", T880, [])
-
-
-@pytest.fixture(scope="module")
-def compiler():
-    path = os.environ.get("VCT_MALI_COMPILER")
-    if not path:
-        pytest.skip("VCT_MALI_COMPILER does not name the panfrost compiler (tools/mali.py --help)")
-    return pathlib.Path(path)
-
-
-def test_a_shader_that_does_not_compile_is_named(compiler, tmp_path):
-    (tmp_path / "a.vert").write_text("#version 310 es\nvoid main() { gl_Position = vec4(0); }\n")
-    (tmp_path / "a.frag").write_text("#version 310 es\nvoid main() { nonsense; }\n")
-    with pytest.raises(CompilerError, match="nonsense"):
-        compile_shaders(compiler, T880, [tmp_path / "a.vert", tmp_path / "a.frag"])
-
-
-def test_the_command_makes_the_page(compiler, program, root, tmp_path):
-    subprocess.run([sys.executable, str(root / "tools/mali.py"), "--compiler", str(compiler), "--program", program,
-                    "--size", "32x32", "--page", str(tmp_path / "mali.md")], check=True)
-    page = (tmp_path / "mali.md").read_text()
-    assert "`thesis`, 256³: bound" in page and "shadow step" in page

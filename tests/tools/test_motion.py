@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from motion import convergence, swim
+from motion import swim
 from motion.geometry import MOVES, Seen, View, amount_for, carry, field, relative_change, sampled
 from truth.first_hits import TrueGeometry
 
@@ -132,23 +132,3 @@ def test_the_true_surfaces_are_those_of_the_file(maker):
     # Rays that go through a back start again a hair beside where they met it.
     np.testing.assert_allclose(x[valid], columns + 0.5, atol=5e-3)
     np.testing.assert_allclose(y[valid], rows + 0.5, atol=5e-3)
-
-
-def test_edges_are_left_out_and_gradients_are_not():
-    reference = grey(1 + 0.05 * np.arange(SIZE[0])).copy()
-    reference[:, 50:] += 20
-    mask = convergence.smooth_pixels(reference)
-    assert not mask[:, 49:51].any() and mask[:, :49].all() and mask[:, 51:].all()
-
-
-def step(frames: int, relmse: float, bias: float) -> dict:
-    return {"frames": frames, "to_converged": {"relmse": relmse, "bias": bias}}
-
-
-@pytest.mark.parametrize("steps, until", [
-    ([step(1, 0.05, -0.2), step(2, 0.02, -0.1), step(4, 0.009, 0.01)], 4),
-    ([step(1, 0.009, 0.0), step(2, 0.02, 0.0), step(4, 0.009, 0.01)], 4),  # near by chance is not converged
-    ([step(1, 0.005, -0.05), step(2, 0.0099, -0.02), step(4, 0.005, 0.01)], 2),
-    ([step(1, 0.005, 0.0), step(2, 0.005, 0.0), step(4, 0.012, 0.0)], None)])
-def test_frames_until_the_light_is_as_good_as_converged(steps: list[dict], until: int | None):
-    assert convergence.frames_until(steps, {"relmse": 0.1, "bias": 0.0}) == until

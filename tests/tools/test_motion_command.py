@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from motion import changed_scenes, convergence
+from motion import changed_scenes
 from motion.geometry import MOVES
 from truth.gltf_file import GltfFile
 from truth.scene import load_scene, local_transform
@@ -31,25 +31,6 @@ def test_the_sun_goes_once_around(root, tmp_path):
     np.testing.assert_allclose([way[1] for _, way in keys], sun[1], atol=1e-5)
     assert keys[0][0] == 0 and keys[-1][0] == 10
     np.testing.assert_allclose(keys[0][1], sun, atol=1e-5)
-
-
-def test_the_sun_jumps_by_30_degrees_to_where_it_was(root, tmp_path):
-    (_, away), (when, back) = towards(changed_scenes.light_that_jumps(root / "assets/contact.glb", tmp_path / "a.glb", 0.1))
-    sun = load_scene(root / "assets/contact.glb").sun.towards
-    np.testing.assert_allclose(back, sun, atol=1e-5)
-    turned = math.atan2(-away[2], away[0]) - math.atan2(-sun[2], sun[0])
-    assert math.degrees(turned) == pytest.approx(30, abs=1e-3) and when == pytest.approx(0.1)
-
-
-def test_the_box_jumps_and_nothing_else_moves(root, tmp_path):
-    file = GltfFile(changed_scenes.box_that_jumps(root / "assets/moving.glb", tmp_path / "a.glb", 0.1))
-    (animation,) = file.json["animations"]
-    (channel,), (sampler,) = animation["channels"], animation["samplers"]
-    box = file.json["nodes"][channel["target"]["node"]]
-    places = file.accessor(sampler["output"])
-    assert box["name"] == "box" and sampler["interpolation"] == "STEP"
-    np.testing.assert_allclose(places[0], box["translation"], atol=1e-6)
-    assert places[1][0] == -places[0][0] and places[1][1:].tolist() == places[0][1:].tolist()
 
 
 def test_a_light_that_is_off_cannot_move(root):
@@ -81,16 +62,6 @@ def test_a_small_run_has_its_numbers_and_the_next_one_adds_to_them(program, tmp_
         assert (first["frame"], last["frame"]) == (0, 19)
         assert first["relmse"] < 1e-4  # a sequence starts with the light of its first moment
         assert last["relmse"] < 0.1 and of_scene["mobile"]["mean"]["relmse"] == last["relmse"]
-
-
-def test_light_from_a_sun_that_jumped_converges(program, tmp_path):
-    done = motion(program, tmp_path, "--parts", "convergence", "--scenes", "contact", "--size", "256x256")
-    assert done.returncode == 0, done.stderr
-    (entry,) = json.loads((tmp_path / "motion.json").read_text())["convergence"]["contact"].values()
-    for found in (entry[case]["gi"] for case in entry):
-        assert [one["frames"] for one in found["steps"]] == list(convergence.FRAMES)
-        assert found["frames_until"] is not None
-        assert found["steps"][-1]["to_converged"]["relmse"] < 0.003
 
 
 @pytest.mark.parametrize("arguments, said", [

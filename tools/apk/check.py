@@ -16,10 +16,11 @@ import tomllib
 import zipfile
 from collections.abc import Iterator
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import elf  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from apk import elf  # noqa: E402
+from files import ROOT  # noqa: E402
+
 PACKAGE = "vct.app"
 PAGE = 16384
 MAX_BYTES = 12_000_000

@@ -1,23 +1,18 @@
 """What a hard case is, and how its result is told."""
-
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Callable
+from typing import Any
 
-from .run import Unacceptable, Vct
+from tables import markdown
 
+from .run import Measured, Unacceptable, Vct
 
-class Skipped(Exception):
-    """Says why a case cannot be run here."""
-
-
-@dataclass
-class Measured:
-    value: float  # distance from the right answer: 0 is right
-    picture: Path | None = None
-    note: str = ""
+# Units of many cases.
+LIGHT, INDIRECT = "mean difference over mean light", "mean difference over mean indirect light"
+PIXELS = "share of pixels that differ"
 
 
 @dataclass(frozen=True)
@@ -37,27 +32,13 @@ class Case:
 
 def run_case(case: Case, vct: Vct) -> dict[str, Any]:
     """One row of the table. Keys are stable: the report reads them."""
-    row: dict[str, Any] = {
-        "name": case.name,
-        "what": case.what,
-        "right_answer": case.right_answer,
-        "preset": vct.preset,
-        "measured": None,
-        "unit": case.unit,
-        "bar": case.bar,
-        "status": "fail",
-        "note": "",
-        "picture": None,
-        "known_range": case.known_range,
-    }
+    row: dict[str, Any] = {"name": case.name, "what": case.what, "right_answer": case.right_answer, "preset": vct.preset,
+                           "measured": None, "unit": case.unit, "bar": case.bar, "status": "fail", "note": "",
+                           "picture": None, "known_range": case.known_range}
     try:
         found = case.measure(vct)
     except Unacceptable as error:
-        row["note"] = str(error)
-        return row
-    except Skipped as why:
-        row.update(status="not-run", note=str(why))
-        return row
+        return row | {"note": str(error)}
     row["measured"] = float(f"{found.value:.4g}")
     row["note"] = "; ".join(text for text in (found.note, case.cause) if text)
     if found.picture is not None and found.picture.exists():
@@ -70,15 +51,8 @@ def run_case(case: Case, vct: Vct) -> dict[str, Any]:
 
 
 def table(rows: list[dict[str, Any]]) -> str:
-    lines = [f"{'case':34} {'measured':>10} {'bar':>8}  {'status':13} unit; note"]
-    for row in rows:
-        measured = "-" if row["measured"] is None else f"{row['measured']:.4g}"
-        lines.append(
-            f"{row['name']:34} {measured:>10} {row['bar']:>8.3g}  {row['status']:13} {row['unit']}; {row['note']}"
-        )
-    counts = {
-        status: sum(row["status"] == status for row in rows)
-        for status in ("pass", "known-failure", "fail", "not-run")
-    }
-    lines.append(", ".join(f"{count} {status}" for status, count in counts.items()))
-    return "\n".join(lines)
+    text = markdown(["case", "measured", "bar", "status", "unit", "note"], (
+        [row["name"], "–" if row["measured"] is None else f"{row['measured']:.4g}", f"{row['bar']:.3g}", row["status"],
+         row["unit"], row["note"].replace("\n", " ")] for row in rows))
+    counts = Counter(row["status"] for row in rows)
+    return text + "\n" + ", ".join(f"{counts[status]} {status}" for status in ("pass", "known-failure", "fail"))

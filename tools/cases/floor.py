@@ -1,5 +1,4 @@
 """Which point of a floor a pixel shows, and closed forms for what that point sees."""
-
 from __future__ import annotations
 
 import math
@@ -23,6 +22,12 @@ def floor_points(view: View, size: int, y: float = 0.0) -> tuple[np.ndarray, np.
         t = (y - eye[1]) / rays[..., 1]
         t[t <= 0] = np.nan
     return eye[0] + t * rays[..., 0], eye[2] + t * rays[..., 2]
+
+
+def on_floor(image: np.ndarray, view: View, x: tuple[float, float], z: float, y: float = 0.0) -> np.ndarray:
+    """The pixels of a picture that show the floor between x[0] and x[1], and no further than z from the middle."""
+    at_x, at_z = floor_points(view, len(image), y)
+    return image[(at_x > x[0]) & (at_x < x[1]) & (np.abs(at_z) < z)]
 
 
 def openness_beside_wall(distance: float, reach: float) -> float:

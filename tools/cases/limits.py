@@ -1,34 +1,28 @@
-"""Too much, too little: a full voxel list, ten million triangles, an empty scene; and half-float rounding."""
-
+"""Too much, too little: a full voxel list, ten million triangles, an empty scene."""
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path
 
 from scenes import big_grid, cornell
 from scenes.glb import Glb
-from scenes.hard_cases import Part, View, floor, make
+from scenes.hard_cases import SUN, Part, View, floor, make
 
-from .case import Case, Measured, Skipped
-from .run import Unacceptable, Vct, last_line, mean_difference
-
-SUN = (-0.5, -1.0, -0.3)
+from .case import LIGHT, Case
+from .run import Measured, Unacceptable, Vct, mean_difference
 
 
 def _refusal(vct: Vct, name: str, scene: Path, options: list[str], must_say: str) -> tuple[float, str]:
     """0 where vct says in one line what is wrong, exits with an error and leaves no file; else the faults in that."""
     folder = vct.out / name
     done = vct.command(scene, folder, ["--grid", "64", "--size", "64x64", *options])
-    errors = [line for line in done.stderr.splitlines() if "error" in line.lower()]
     if done.returncode < 0:
         raise Unacceptable(f"{name}: ended by signal {-done.returncode}")
-    faults = [
-        done.returncode == 0,
-        len(errors) != 1,
-        must_say not in done.stderr,
-        folder.exists() and any(path.is_file() for path in folder.rglob("*")),
-    ]
-    return float(sum(faults)), last_line(done.stderr).replace(str(vct.out), "DIR")
+    errors = [line for line in done.stderr.splitlines() if "error" in line.lower()]
+    faults = [done.returncode == 0, len(errors) != 1, must_say not in done.stderr,
+              folder.exists() and any(path.is_file() for path in folder.rglob("*"))]
+    return float(sum(faults)), done.stderr.strip().split("\n")[-1].replace(str(vct.out), "DIR")
 
 
 def list_full(vct: Vct) -> Measured:
@@ -41,7 +35,7 @@ def list_full(vct: Vct) -> Measured:
         return Measured(faults + 1, None, said)
     exact = vct.render("list_full", data, options=("--active-voxels", wanted[1]))
     roomy = vct.render("list_roomy", data, check_order=False)
-    return Measured(faults + mean_difference(exact["gi"], roomy["gi"]), exact.folder / "gi.png", said)
+    return exact.measured(faults + mean_difference(exact["gi"], roomy["gi"]), note=said)
 
 
 def empty_scene(vct: Vct) -> Measured:
@@ -58,80 +52,26 @@ def nothing_in_view(vct: Vct) -> Measured:
     """A scene that the camera turns its back to is a picture of the sky."""
     scene = make([Part(floor())], SUN, View((0, 5, 40), (0, 5, 80), 45))
     answer = vct.render("nothing_in_view", scene, options=("--sky", "0.25,0.5,0.75"))
-    return Measured(float(abs(answer["gi"] - (0.25, 0.5, 0.75)).max()), answer.folder / "gi.png")
+    return answer.measured(abs(answer["gi"] - (0.25, 0.5, 0.75)).max())
 
 
-def many_triangles(triangles: int):
+def many_triangles(triangles: int, vct: Vct) -> Measured:
     """Against the same land of 20,000 triangles: hills of 20 units are smooth in both."""
-
-    def measure(vct: Vct) -> Measured:
-        coarse = vct.render("land_coarse", big_grid.build(20_000), grid=128, size="256x256", check_order=False)
-        name = f"land_{triangles}"
-        fine = vct.render(
-            name, big_grid.build(triangles), grid=128, size="256x256", check_order=triangles <= 1_000_000
-        )
-        (vct.out / "scenes" / f"{name}.glb").unlink()  # a quarter of a gigabyte
-        return Measured(
-            mean_difference(fine["gi"], coarse["gi"]), fine.folder / "gi.png", f"{fine.seconds:.0f} s in all"
-        )
-
-    return measure
-
-
-def half_float(vct: Vct) -> Measured:
-    """Runs as soon as `vct render --help` names an option or an experiment with `half` in it."""
-    shown = vct.help()
-    option, experiment = re.search(r"(--\S*half\S*)", shown), re.search(r"^\s+(\S*half\S*):", shown, re.MULTILINE)
-    if not option and not experiment:
-        raise Skipped("no program option rounds mediump values to half yet")
-    flags = (option[1],) if option else ("--experiment", experiment[1])
-    data = cornell.build().to_bytes()
-    exact, rounded = vct.render("half_float_off", data), vct.render("half_float", data, options=flags)
-    return Measured(mean_difference(rounded["gi"], exact["gi"]), rounded.folder / "gi.png")
+    coarse = vct.render("land_coarse", big_grid.build(20_000), grid=128, size=256, check_order=False)
+    name = f"land_{triangles}"
+    fine = vct.render(name, big_grid.build(triangles), grid=128, size=256, check_order=triangles <= 1_000_000)
+    (vct.out / "scenes" / f"{name}.glb").unlink()  # a quarter of a gigabyte
+    return fine.measured(mean_difference(fine["gi"], coarse["gi"]))
 
 
 CASES = [
-    Case(
-        "half-float-rounding",
-        "every mediump value rounded to half, as Mali does",
-        "the same picture but for low bits",
-        "mean difference over mean light",
-        0.005,
-        half_float,
-    ),
-    Case(
-        "voxel-list-full",
-        "room for 1000 active voxels where more are needed",
-        "refused in one line that names the size needed; with that size the usual picture",
-        "faults",
-        0.0,
-        list_full,
-    ),
+    Case("voxel-list-full", "room for 1000 active voxels where more are needed",
+         "refused in one line that names the size needed; with that size the usual picture", "faults", 0.0, list_full),
     Case("empty-scene", "a glTF file without meshes", "refused in one line; no files", "faults", 0.0, empty_scene),
-    Case(
-        "nothing-in-view",
-        "the camera looks away from the scene",
-        "the sky, exactly",
-        "largest difference",
-        5e-4,
-        nothing_in_view,
-    ),
-    Case(
-        "triangles-300-thousand",
-        "land of 300,000 triangles, 20 to a voxel",
-        "the picture of 20,000 triangles",
-        "mean difference over mean light",
-        0.02,
-        many_triangles(300_000),
-        quick=False,
-    ),
-    Case(
-        "triangles-10-million",
-        "land of 10,000,000 triangles, 600 to a voxel",
-        "the picture of 20,000 triangles",
-        "mean difference over mean light",
-        0.02,
-        many_triangles(10_000_000),
-        quick=False,
-    ),
+    Case("nothing-in-view", "the camera looks away from the scene", "the sky, exactly", "largest difference", 5e-4,
+         nothing_in_view),
+    Case("triangles-300-thousand", "land of 300,000 triangles, 20 to a voxel", "the picture of 20,000 triangles", LIGHT, 0.02,
+         partial(many_triangles, 300_000), quick=False),
+    Case("triangles-10-million", "land of 10,000,000 triangles, 600 to a voxel", "the picture of 20,000 triangles", LIGHT, 0.02,
+         partial(many_triangles, 10_000_000), quick=False),
 ]

@@ -7,6 +7,7 @@ from typing import Any
 from mali.bound import CLOCK_HZ, CORES, Cost
 from mali.compiler import G57, T880, Gpu, Stage
 from mali.loops import match_loops
+from tables import markdown
 
 PASSES = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
           "irradiance": "irradiance", "trace": "trace"}
@@ -74,10 +75,6 @@ def number(value: float) -> str:
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
-def table(head: list[str], rows: list[list[str]]) -> str:
-    return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * len(head), *rows]) + "\n"
-
-
 def of_pass(stages: list[StageOfFrame], name: str, texture_cycles: int = 1) -> float:
     return sum(s.cost.bound_ms(texture_cycles) for s in stages if s.program.entry["pass"] == name)
 
@@ -94,7 +91,7 @@ def bounds(presets: list[Preset], mode: str) -> str:
         stages = preset.frames[mode]
         rows.append([f"`{preset.name}`, {preset.grid}³: bound", *(number(of_pass(stages, name)) for name in PASSES)])
         rows.append([f"`{preset.name}`, {preset.grid}³: T x2", *(number(of_pass(stages, name, 2)) for name in PASSES)])
-    return f"## Mode `{mode}`: bound in ms per pass, T880\n\n" + table(["", *PASSES.values()], rows)
+    return f"## Mode `{mode}`: bound in ms per pass, T880\n\n" + markdown(["", *PASSES.values()], rows)
 
 
 def stage_rows(preset: Preset, mode: str) -> list[list[str]]:
@@ -154,13 +151,13 @@ def page(manifest: dict[str, Any], presets: list[Preset]) -> str:
     for preset in presets:
         head = ["program", "stage", "invocations", "A", "LS", "T", "most", "bound ms", "registers", "spills:fills"]
         parts.append(f"## Preset `{preset.name}`, mode `gi-cone-shadow`: words per invocation, loops included\n\n" +
-                     table(head, stage_rows(preset, "gi-cone-shadow")))
+                     markdown(head, stage_rows(preset, "gi-cone-shadow")))
         head = ["program", "loop", "A", "LS", "T", "trips in the frame", "per invocation", "published: A", "trips"]
         parts.append("Its loops, words per iteration without those of the loops inside:\n\n" +
-                     table(head, loop_rows(preset)))
+                     markdown(head, loop_rows(preset)))
         head = ["program", "T880: A/LS/T", "registers", "threads of 4", "spills:fills",
                 "G57: " + "/".join(G57.pipes).upper(), "threads of 2", "spills:fills"]
         parts.append(f"### Every variant of `{preset.name}`, fragment and compute stages\n\n"
                      "Words (T880) and instructions (G57) outside loops + per iteration of each loop.\n\n" +
-                     table(head, variant_rows(preset)))
+                     markdown(head, variant_rows(preset)))
     return "\n".join(parts)

@@ -1,1 +1,1 @@
-"""How the light behaves over frames: swimming, lag and noise, convergence. tools/motion.py is the command line."""
+"""How the light behaves over frames: swimming, lag and noise. tools/motion.py is the command line."""

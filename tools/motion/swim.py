@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from motion.geometry import MOVES, Seen, View, amount_for, carry, field, relative_change, sampled
-from motion.program import Program
+from motion.renderer import Renderer
 from truth.exr import read_exr
 from truth.first_hits import TrueGeometry
 from truth.scene import Scene, load_scene, unit
@@ -46,12 +46,12 @@ class Frame:
     """What a view shows: the true surfaces, the light that they receive in the renderer's picture, and the field that
     does not change, through the same albedo and the same rounding."""
 
-    def __init__(self, what: str, program: Program, scene: Scene, geometry: TrueGeometry, preset: str, view: View) -> None:
-        # Glossy materials would take their share from the albedo, which the stage does not show.
-        folder = program.render(what, scene.path, "--preset", preset, "--mode", "phong", "--light-parts", "--stages", "--specular",
-                                "none", "--camera", camera_option(view, scene))
+    def __init__(self, what: str, renderer: Renderer, scene: Scene, geometry: TrueGeometry, preset: str, view: View) -> None:
+        # Glossy materials would take their share from the albedo, which its debug view does not show.
+        folder = renderer.render(what, scene.path, "--preset", preset, "--mode", "phong", "--light-parts", "--debug-views",
+                                 "--specular", "none", "--camera", camera_option(view, scene))
         light, albedo = (read_exr(folder / name).astype(np.float64)
-                         for name in ("indirect_light.exr", "stages/g_buffer_albedo.exr"))
+                         for name in ("indirect_light.exr", "debug_views/g_buffer_albedo.exr"))
         position, normal, valid = geometry(view.eye, view.directions())
         bright = (albedo >= DARKEST_ALBEDO).all(-1)
         self.seen = Seen(view, position, normal, valid & bright)
@@ -83,14 +83,14 @@ def summary(parts: list[np.ndarray]) -> dict[str, float]:
     return {"rms": float(np.sqrt(np.mean(values**2))), "p99": float(np.percentile(values, 99))}
 
 
-def swim(program: Program, path: Path, preset: str, frames: int) -> dict[str, Any]:
+def swim(renderer: Renderer, path: Path, preset: str, frames: int) -> dict[str, Any]:
     """Root mean square and 99th percentile over all points, frames and moves, the floor's beside them."""
     scene = load_scene(path)
     geometry = TrueGeometry(scene)
 
     def frame(what: str, view: View) -> Frame:
-        return Frame(f"{path.stem}, {preset}, swim{what}", program, scene, geometry, preset, view)
-    start = frame("", first_view(scene, program.size))
+        return Frame(f"{path.stem}, {preset}, swim{what}", renderer, scene, geometry, preset, view)
+    start = frame("", first_view(scene, renderer.size))
     light: dict[str, list[np.ndarray]] = {name: [] for name in MOVES}
     floor: dict[str, list[np.ndarray]] = {name: [] for name in MOVES}
     shares = []

@@ -11,9 +11,6 @@ from PIL import Image
 
 import metrics
 
-# Steps of the error's colours on each side of 0; few, so that the PNG stays small.
-ERROR_STEPS = 24
-
 
 def exposure_for(reference: np.ndarray) -> float:
     """Brings the brightest hundredth of a reference's pixels just under white."""
@@ -21,33 +18,30 @@ def exposure_for(reference: np.ndarray) -> float:
     return 0.9 / bright if bright > 1e-6 else 1.0
 
 
-def png(image: Image.Image) -> bytes:
+def png(image: Image.Image, colours: int = 256) -> bytes:
+    """With a palette it takes less than half the room."""
     out = io.BytesIO()
-    image.save(out, "PNG", optimize=True)
+    image.quantize(colours, dither=Image.Dither.NONE).save(out, "PNG", optimize=True)
     return out.getvalue()
 
 
-def picture_png(linear: np.ndarray, exposure: float, palette: bool) -> bytes:
-    """With a palette of 256 colours it takes less than half the room."""
+def picture_png(linear: np.ndarray, exposure: float) -> bytes:
     shown = metrics.srgb_from_linear(np.nan_to_num(linear * exposure))
-    image = Image.fromarray((shown * 255 + 0.5).astype(np.uint8))
-    return png(image.quantize(256, dither=Image.Dither.NONE) if palette else image)
-
-
-def error_palette() -> list[int]:
-    """The colours of metrics.error_picture, from 100 % too dark to 100 % too bright: 2 ERROR_STEPS + 1 of them."""
-    root = np.arange(-ERROR_STEPS, ERROR_STEPS + 1) / ERROR_STEPS
-    error = np.repeat((np.sign(root) * root**2)[None, :, None], 3, axis=2)
-    return metrics.error_picture(error * np.sqrt(metrics.EPSILON), np.zeros_like(error)).ravel().tolist()
+    return png(Image.fromarray((shown * 255 + 0.5).astype(np.uint8)))
 
 
 def error_png(picture: np.ndarray, reference: np.ndarray) -> bytes:
-    """metrics.error_picture in few colours."""
+    """Black where right, red to yellow where too bright, blue to cyan where too dark.
+
+    Full colour at an error of 100 % of the reference, or of 0.1 where that is darker (the weights of relMSE); the root of
+    the error, so that 1 % is still seen.
+    """
     error = np.mean((picture - reference) / np.sqrt(reference**2 + metrics.EPSILON), axis=2)
-    root = np.sign(error) * np.sqrt(np.minimum(np.abs(error), 1.0))
-    image = Image.fromarray((root * ERROR_STEPS + ERROR_STEPS).round().astype(np.uint8), mode="P")
-    image.putpalette(error_palette())
-    return png(image)
+    strength = np.sqrt(np.minimum(np.abs(error), 1.0))
+    first, second = np.minimum(2 * strength, 1), np.maximum(2 * strength - 1, 0)
+    bright = np.stack([first, second, np.zeros_like(first)], -1)
+    shown = np.round(255 * np.where((error > 0)[..., None], bright, bright[..., ::-1])).astype(np.uint8)
+    return png(Image.fromarray(shown), 48)
 
 
 def small_png(path: Path, side: int) -> bytes:
@@ -59,24 +53,18 @@ def small_png(path: Path, side: int) -> bytes:
 
 
 class Album:
-    """The page's pictures by name, and how many bytes of it they may still take."""
+    """How many bytes of pictures the page may still take, and how many had no room."""
 
     def __init__(self, budget: int) -> None:
         self.left = budget
-        self.pictures: dict[str, str] = {}
-        self.refused = 0
+        self.kept = self.refused = 0
 
-    def add(self, name: str, make: Callable[[], bytes]) -> bool:
-        """Makes the picture where it is not there yet; False where there is no room."""
-        if name in self.pictures:
-            return True
-        if self.left <= 0:
+    def address(self, make: Callable[[], bytes]) -> str | None:
+        """One that holds the picture; None where there is no room."""
+        data = "data:image/png;base64," + base64.b64encode(make()).decode() if self.left > 0 else None
+        if data is None or len(data) > self.left:
             self.refused += 1
-            return False
-        data = "data:image/png;base64," + base64.b64encode(make()).decode()
-        if len(data) > self.left:
-            self.refused += 1
-            return False
+            return None
         self.left -= len(data)
-        self.pictures[name] = data
-        return True
+        self.kept += 1
+        return data

@@ -15,20 +15,16 @@ def build(scale=1.0):
         ("white", WHITE), ("red", RED), ("yellow", YELLOW), ("green", GREEN)))
 
     # The inside is the front: floor, ceiling, back, right; then left. The front (+Z) is open.
-    rest, left = shapes.Shape(), shapes.Shape()
-    shapes.add_quad(rest, (-1, -1, 1), (2, 0, 0), (0, 0, -2))
-    shapes.add_quad(rest, (-1, 1, -1), (2, 0, 0), (0, 0, 2))
-    shapes.add_quad(rest, (-1, -1, -1), (2, 0, 0), (0, 2, 0))
-    shapes.add_quad(rest, (1, -1, -1), (0, 0, 2), (0, 2, 0))
-    shapes.add_quad(left, (-1, -1, 1), (0, 0, -2), (0, 2, 0))
+    rest = shapes.quads(((-1, -1, 1), (2, 0, 0), (0, 0, -2)), ((-1, 1, -1), (2, 0, 0), (0, 0, 2)),
+                        ((-1, -1, -1), (2, 0, 0), (0, 2, 0)), ((1, -1, -1), (0, 0, 2), (0, 2, 0)))
+    left = shapes.quads(((-1, -1, 1), (0, 0, -2), (0, 2, 0)))
     glb.node("box", root, mesh=glb.mesh("box", glb.primitive(rest, white), glb.primitive(left, red)))
 
-    ball = glb.mesh("ball", glb.primitive(shapes.icosphere(0.4, 2), yellow))
-    glb.node("ball", root, mesh=ball, translation=[0.45, -0.6, 0.4])
+    glb.part("ball", shapes.icosphere(0.4, 2), yellow, root, translation=[0.45, -0.6, 0.4])
 
     # 22 x 22 quads = 968 triangles, as many as the thesis's second object; it floats at the left back.
-    ring = glb.mesh("ring", glb.primitive(shapes.torus(0.34, 0.14, 22, 22), green))
-    glb.node("ring", root, mesh=ring, translation=[-0.3, -0.1, -0.25], rotation=axis_angle((1, 0, 0.5), 55))
+    glb.part("ring", shapes.torus(0.34, 0.14, 22, 22), green, root, translation=[-0.3, -0.1, -0.25],
+             rotation=axis_angle((1, 0, 0.5), 55))
 
     # At z = 1 the opening is 2 m high and 2.85 m away: 2 atan(1 / 2.85) = 38.7 degrees, and a margin.
     # A camera has no scale, so it does not hang on the root.

@@ -15,12 +15,10 @@ def build():
         ("green", (0.15, 0.45, 0.15))))
 
     w, h, d = HALF_WIDTH, HEIGHT, HALF_LENGTH
-    plain, left, right = shapes.Shape(), shapes.Shape(), shapes.Shape()
-    shapes.add_quad(plain, (-w, 0, d), (2 * w, 0, 0), (0, 0, -2 * d))  # floor
-    shapes.add_quad(plain, (-w, h, -d), (2 * w, 0, 0), (0, 0, 2 * d))  # ceiling
-    shapes.add_quad(plain, (w, 0, d), (-2 * w, 0, 0), (0, h, 0))  # behind the camera
-    shapes.add_quad(left, (-w, 0, d), (0, 0, -2 * d), (0, h, 0))
-    shapes.add_quad(right, (w, 0, -d), (0, 0, 2 * d), (0, h, 0))
+    # Floor, ceiling, and the wall behind the camera.
+    plain = shapes.quads(((-w, 0, d), (2 * w, 0, 0), (0, 0, -2 * d)), ((-w, h, -d), (2 * w, 0, 0), (0, 0, 2 * d)),
+                         ((w, 0, d), (-2 * w, 0, 0), (0, h, 0)))
+    left, right = shapes.quads(((-w, 0, d), (0, 0, -2 * d), (0, h, 0))), shapes.quads(((w, 0, -d), (0, 0, 2 * d), (0, h, 0)))
     glb.node("corridor", mesh=glb.mesh("corridor", glb.primitive(plain, plaster), glb.primitive(left, red),
                                        glb.primitive(right, green)))
 

@@ -9,10 +9,7 @@ def build():
     """Every point sees radiance 1 from every side, so one bounce gives indirect light of exactly ALBEDO."""
     glb = Glb("tools/make_assets.py")
     white = glb.material("glowing white", (ALBEDO,) * 3, emissive=((1.0, 1.0, 1.0), 1, None))
-    room = shapes.Shape()
-    shapes.add_room(room, (-1, -1, -1), (1, 1, 1))
-    glb.node("box", mesh=glb.mesh("box", glb.primitive(room, white)))
-
+    glb.part("box", shapes.room(1), white)
     glb.camera("inside", (0.55, 0.3, 0.8), (-0.25, -0.2, -0.8), 75, (0.01, 100.0))
     glb.directional_light("sun", (-0.5, -1.0, -0.4), (1, 1, 1), 0.0)
     return glb

@@ -36,21 +36,22 @@ class Glb:
         self.binary += data
         return self._append("bufferViews", view)
 
+    def accessor(self, view, component, count, kind, low, high):
+        return self._append("accessors", {"bufferView": view, "componentType": component, "count": count, "type": kind,
+                                          "min": low, "max": high})
+
     def _floats(self, rows, kind, target=ARRAY_BUFFER):
         width = len(rows[0])
         data = struct.pack(f"<{len(rows) * width}f", *(tidy(x) for row in rows for x in row))
         stored = struct.unpack(f"<{len(rows) * width}f", data)  # min and max are of the rounded values
         columns = [stored[i::width] for i in range(width)]
-        return self._append("accessors", {
-            "bufferView": self._view(data, target), "componentType": FLOAT, "count": len(rows),
-            "type": kind, "min": [min(c) for c in columns], "max": [max(c) for c in columns]})
+        return self.accessor(self._view(data, target), FLOAT, len(rows), kind, [min(c) for c in columns], [max(c) for c in columns])
 
     def _indices(self, indices):
         wide = max(indices) >= 255  # 255 itself would be the restart index
         data = struct.pack(f"<{len(indices)}{'H' if wide else 'B'}", *indices)
-        return self._append("accessors", {
-            "bufferView": self._view(data, ELEMENT_ARRAY_BUFFER), "componentType": U16 if wide else U8,
-            "count": len(indices), "type": "SCALAR", "min": [min(indices)], "max": [max(indices)]})
+        return self.accessor(self._view(data, ELEMENT_ARRAY_BUFFER), U16 if wide else U8, len(indices), "SCALAR", [min(indices)],
+                             [max(indices)])
 
     def primitive(self, shape, material, mode=TRIANGLES):
         attributes = {"POSITION": self._floats(shape.positions, "VEC3"),
@@ -64,6 +65,10 @@ class Glb:
 
     def mesh(self, name, *primitives):
         return self._append("meshes", {"name": name, "primitives": list(primitives)})
+
+    def part(self, name, shape, material, parent=None, **place):
+        """A node with a mesh of its own."""
+        return self.node(name, parent, mesh=self.mesh(name, self.primitive(shape, material)), **place)
 
     def texture(self, name, png, wrap, nearest=False):
         image = self._append("images", {"name": name, "mimeType": "image/png", "bufferView": self._view(png)})
@@ -108,14 +113,14 @@ class Glb:
         camera = self._append("cameras", {"name": name, "type": "perspective", "perspective": {
             "yfov": tidy(math.radians(vertical_fov_deg)), "znear": near, "zfar": far}})
         forward = [t - e for t, e in zip(target, eye)]
-        self.node(name, translation=list(eye), rotation=look_along(forward), camera=camera)
+        return self.node(name, translation=list(eye), rotation=look_along(forward), camera=camera)
 
     def directional_light(self, name, travels, color, lux):
         self._use("KHR_lights_punctual")
         lights = self.json.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
         lights.append({"name": name, "type": "directional", "color": list(color), "intensity": lux})
-        self.node(name, rotation=look_along(travels),
-                  extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+        return self.node(name, rotation=look_along(travels),
+                         extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
 
     def animate(self, animation, node, path, times, values, interpolation="LINEAR"):
         """Adds a channel to the animation of that name. `values`: one per time, three with CUBICSPLINE."""
@@ -160,6 +165,14 @@ def axis_angle(axis, degrees):
     length = math.sqrt(sum(a * a for a in axis))
     half = math.radians(degrees) / 2
     return [tidy_quaternion(math.sin(half) * a / length) for a in axis] + [tidy_quaternion(math.cos(half))]
+
+
+def product(a, b):
+    """Of quaternions: the turn by b, then that by a."""
+    ax, ay, az, aw = a
+    bx, by, bz, bw = b
+    return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz]
 
 
 def tidy_quaternion(value):

@@ -14,20 +14,16 @@ def build(floor=0.3, gold=0.2, silver=0.5):
     white, red, green = (glb.material(*m) for m in (("white", WHITE), ("red", RED), ("green", GREEN)))
 
     # The inside is the front; the front (+Z) is open, as in cornell.py.
-    rest, left, right, ground = shapes.Shape(), shapes.Shape(), shapes.Shape(), shapes.Shape()
-    shapes.add_quad(ground, (-1, -1, 1), (2, 0, 0), (0, 0, -2))
-    shapes.add_quad(rest, (-1, 1, -1), (2, 0, 0), (0, 0, 2))
-    shapes.add_quad(rest, (-1, -1, -1), (2, 0, 0), (0, 2, 0))
-    shapes.add_quad(right, (1, -1, -1), (0, 0, 2), (0, 2, 0))
-    shapes.add_quad(left, (-1, -1, 1), (0, 0, -2), (0, 2, 0))
+    rest = shapes.quads(((-1, 1, -1), (2, 0, 0), (0, 0, 2)), ((-1, -1, -1), (2, 0, 0), (0, 2, 0)))
+    left, right = shapes.quads(((-1, -1, 1), (0, 0, -2), (0, 2, 0))), shapes.quads(((1, -1, -1), (0, 0, 2), (0, 2, 0)))
     glb.node("box", mesh=glb.mesh("box", glb.primitive(rest, white), glb.primitive(left, red),
                                   glb.primitive(right, green)))
     polished = glb.material("floor", FLOOR, roughness=floor)
-    glb.node("floor", mesh=glb.mesh("floor", glb.primitive(ground, polished)))
+    glb.part("floor", shapes.quads(((-1, -1, 1), (2, 0, 0), (0, 0, -2))), polished)
     for name, color, roughness, place in (("gold", GOLD, gold, (-0.4, -0.6, -0.1)),
                                           ("silver", SILVER, silver, (0.45, -0.6, 0.3))):
         metal = glb.material(name, color, metallic=1.0, roughness=roughness)
-        glb.node(name, mesh=glb.mesh(name, glb.primitive(shapes.icosphere(0.4, 3), metal)), translation=list(place))
+        glb.part(name, shapes.icosphere(0.4, 3), metal, translation=list(place))
 
     glb.camera("front", (0, 0, 3.85), (0, 0, 0), 40)
     glb.directional_light("sun", (-0.5, -0.45, -0.9), (1, 1, 1), round(math.pi, 6))

@@ -3,7 +3,6 @@
 Lengths are in voxels of a 64^3 grid where the scene is FRAME wide: vct pads the longest extent by 2.5 voxels on each
 side, so that a scene of 59 units has voxels of 1 unit and voxel boundaries at whole coordinates around its centre.
 """
-
 from __future__ import annotations
 
 import math
@@ -16,7 +15,8 @@ from .glb import Glb
 FRAME = 59.0  # voxels: 64 - 2 * 2.5 (jni/engine/volume.h)
 HALF = FRAME / 2
 Vector = tuple[float, float, float]
-GREY: Vector = (0.6, 0.6, 0.6)
+GREY, RED = (0.6, 0.6, 0.6), (0.6, 0.05, 0.05)
+SUN = (-0.5, -1.0, -0.3)  # the direction in which its light travels
 
 
 @dataclass
@@ -35,23 +35,19 @@ class View:
     fov_deg: float = 40.0  # vertical
 
 
-def make(
-    parts: list[Part],
-    travels: Vector,
-    view: View,
-    lux: float = round(math.pi, 6),
-    root: dict[str, Any] | None = None,
-) -> bytes:
+OVERVIEW = View((25, 45, 70), (0, 5, 0), 45)
+INSIDE = View((12, 8, 24), (-6, -5, -28), 75)  # of `room`
+
+
+def make(parts: list[Part], travels: Vector = SUN, view: View = OVERVIEW, lux: float = round(math.pi, 6),
+         root: dict[str, Any] | None = None) -> bytes:
     """`root`: glTF properties of a node above everything, camera and light too."""
     glb = Glb("tools/hard_cases.py")
     for i, part in enumerate(parts):
-        material = glb.material(
-            f"material {i}", part.color, emissive=(part.emits, 1, None) if part.emits else None
-        )
+        material = glb.material(f"material {i}", part.color, emissive=(part.emits, 1, None) if part.emits else None)
         if part.double_sided:
             glb.json["materials"][material]["doubleSided"] = True
-        mesh = glb.mesh(f"part {i}", glb.primitive(part.shape, material))
-        glb.node(f"part {i}", mesh=mesh, **part.place)
+        glb.part(f"part {i}", part.shape, material, **part.place)
     glb.camera("camera", view.eye, view.target, view.fov_deg)
     glb.directional_light("sun", travels, (1, 1, 1), lux)
     return wrapped(glb, root).to_bytes()
@@ -66,46 +62,29 @@ def wrapped(glb: Glb, root: dict[str, Any] | None) -> Glb:
     return glb
 
 
-def quad(origin: Vector, u: Vector, v: Vector) -> shapes.Shape:
-    """Faces u x v."""
-    shape = shapes.Shape()
-    shapes.add_quad(shape, origin, u, v)
-    return shape
-
-
 def floor(half: float = HALF, y: float = 0.0) -> shapes.Shape:
-    return quad((-half, y, half), (2 * half, 0, 0), (0, 0, -2 * half))
+    return shapes.quads(((-half, y, half), (2 * half, 0, 0), (0, 0, -2 * half)))
 
 
-def ceiling(half: float = HALF, y: float = 0.0) -> shapes.Shape:
-    """Faces down."""
-    return quad((-half, y, -half), (2 * half, 0, 0), (0, 0, 2 * half))
+def room() -> shapes.Shape:
+    return shapes.room(HALF)
 
 
-def room(half: float = HALF) -> shapes.Shape:
-    """A closed cube whose inside is the front."""
-    shape = shapes.Shape()
-    shapes.add_room(shape, (-half,) * 3, (half,) * 3)
-    return shape
+def box(size: Vector) -> shapes.Shape:
+    return shapes.box(size, None)
 
 
-def triangles(corners: list[tuple[Vector, Vector, Vector]], normal: Vector = (0, 1, 0)) -> shapes.Shape:
-    shape = shapes.Shape()
-    for triangle in corners:
-        for p in triangle:
-            shape.indices.append(len(shape.positions))
-            shape.positions.append(p)
-            shape.normals.append(normal)
-    return shape
+def triangles(corners: list[tuple[Vector, Vector, Vector]]) -> shapes.Shape:
+    """With normals straight up, wherever they face."""
+    positions = [p for triangle in corners for p in triangle]
+    return shapes.Shape(positions, [(0, 1, 0)] * len(positions), [], list(range(len(positions))))
 
 
 def frame_markers() -> Part:
     """Two small triangles that fix the volume to [-32, 32]^3, whatever else is in it."""
     h, s = HALF, 0.5
-    return Part(
-        triangles([((-h, -h, -h), (-h + s, -h, -h), (-h, -h, -h + s)), ((h, h, h), (h - s, h, h), (h, h, h - s))]),
-        (0.0, 0.0, 0.0),
-    )
+    return Part(triangles([((-h, -h, -h), (-h + s, -h, -h), (-h, -h, -h + s)), ((h, h, h), (h - s, h, h), (h, h, h - s))]),
+                (0.0, 0.0, 0.0))
 
 
 def rotated(shape: shapes.Shape, axis: int, degrees: float) -> shapes.Shape:
@@ -117,5 +96,4 @@ def rotated(shape: shapes.Shape, axis: int, degrees: float) -> shapes.Shape:
         q = list(p)
         q[i], q[j] = c * p[i] - s * p[j], s * p[i] + c * p[j]
         return tuple(q)
-
     return shapes.Shape([turn(p) for p in shape.positions], [turn(n) for n in shape.normals], [], shape.indices)

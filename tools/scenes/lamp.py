@@ -60,9 +60,9 @@ def build():
 
     glb.node("box", mesh=glb.mesh("box", glb.primitive(surface(FLOOR, CEILING, BACK), white),
                                   glb.primitive(surface(RIGHT), green), glb.primitive(surface(LEFT), red)))
-    glb.node("short block", mesh=glb.mesh("short block", glb.primitive(surface(*SHORT_BLOCK), white)))
-    glb.node("tall block", mesh=glb.mesh("tall block", glb.primitive(surface(*TALL_BLOCK), white)))
-    glb.node("lamp", mesh=glb.mesh("lamp", glb.primitive(surface(LIGHT), glow)))
+    glb.part("short block", surface(*SHORT_BLOCK), white)
+    glb.part("tall block", surface(*TALL_BLOCK), white)
+    glb.part("lamp", surface(LIGHT), glow)
 
     # A focal length of 35 mm before 25 mm of film.
     glb.camera("front", metres((278, 273, -800)), metres((278, 273, 0)), math.degrees(2 * math.atan(12.5 / 35)),

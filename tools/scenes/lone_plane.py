@@ -8,10 +8,7 @@ from .glb import Glb
 def build():
     glb = Glb("tools/make_assets.py")
     white = glb.material("white", (0.8, 0.8, 0.8))
-    plane = shapes.Shape()
-    shapes.add_quad(plane, (-1, 0, 1), (2, 0, 0), (0, 0, -2))
-    glb.node("plane", mesh=glb.mesh("plane", glb.primitive(plane, white)))
-
+    glb.part("plane", shapes.quads(((-1, 0, 1), (2, 0, 0), (0, 0, -2))), white)
     glb.camera("above", (0, 1.5, 2.2), (0, -0.1, 0), 42)
     glb.directional_light("sun", (-0.4, -1.0, -0.3), (1, 1, 1), round(math.pi, 6))
     return glb

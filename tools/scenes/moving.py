@@ -13,18 +13,14 @@ def build():
         ("white", (0.7, 0.7, 0.7)), ("red", (0.7, 0.03, 0.03)), ("cord", (0.1, 0.1, 0.1))))
     glow = glb.material("glow", (0.5, 0.4, 0.2), emissive=((1.0, 0.65, 0.25), 2, None))
 
-    # The inside is the front, as in the Cornell box; the front (+Z) is open.
-    room = shapes.Shape()
-    shapes.add_quad(room, (-1.4, 0, 1), (2.8, 0, 0), (0, 0, -2))  # floor
-    shapes.add_quad(room, (-1.4, 2, -1), (2.8, 0, 0), (0, 0, 2))  # ceiling
-    shapes.add_quad(room, (-1.4, 0, -1), (2.8, 0, 0), (0, 2, 0))  # back
-    shapes.add_quad(room, (1.4, 0, -1), (0, 0, 2), (0, 2, 0))  # right
-    shapes.add_quad(room, (-1.4, 0, 1), (0, 0, -2), (0, 2, 0))  # left
-    glb.node("room", mesh=glb.mesh("room", glb.primitive(room, white)))
+    # The inside is the front, as in the Cornell box; the front (+Z) is open: floor, ceiling, back, right, left.
+    room = shapes.quads(((-1.4, 0, 1), (2.8, 0, 0), (0, 0, -2)), ((-1.4, 2, -1), (2.8, 0, 0), (0, 0, 2)),
+                        ((-1.4, 0, -1), (2.8, 0, 0), (0, 2, 0)), ((1.4, 0, -1), (0, 0, 2), (0, 2, 0)),
+                        ((-1.4, 0, 1), (0, 0, -2), (0, 2, 0)))
+    glb.part("room", room, white)
 
     # Along the back wall and back again, faster in the middle: a spline through three keys, half a turn on the way.
-    box = glb.node("box", mesh=glb.mesh("box", glb.primitive(shapes.box((0.6, 0.9, 0.6), None), red)),
-                   translation=[-0.85, 0, -0.45])
+    box = glb.part("box", shapes.box((0.6, 0.9, 0.6), None), red, translation=[-0.85, 0, -0.45])
     left, right, still = (-0.85, 0, -0.45), (0.85, 0, -0.45), (0, 0, 0)
     glb.animate("run", box, "translation", [0, SECONDS / 2, SECONDS],
                 [still, left, still, still, right, still, still, left, still], "CUBICSPLINE")
@@ -32,10 +28,8 @@ def build():
 
     # The lantern hangs on an arm that turns about the ceiling.
     arm = glb.node("arm", translation=[0.5, 2, 0.35])
-    rod = glb.mesh("cord", glb.primitive(shapes.box((0.03, 0.7, 0.03), None), cord))
-    glb.node("cord", arm, mesh=rod, translation=[0, -0.7, 0])
-    lamp = glb.mesh("lantern", glb.primitive(shapes.box((0.22, 0.26, 0.22), None), glow))
-    glb.node("lantern", arm, mesh=lamp, translation=[0, -0.96, 0])
+    glb.part("cord", shapes.box((0.03, 0.7, 0.03), None), cord, arm, translation=[0, -0.7, 0])
+    glb.part("lantern", shapes.box((0.22, 0.26, 0.22), None), glow, arm, translation=[0, -0.96, 0])
     times = [SECONDS * k / 16 for k in range(17)]
     glb.animate("run", arm, "rotation", times,
                 [axis_angle((0, 0, 1), 32 * math.sin(2 * math.pi * t / SECONDS)) for t in times])

@@ -29,13 +29,19 @@ def add_quad(shape, origin, u, v, uv_size=None):
     shape.indices += [first + i for i in (0, 1, 2, 0, 2, 3)]
 
 
-def add_room(shape, low, high):
-    """The six sides of an axis-aligned box, seen from inside."""
-    (x, y, z), (w, h, d) = low, (b - a for a, b in zip(low, high))
-    for origin, u, v in (((x, y, z + d), (w, 0, 0), (0, 0, -d)), ((x, y + h, z), (w, 0, 0), (0, 0, d)),
-                         ((x, y, z), (w, 0, 0), (0, h, 0)), ((x + w, y, z + d), (-w, 0, 0), (0, h, 0)),
-                         ((x, y, z + d), (0, 0, -d), (0, h, 0)), ((x + w, y, z), (0, 0, d), (0, h, 0))):
+def quads(*parallelograms):
+    """Each of (origin, u, v)."""
+    shape = Shape()
+    for origin, u, v in parallelograms:
         add_quad(shape, origin, u, v)
+    return shape
+
+
+def room(half):
+    """The six sides of a cube around the origin, seen from inside."""
+    h, w = half, 2 * half
+    return quads(((-h, -h, h), (w, 0, 0), (0, 0, -w)), ((-h, h, -h), (w, 0, 0), (0, 0, w)), ((-h, -h, -h), (w, 0, 0), (0, w, 0)),
+                 ((h, -h, h), (-w, 0, 0), (0, w, 0)), ((-h, -h, h), (0, 0, -w), (0, w, 0)), ((h, -h, -h), (0, 0, w), (0, w, 0)))
 
 
 def box(size, metres_per_repeat):

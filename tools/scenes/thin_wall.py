@@ -18,15 +18,12 @@ def build(thickness=0.01):
     glb = Glb("tools/make_assets.py")
     white, orange = glb.material("white", (0.7, 0.7, 0.7)), glb.material("orange", (0.7, 0.35, 0.1))
 
-    room, half = shapes.Shape(), thickness / 2
-    shapes.add_quad(room, (-2, 0, 2), (4, 0, 0), (0, 0, -4))  # floor
-    shapes.add_quad(room, (-2, 0, -2), (4, 0, 0), (0, HEIGHT, 0))  # back
-    shapes.add_quad(room, (2, 0, -2), (0, 0, 4), (0, HEIGHT, 0))  # right
-    shapes.add_quad(room, (-2, 0, 2), (0, 0, -4), (0, HEIGHT, 0))  # left
-    shapes.add_quad(room, (-2, HEIGHT, -2), (2 + half, 0, 0), (0, 0, 4))  # ceiling of the dark half
-    glb.node("room", mesh=glb.mesh("room", glb.primitive(room, white)))
-    wall = glb.mesh("wall", glb.primitive(shapes.box((thickness, HEIGHT, 4), None), orange))
-    glb.node("wall", mesh=wall)
+    # Floor, back, right, left, and the ceiling of the dark half.
+    room = shapes.quads(((-2, 0, 2), (4, 0, 0), (0, 0, -4)), ((-2, 0, -2), (4, 0, 0), (0, HEIGHT, 0)),
+                        ((2, 0, -2), (0, 0, 4), (0, HEIGHT, 0)), ((-2, 0, 2), (0, 0, -4), (0, HEIGHT, 0)),
+                        ((-2, HEIGHT, -2), (2 + thickness / 2, 0, 0), (0, 0, 4)))
+    glb.part("room", room, white)
+    glb.part("wall", shapes.box((thickness, HEIGHT, 4), None), orange)
 
     glb.camera("front", (0, 1.35, 6.2), (0, 1.2, 0), 46)
     glb.camera("dark half", (-1.7, 1.6, 1.9), (0.0, 0.9, -0.6), 65)

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 import metrics
+from files import file_sha256
 from references import reference_folder
-from sweep.identity import file_sha256
 from truth.exr import PictureError, read_exr
 
 Picture = np.ndarray

@@ -27,8 +27,6 @@ class Setting:
     changes: frozenset[str] | None = None
     # The value that all modes run with; the first where it is not among those asked for.
     usual: Any = None
-    # The value for which `vct render` is told nothing.
-    leave_out: Any = None
     # What stands for `default` and `quick` with the presets that are named here.
     of_preset: dict[str, tuple[Any, ...]] = field(default_factory=dict, hash=False)
 
@@ -49,8 +47,6 @@ SETTINGS: tuple[Setting, ...] = (
     Setting("cone_angle_deg", "--cone-angles", "--cone-angle", float, (2.5, 5.0, 7.5, 10.0), (5.0,),
             "shadow cone's full angle, degrees", changes=frozenset({"gi-cone-shadow"}), usual=5.0,
             of_preset={"mobile": (5.0,), "quality": (5.0,)}),
-    Setting("experiment", "--experiments", "--experiment", str, ("none",), ("none",),
-            "single changes to the algorithm, several at once joined by +", leave_out="none"),
 )
 
 
@@ -69,21 +65,12 @@ class Point:
 
     def arguments(self) -> list[str]:
         """The settings as arguments of `vct render`."""
-        told = [setting for setting in SETTINGS if self.settings[setting.name] != setting.leave_out]
-        return [part for setting in told for part in (setting.flag, f"{self.settings[setting.name]}".replace("+", ","))]
+        return [part for setting in SETTINGS for part in (setting.flag, str(self.settings[setting.name]))]
 
     def key(self, identity: dict[str, str]) -> str:
         """Names the point's result: the same settings, program and scene give the same key."""
         what = {"settings": self.settings, "modes": self.modes, "scene": self.scene.stem, **identity}
         return hashlib.sha256(json.dumps(what, sort_keys=True).encode()).hexdigest()[:16]
-
-    def cost(self) -> float:
-        """A guess of the time it takes against the others, for the ETA alone."""
-        width, height = (int(side) for side in self.settings["size"].split("x"))
-        pixels = width * height / 256**2
-        mode = {"phong": 0.02, "shadow-map": 0.02, "ao": 0.4, "gi": 0.7, "gi-cone-shadow": 2.5}
-        grid = 1 if self.settings["grid"] == "auto" else self.settings["grid"] / 128
-        return 1 + sum(0.3 * grid * grid / 4 + mode[m] * pixels * (0.5 + grid / 2) for m in self.modes)
 
 
 def usual_value(setting: Setting, values: tuple[Any, ...]) -> Any:

@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from sweep.identity import write_beside
+from files import write_whole
 
 VERSION = 2
 
@@ -43,7 +43,7 @@ class Store:
         self.data["points"] = list(self.entries.values())
         used = {entry["run"] for entry in self.data["points"]}
         self.data["runs"] = [run for run in self.data.get("runs", []) if run["run"] in used]
-        write_beside(self.path, json.dumps(self.data, indent=1) + "\n")
+        write_whole(self.path, json.dumps(self.data, indent=1) + "\n")
 
 
 def read(path: Path) -> dict[str, Any]:

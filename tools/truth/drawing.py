@@ -4,19 +4,14 @@ Each pixel's samples are added in a fixed order by one lane, so that threads can
 """
 import dataclasses
 import math
-from collections.abc import Callable
 
 import numpy as np
 
-from . import engine
+from .engine import dr, mi
 from .kinds import ESTIMATORS, World
 from .points import pixel_offsets, point
 from .scene import Scene
 from .surfaces import unit_vector
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
 
 SAMPLES_PER_PASS = 32
 
@@ -58,24 +53,18 @@ def sum_of_pass(world, scene, kind: str, size: tuple[int, int], seed: int, first
     return total
 
 
-def draw_half(world: World, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
-              progress: Callable[[int], None]) -> np.ndarray:
+def draw_half(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int) -> np.ndarray:
     total = np.zeros((size[1], size[0], 3))
-    done = 0
-    while done < samples:
+    for done in range(0, samples if world else 0, SAMPLES_PER_PASS):
         count = min(SAMPLES_PER_PASS, samples - done)
-        if world is not None:
-            part = np.array(sum_of_pass(world, scene, kind, size, seed, done, count), np.float64)
-            total += part.T.reshape(total.shape)
-        done += count
-        progress(count)
+        part = np.array(sum_of_pass(world, scene, kind, size, seed, done, count), np.float64)
+        total += part.T.reshape(total.shape)
     return total / samples
 
 
-def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
-         progress: Callable[[int], None] = lambda count: None) -> Drawn:
+def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int) -> Drawn:
     """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1."""
-    halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i, progress) for i in (0, 1))
+    halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i) for i in (0, 1))
     return Drawn(0.5 * (halves[0] + halves[1]), halves)
 
 

@@ -1,4 +1,4 @@
-"""Mitsuba 3 and its one variant.
+"""Mitsuba 3, `mi`, and its compiler Dr.Jit, `dr`, in the one variant.
 
 `llvm_ad_rgb`: references must be the same bytes when they are made again, so there is one variant and no fallback.
 It wants LLVM 19: with Debian 12's LLVM 15 it stops at "Cannot select", and it refuses 14.
@@ -20,10 +20,11 @@ def find_llvm() -> str:
              "or name the library in DRJIT_LIBLLVM_PATH")
 
 
-def load():
-    """The module `mitsuba`, ready for use."""
-    os.environ.setdefault("DRJIT_LIBLLVM_PATH", "") or os.environ.update(DRJIT_LIBLLVM_PATH=find_llvm())
-    import mitsuba
-    if mitsuba.variant() != VARIANT:
-        mitsuba.set_variant(VARIANT)
-    return mitsuba
+if not os.environ.get("DRJIT_LIBLLVM_PATH"):
+    os.environ["DRJIT_LIBLLVM_PATH"] = find_llvm()
+
+import mitsuba as mi  # noqa: E402  (after the library is known)
+
+mi.set_variant(VARIANT)
+
+import drjit as dr  # noqa: E402, F401  (after the variant is known)

@@ -6,13 +6,9 @@ masking. At roughness 1 a surface is a Lambert one of its base colour, metallic 
 """
 import math
 
-from . import engine
+from .engine import dr, mi
 from .lights import leave, tangent_frame
 from .surfaces import unit_vector
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
 
 SMALLEST_ALPHA = 1e-3
 

@@ -6,15 +6,11 @@ words.
 """
 import math
 
-from . import engine
+from .engine import dr, mi
 from .glossy import brdf_of, reflected_sun
 from .lights import Emitters, Sun, leave, tangent_frame
 from .scene import AO_DISTANCE, Scene
 from .surfaces import Surface, Surfaces
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
 
 FIRST_ROULETTE, LARGEST_SURVIVAL, MOST_BOUNCES = 3, 0.95, 128
 

@@ -3,13 +3,9 @@ import math
 
 import numpy as np
 
-from . import engine
+from .engine import dr, mi
 from .scene import Scene
 from .surfaces import RAY_OFFSET, Hit, Surface, Surfaces
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
 
 SUN_HALF_ANGLE_RAD = math.radians(2.5)  # the 5 degree shadow cone's full opening
 

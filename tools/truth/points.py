@@ -4,11 +4,7 @@ Additive recurrence with the generalised golden ratio (M. Roberts 2018, "The Unr
 Quasirandom Sequences"), moved by an offset of each pixel and seed: every point is uniform, so an estimate has no
 bias, and two seeds are independent. In 32-bit fixed point, where no precision is lost with the sample's number.
 """
-from . import engine
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402
+from .engine import dr, mi
 
 DIMENSIONS = 7  # pixel 2, first direction or sun's disc 2, choice of an emitter 1, point on it 2
 

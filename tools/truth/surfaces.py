@@ -1,13 +1,10 @@
 """The scene's triangles for rays: what a ray meets, and what is there. Positions are in trace space (scene.py)."""
 import dataclasses
 
-from . import engine
+import numpy as np
+
+from .engine import dr, mi
 from .scene import Scene
-
-mi = engine.load()
-
-import drjit as dr  # noqa: E402  (after the variant is known)
-import numpy as np  # noqa: E402
 
 # Rays start this far off their surface: 1/200 of a voxel at grid 256, and far above float's rounding in a cube of
 # side 1.

@@ -1,4 +1,4 @@
-"""What a result depends on beside its settings: the program, its shaders, the scene."""
+"""Where the repository's files lie, what a result depends on beside its settings, and how results are written."""
 from __future__ import annotations
 
 import hashlib
@@ -6,7 +6,7 @@ import os
 import subprocess
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[1]
 
 
 def file_sha256(path: Path) -> str:
@@ -35,11 +35,9 @@ def shown(path: Path) -> str:
     return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else full.name
 
 
-def write_beside(path: Path, data: bytes | str) -> None:
+def write_whole(path: Path, data: bytes | str) -> None:
     """Writes the whole file or leaves the old one."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(path.name + ".tmp")
-    if isinstance(data, str):
-        data = data.encode()
-    beside.write_bytes(data)
+    beside.write_bytes(data.encode() if isinstance(data, str) else data)
     os.replace(beside, path)

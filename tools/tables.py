@@ -1,0 +1,12 @@
+"""Tables in Markdown."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+
+def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A row that is shorter than the head is filled up with dashes."""
+    def line(cells: Iterable[str]) -> str:
+        return "| " + " | ".join(cells) + " |\n"
+    filled = ([*row, *["–"] * (len(head) - len(row))] for row in rows)
+    return line(head) + "|---" * len(head) + "|\n" + "".join(map(line, filled))
