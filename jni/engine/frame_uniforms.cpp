@@ -72,8 +72,10 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
     const glm::dvec2 radius = std::tan(halfAngleRad) *
                               glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);
-    frame.cone = glm::vec4(std::sin(halfAngleRad), settings.aoDistance, radius);
-    frame.grid = glm::ivec4(volume.grid, static_cast<int>(std::log2(volume.grid)), 0, 0);
+    frame.shadowConeRadius = glm::vec2(radius);
+    frame.shadowConeSine = static_cast<float>(std::sin(halfAngleRad));
+    frame.aoDistance = settings.aoDistance;
+    frame.gridSide = volume.grid;
     return frame;
 }
 

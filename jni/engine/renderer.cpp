@@ -60,9 +60,9 @@ void Renderer::setShadowConeAngle(float degrees) {
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values =
         frameUniforms(camera, light_, boundsWorld_, volume_, settings_, scene_.boundsWith(boundsWorld_));
-    values.faces.x = faceSumUnits(triangles_);
-    values.faces.y = faceRadianceRange_;
-    values.faces.z = largestBounceShare_;
+    values.faceSumUnits = faceSumUnits(triangles_);
+    values.radianceRange = faceRadianceRange_;
+    values.largestBounceShare = largestBounceShare_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);

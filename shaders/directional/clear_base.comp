@@ -6,7 +6,7 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 void main() {
     COUNT(VCT_COUNTER_FACE_CLEAR_BASE);
-    uint side = uint(frame.grid.x);
+    uint side = uint(frame.gridSide);
     uint count = voxelsToEmpty(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {

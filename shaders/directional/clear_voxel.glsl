@@ -11,7 +11,7 @@ void clearFaces(ivec3 voxel, uint slot) {
     for (uint left = markedFaces(slot); left != 0u; left &= left - 1u) {
         COUNT(VCT_COUNTER_FACE_CLEAR_BASE_FACE);
         int face = findLSB(left);
-        imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.grid.x), vec4(0.0));
+        imageStore(faces, faceTexel(voxel, face >> 1, face & 1, frame.gridSide), vec4(0.0));
         uint sum = faceSumIndex(slot, face);
         for (uint word = 0u; word < VCT_FACE_SUM_WORDS; ++word)
             faceSums[sum + word] = 0u;

@@ -17,7 +17,7 @@ const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 // round, lit where the ray cannot see.
 mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, float level) {
     // No texel of the next block may leak in.
-    float margin = 0.5 * exp2(level) / float(frame.grid.x);
+    float margin = 0.5 * exp2(level) / float(frame.gridSide);
     vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
     vec3 side = mix(vec3(0.0), vec3(blockSize.y), greaterThan(direction, vec3(0.0)));
     mediump vec4 x = textureLod(faces, p + vec3(0.0, side.x, 0.0), level);
@@ -48,7 +48,7 @@ vec3 ownFaces(vec3 normal, bool hasBack) {
 // One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
 // in voxels.
 ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach) {
-    float grid = float(frame.grid.x);
+    float grid = float(frame.gridSide);
     ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
     float rise = dot(direction, normal);
@@ -77,7 +77,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     // A cone that ended early met, in the rest, what it met before.
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
-    result.radiance = result.radiance * (frame.faces.y / (ended ? met : 1.0));
+    result.radiance = result.radiance * (frame.radianceRange / (ended ? met : 1.0));
     if (ended) result.transmittance = 0.0;
     return result;
 }

@@ -6,7 +6,7 @@ layout(std140, binding = VCT_UBO_DIRTY_BLOCKS) uniform DirtyBlocks {
 };
 
 bool isDirty(ivec3 voxel) {
-    ivec3 block = voxel * VCT_BLOCKS / frame.grid.x;
+    ivec3 block = voxel * VCT_BLOCKS / frame.gridSide;
     int row = block.z * VCT_BLOCKS + block.y;
     return (dirtyRows[row >> 2][row & 3] >> uint(block.x) & 1u) != 0u;
 }

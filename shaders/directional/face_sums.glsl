@@ -1,4 +1,4 @@
-// What the fragments of each occupied voxel add up to, per face, in fixed point. One unit is 1 / frame.faces.x, chosen
+// What the fragments of each occupied voxel add up to, per face, in fixed point. One unit is 1 / frame.faceSumUnits, chosen
 // so that the sum over all triangles of the scene fits 32 bits: the fragments of a triangle in a voxel are one face at
 // most together. Behind the sums: directional/face_list.glsl.
 #include "shared/frame.glsl"
@@ -9,7 +9,7 @@ layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
 };
 
 #define VCT_FACE_SUM_COVERAGE 0u
-#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over frame.faces.y
+#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over frame.radianceRange
 #define VCT_FACE_SUM_ALBEDO 4u    // no sum: that of the fragment that covers most, packAlbedo()
 #define VCT_FACE_SUM_PLANE 5u     // likewise, packPlane()
 
@@ -52,7 +52,7 @@ SurfacePlane unpackPlane(uint word) {
 
 // A face's share of its voxel's cross-section, in 0..1, in fixed point. Where it is 0 nothing may be added.
 uint fixedCoverage(float weight) {
-    return uint(weight * frame.faces.x + 0.5);
+    return uint(weight * frame.faceSumUnits + 0.5);
 }
 
 // `weight` in 0..1.
@@ -65,7 +65,7 @@ void addSurface(uint slot, int face, float weight, vec3 albedo, vec3 normal, flo
 
 // Likewise; `radiance` relative to E/pi.
 void addRadiance(uint slot, int face, float weight, vec3 radiance) {
-    uvec3 units = uvec3(clamp(weight / frame.faces.y * radiance, 0.0, 1.0) * frame.faces.x + 0.5);
+    uvec3 units = uvec3(clamp(weight / frame.radianceRange * radiance, 0.0, 1.0) * frame.faceSumUnits + 0.5);
     if (units == uvec3(0u)) return;
     uint index = faceSumIndex(slot, face);
     atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE], units.x);
@@ -105,7 +105,7 @@ bool isGlowing(uint slot, int face) {
 // hangs right under a ceiling is in front of it, and sends what it sends.
 struct FaceSum {
     float coverage;
-    vec3 radiance;  // relative to E/pi over frame.faces.y
+    vec3 radiance;  // relative to E/pi over frame.radianceRange
     vec3 albedo;
 };
 
@@ -113,15 +113,15 @@ struct FaceSum {
 FaceSum faceSum(uint slot, int face) {
     uint index = faceSumIndex(slot, face);
     float sum = float(faceSums[index + VCT_FACE_SUM_COVERAGE]);
-    float scale = 1.0 / max(sum, frame.faces.x);
+    float scale = 1.0 / max(sum, frame.faceSumUnits);
     uint at = index + VCT_FACE_SUM_RADIANCE;
     vec3 radiance = vec3(uvec3(faceSums[at], faceSums[at + 1u], faceSums[at + 2u]));
-    radiance *= isGlowing(slot, face) ? 1.0 / frame.faces.x : scale;
+    radiance *= isGlowing(slot, face) ? 1.0 / frame.faceSumUnits : scale;
     return FaceSum(sum * scale, radiance, unpackAlbedo(faceSums[index + VCT_FACE_SUM_ALBEDO]) * (sum * scale));
 }
 
 float faceCoverage(uint slot, int face) {
-    return min(float(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_COVERAGE]) / frame.faces.x, 1.0);
+    return min(float(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_COVERAGE]) / frame.faceSumUnits, 1.0);
 }
 
 SurfacePlane facePlane(uint slot, int face) {

@@ -39,7 +39,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int con
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
     ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
     int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
-    float reach = (occlusion ? frame.cone.y : 2.0) * float(frame.grid.x);
+    float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     vec3 ownBelow = ownFaces(plane.normal, hasBack);
     Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -51,7 +51,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int con
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
-    return Gathered(gathered.light * (share / frame.faces.y), gathered.sky * share, gathered.nearness * share);
+    return Gathered(gathered.light * (share / frame.radianceRange), gathered.sky * share, gathered.nearness * share);
 }
 
 // Into its own brick, and those of neighbours which hold it for their filter.
@@ -66,7 +66,7 @@ void storeInBricks(ListedFace listed, vec4 texel) {
         COUNT(VCT_COUNTER_IRRADIANCE_BRICK);
         ivec3 chosen = ivec3(i) >> bit & edge;
         ivec3 other = block + chosen * aside;
-        if (other != clamp(other, ivec3(0), ivec3((frame.grid.x >> VCT_BRICK_LEVEL) - 1))) continue;
+        if (other != clamp(other, ivec3(0), ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1))) continue;
         uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
         if (brick == 0u) continue;
         ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
@@ -102,8 +102,8 @@ Received nextMean(Received before, float known, vec3 light, float nearness, floa
 vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
     float weight = lightStep.smoothing * clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
     // No texel of another direction's faces may leak in.
-    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.grid.x);
-    vec3 position = clamp(inVoxels / float(frame.grid.x), margin, 1.0 - margin);
+    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
+    vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
     vec4 around = textureLod(blockLight, (position + vec3(listed.face >> 1, listed.face & 1, 0)) * blockSize, 0.0);
     return weight > 0.0 && around.a > 0.0 ? mix(light, around.rgb / around.a, weight) : light;
 }
@@ -128,7 +128,7 @@ void main() {
         // A face without a memory looks into more directions, unless there is hardly anything of it.
         bool isNew = known == 0.0 && coverage > 0.02;
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
-        vec3 light = occlusion ? vec3(now.sky) : now.light + now.sky * frame.skyRadiance.rgb / frame.faces.y;
+        vec3 light = occlusion ? vec3(now.sky) : now.light + now.sky * frame.skyRadiance.rgb / frame.radianceRange;
         if (!occlusion) {
             uvec4 sums = uvec4(vec4(now.light, now.sky) * (coverage * lightStep.sumUnits) + 0.5);
             for (int c = 0; c < 4; ++c)

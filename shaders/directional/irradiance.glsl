@@ -1,7 +1,7 @@
 // The light that the voxels' faces received, where a surface looks it up. It lies in bricks: of each face that is not empty
 // of the level whose voxels are blocks of 4^3, the 4^3 faces of the base level that look the same way, and one more on each
 // side, so that the texture unit can filter between them. A texel holds the face's coverage in alpha, and in rgb the mean
-// over the hemisphere, weighted by the cosine, relative to E/pi over frame.faces.y, times alpha: in halves, as in 8 bits the
+// over the hemisphere, weighted by the cosine, relative to E/pi over frame.radianceRange, times alpha: in halves, as in 8 bits the
 // filter itself would make stairs of it, which swim as the camera moves.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
@@ -12,7 +12,7 @@ layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(
 
 // Of a block in the volume.
 uint brickAt(ivec3 block, int axis, int side) {
-    return texelFetch(bricks, faceTexel(block, axis, side, frame.grid.x >> VCT_BRICK_LEVEL), 0).r;
+    return texelFetch(bricks, faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL), 0).r;
 }
 
 // From a brick's first texel to a position in a block (both in voxels), which may lie half a voxel beside it.
@@ -30,7 +30,7 @@ mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
-// What the faces towards one side of an axis received around a position (in voxels), relative to frame.faces.y and
+// What the faces towards one side of an axis received around a position (in voxels), relative to frame.radianceRange and
 // premultiplied by their coverage, and that coverage. `block`: where that is, or one that is no more than half a voxel away.
 mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
     return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
@@ -41,7 +41,7 @@ vec3 towardsCorner(uint i) {
     return vec3((uvec3(i) >> uvec3(0u, 1u, 2u)) & 1u) - 0.5;
 }
 
-// What a surface at a position (volume space) receives, relative to frame.faces.y: from the faces on the normal's side of
+// What a surface at a position (volume space) receives, relative to frame.radianceRange: from the faces on the normal's side of
 // each axis, by the square of the normal, as from an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
 // Where the voxel of a surface has no face of it, other places are tried. On the border of two blocks it may have been
@@ -56,7 +56,7 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
     const mediump float leastCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 9u * 48u;
 
-    vec3 position = positionVolume * float(frame.grid.x);
+    vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
     vec3 inBrick = inBrickOf(position, block);
     int axes = int(dot(step(leastWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
@@ -83,7 +83,7 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
         float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
-        ivec3 last = ivec3((frame.grid.x >> VCT_BRICK_LEVEL) - 1);
+        ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
         block = clamp(ivec3(position + aside * towardsCorner(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
         inBrick = onBorder ? inBrickOf(position, block) : 2.0 * towardsCorner(i) + 3.0;
         axes = 1 << axis;
@@ -93,7 +93,7 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
 
 // Relative to E/pi.
 mediump vec3 receivedAt(vec3 position, vec3 normal) {
-    return meanOfFaces(position, normal) * frame.faces.y;
+    return meanOfFaces(position, normal) * frame.radianceRange;
 }
 
 // 1 - ambient occlusion, where that is what the faces have gathered.

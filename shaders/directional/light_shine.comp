@@ -37,10 +37,10 @@ vec3 towardsBalance() {
     vec3 fromFaces = sumOf(sums + VCT_SUM_RECEIVED);
     vec3 reflected = sumOf(sums + VCT_SUM_REFLECTED);
     vec3 direct = sumOf(sums + VCT_SUM_DIRECT);
-    vec3 sky = float(received[sums + VCT_SUM_SKY]) * frame.skyRadiance.rgb / frame.faces.y;
+    vec3 sky = float(received[sums + VCT_SUM_SKY]) * frame.skyRadiance.rgb / frame.radianceRange;
     vec3 share = fromFaces / max(direct + reflected, 1.0);
     // A room where nothing is absorbed would have no bound.
-    vec3 left = max(before - share * reflected, (1.0 - frame.faces.z) * before);
+    vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
     vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * (found - 1.0));
@@ -70,7 +70,7 @@ void main() {
         reflected += inUnits(lightStep.reflected * sum.albedo * mean.light);
         direct += inUnits(sum.radiance);
         vec3 radiance = sum.radiance + lightStep.reflected * sum.albedo * mean.light;
-        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.grid.x);
+        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
         imageStore(faces, texel, storedFace(vec4(radiance, sum.coverage), texel, lightStep.frame));
     }    add(VCT_SUM_BEFORE, before);
     add(VCT_SUM_REFLECTED, reflected);

@@ -32,6 +32,6 @@ void storeMean(ListedFace listed, uint which) {
 // The parent of a face, and the face of it that looks the same way, into the next level's lists.
 void listParentOf(ListedFace listed) {
     ivec3 parent = listed.voxel >> 1;
-    if (int(level) < frame.grid.y && listParent(level + 1u, parent, 1u << uint(listed.face)) != 0u)
+    if (int(level) < findMSB(frame.gridSide) && listParent(level + 1u, parent, 1u << uint(listed.face)) != 0u)
         listFace(level + 1u, parent, listed.face);
 }

@@ -13,6 +13,6 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
 void main() {
     COUNT(VCT_COUNTER_FACE_TOUCH);
     if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
-    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
+    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
     if (imageAtomicMax(index, voxel, 1u) == 0u) imageAtomicMax(index, voxel, appendVoxel(0u, uvec3(voxel)) + 1u);
 }

@@ -1,5 +1,5 @@
 // What each face of the base level has received so far: a mean over steps, in the order of the list of faces. Light is
-// relative to E/pi over frame.faces.y. Before them, sums over all faces of what the last steps found; behind them, sums over
+// relative to E/pi over frame.radianceRange. Before them, sums over all faces of what the last steps found; behind them, sums over
 // those of each block.
 #include "shared/layout.h"
 

@@ -11,7 +11,7 @@ void storeFaces(ivec3 voxel, uint slot, uint marked) {
         COUNT(VCT_COUNTER_FACE_RESOLVE_FACE);
         int face = findLSB(left);
         FaceSum sum = faceSum(slot, face);
-        ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.grid.x);
+        ivec3 texel = faceTexel(voxel, face >> 1, face & 1, frame.gridSide);
         imageStore(faces, texel, storedFace(vec4(sum.radiance, sum.coverage), texel, 0u));
     }
 }

@@ -54,12 +54,12 @@ void main() {
     vec4 baseColor = materialBaseColor();
     // Before any discard: derivatives need the whole quad. This is the face's normal over its component along the
     // projection, times a pixel's area in voxels: what the surface covers of each of the voxel's cross-sections.
-    vec3 positionVoxels = fragmentPosition * float(frame.grid.x);
+    vec3 positionVoxels = fragmentPosition * float(frame.gridSide);
     vec3 coverage = clamp(cross(dFdx(positionVoxels), dFdy(positionVoxels)), -1.0, 1.0);
     if (!gl_FrontFacing) coverage = -coverage;
     if (materialIsHole(baseColor.a)) discard;
 
-    ivec3 voxel = clamp(ivec3(floor(positionVoxels)), ivec3(0), ivec3(frame.grid.x - 1));
+    ivec3 voxel = clamp(ivec3(floor(positionVoxels)), ivec3(0), ivec3(frame.gridSide - 1));
     if (!isDirty(voxel)) discard;
     uint slot = texelFetch(index, voxel, 0).r - 1u;
     if (slot >= voxelPlaces()) return;  // no room in the list: reported by the program

@@ -14,6 +14,6 @@ void main() {
     uint word = texelFetch(voxels, ivec3(voxel), int(level)).r;
     vec3 unlit = vec3(0.06, 0.07, 0.09);  // so that voxels in shadow show their shape
     color = voxelLight(word) != 0u ? max(unpackSample(word).rgb, unlit) : unlit;
-    vec3 position = (vec3(voxel) + corner) / float(uint(frame.grid.x) >> level);
+    vec3 position = (vec3(voxel) + corner) / float(uint(frame.gridSide) >> level);
     gl_Position = frame.clipFromVolume * vec4(position, 1.0);
 }

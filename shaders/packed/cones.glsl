@@ -11,7 +11,7 @@ const float opaque = 0.998;
 // cut off samples that still see something, and leave seams in the picture.
 bool outsideVolume(vec3 p, int level) {
     vec3 fromCentre = abs(p - 0.5);
-    return max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + 0.5 / float(frame.grid.x >> level);
+    return max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + 0.5 / float(frame.gridSide >> level);
 }
 
 const int diffuseConeCount = 6;
@@ -31,7 +31,7 @@ const float shadowStart = 8.0;
 
 // `reach` in volume sides: samples beyond it are not taken.
 Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
-    float voxel = 1.0 / float(frame.grid.x);
+    float voxel = 1.0 / float(frame.gridSide);
     vec3 start = positionVolume + normal * (diffuseStart * voxel);
     mat3 volumeFromCone = frameAround(normal);
     Gather gather = Gather(vec3(0.0), 0.0);
@@ -42,14 +42,14 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
         mediump float opacity = 0.0;
         mediump float nearOpacity = 0.0;
         float distance = diffuseFirstSample * voxel;
-        for (int level = 0; level <= frame.grid.y && distance < reach && opacity < opaque; ++level) {
+        for (int level = 0; level <= findMSB(frame.gridSide) && distance < reach && opacity < opaque; ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
             COUNT(VCT_COUNTER_DIFFUSE_STEP);
             mediump vec4 value = sampleVoxels(p, level) * (1.0 - opacity);
             radiance = radiance + value.rgb;
             opacity = opacity + value.a;
-            if (distance < frame.cone.y) nearOpacity = opacity;
+            if (distance < frame.aoDistance) nearOpacity = opacity;
             distance *= 2.0;
         }
         mediump float weight = i == 0 ? normalConeWeight : ringConeWeight;
@@ -71,11 +71,11 @@ float shadowStep(float distance, float radius, float voxel) {
 // The general cone towards the light (eq. 4.6-4.8): 1 where nothing is in its way.
 mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
     const float furthest = 1.7320508;    // the volume's diagonal, in sides
-    float sine = frame.cone.x;
+    float sine = frame.shadowConeSine;
     float ratio = sine / (1.0 - sine);  // eq. 4.8: radius over distance to the sphere's near side
-    float side = float(frame.grid.x);
+    float side = float(frame.gridSide);
     float voxel = 1.0 / side;
-    float lastLevel = float(frame.grid.y);
+    float lastLevel = float(findMSB(frame.gridSide));
     vec3 start = positionVolume + normal * (shadowStart * voxel);
     float opacity = 0.0;  // highp: near 1 a half would lose the small terms, of which there are a hundred
     for (float distance = voxel; distance < furthest && opacity < opaque;
@@ -84,7 +84,7 @@ mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
         vec3 p = start + frame.towardsLight.xyz * (distance + radius);
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
-        if (outsideVolume(p, min(fine + 1, frame.grid.y))) break;
+        if (outsideVolume(p, min(fine + 1, findMSB(frame.gridSide)))) break;
         COUNT(VCT_COUNTER_SHADOW_STEP);
         mediump float blend = level - float(fine);
         mediump float value = sampleOpacity(p, fine);

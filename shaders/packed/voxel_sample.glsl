@@ -11,7 +11,7 @@ struct Footprint {
 };
 
 Footprint footprint(vec3 positionVolume, int level) {
-    int last = (frame.grid.x >> level) - 1;
+    int last = (frame.gridSide >> level) - 1;
     vec3 texel = positionVolume * float(last + 1) - 0.5;
     vec3 whole = floor(texel);
     mediump vec3 part = texel - whole;

@@ -15,7 +15,7 @@ void main() {
     COUNT(VCT_COUNTER_VOXELIZER);
     vec4 baseColor = materialBaseColor();
     if (materialIsHole(baseColor.a)) discard;
-    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.grid.x))), ivec3(0), ivec3(frame.grid.x - 1));
+    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
     float facing = dot(safeNormalize(fragmentNormal), frame.towardsLight.xyz);

@@ -38,7 +38,7 @@ vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
 // less from ray to ray, and its reflection has hard edges.
 mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
     mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
-    float texels = float(frame.grid.x) * exp2(-level);
+    float texels = float(frame.gridSide) * exp2(-level);
     vec3 inside = clamp(texels * (0.5 - abs(position - 0.5)) + 0.5, 0.0, 1.0);
     return value * (inside.x * inside.y * inside.z / max(value.a, 1.0));
 }
@@ -58,8 +58,8 @@ mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float
 // One cone along `direction`, as traceCone of directional/cones.glsl, whose whole levels and small footprints would
 // show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
-    float voxel = 1.0 / float(frame.grid.x);
-    float widest = 0.25 * float(frame.grid.x);  // so that a cone gets away from the volume faster than it widens
+    float voxel = 1.0 / float(frame.gridSide);
+    float widest = 0.25 * float(frame.gridSide);  // so that a cone gets away from the volume faster than it widens
     mediump vec3 radiance = vec3(0.0);
     mediump float transmittance = 1.0;
     vec3 own = max(-direction * normal, 0.0);
@@ -81,7 +81,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (transmittance < VCT_GATHER_THRESHOLD) break;
         distance += stride;
     }
-    return radiance * frame.faces.y + transmittance * frame.skyRadiance.rgb;
+    return radiance * frame.radianceRange + transmittance * frame.skyRadiance.rgb;
 }
 
 // What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of
@@ -90,7 +90,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
 mediump vec3 lightToReflect(vec3 position, vec3 normal, vec3 toEye, float roughness, mediump vec3 gathered) {
     mediump float rough = smoothstep(roughFrom, roughTo, roughness);
     if (roughness >= roughTo) return gathered;
-    vec3 start = position * float(frame.grid.x) + normal * VCT_GATHER_START;
+    vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;
     mediump vec3 mirrored = traceReflection(start, normal, reflect(-toEye, normal), roughness * roughness);
     return mix(mirrored, gathered, rough);
 }

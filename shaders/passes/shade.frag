@@ -40,7 +40,7 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
 const bool received = false;
 Gather indirectDiffuse(vec3 position, vec3 normal) {
     const float diffuseReach = 1.0;  // in sides of the volume (published program)
-    if (showsAmbientVisibility) return gatherDiffuse(position, normal, frame.cone.y);
+    if (showsAmbientVisibility) return gatherDiffuse(position, normal, frame.aoDistance);
     if (showsIndirectLight) return gatherDiffuse(position, normal, diffuseReach);
     return Gather(vec3(0.0), 1.0);
 }

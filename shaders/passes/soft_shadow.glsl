@@ -19,13 +19,13 @@ const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 float softShadow(vec3 positionVolume, vec3 normal) {
     if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
     vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
-    vec2 mapFromCone = frame.cone.zw;
+    vec2 mapFromCone = frame.shadowConeRadius;
 
     // The receiver's plane: depth per length across the light. Rows of the matrix are the map's axes; mapFromCone
     // is tan(half angle) times the ratio of their lengths.
     const float steepest = 64.0;      // the light less than a degree above the surface: n.l is below 1/64
     const float roundingBias = 1e-4;  // as in shadow.glsl
-    float sine2 = frame.cone.x * frame.cone.x;
+    float sine2 = frame.shadowConeSine * frame.shadowConeSine;
     float tan2 = sine2 / (1.0 - sine2);
     vec3 across = mat3(frame.shadowFromVolume) * normal;
     vec2 coneFromMap = 1.0 / mapFromCone;

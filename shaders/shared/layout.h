@@ -13,6 +13,7 @@ using glm::ivec3;
 using glm::ivec4;
 using glm::mat4;
 using glm::uvec3;
+using glm::vec2;
 using glm::vec4;
 #else
 #define VCT_FUNCTION
@@ -178,11 +179,13 @@ struct FrameUniforms {
     vec4 towardsLight;      // xyz: unit length
     vec4 lightColor;        // rgb: largest component 1
     vec4 skyRadiance;       // rgb: relative to E/pi
-    vec4 cone;              // x: sin of half the shadow cone's angle, y: AO distance (of the volume's side),
-                            // zw: the cone's radius in the shadow map at one unit of its depth
-    vec4 faces;             // x: fixed-point units of a whole face (directional/face_sums.glsl), y: the radiance that
-                            // is stored as 1, relative to E/pi, z: largest share of the light that a bounce passes on
-    ivec4 grid;             // x: voxels along a side, y: last mip level
+    vec2 shadowConeRadius;     // of the sun's cone in the shadow map, at one unit of its depth
+    float shadowConeSine;      // of half the cone's angle
+    float aoDistance;          // of the volume's side
+    float faceSumUnits;        // fixed-point units of a whole face (directional/face_sums.glsl)
+    float radianceRange;       // what the faces' 8 bits store as 1, relative to E/pi
+    float largestBounceShare;  // of the light, that a bounce passes on
+    int gridSide;              // voxels along a side, a power of two
 };
 
 // One step of the received light towards its final value (jni/engine/directional/irradiance.h).

@@ -71,7 +71,7 @@ TEST_P(ConeTracerOf, ShaderEqualsTheCpuWithinRounding) {
         if (!pixel.surface) continue;
         const CpuConeTracer::Gather all = cpu.gather(pixel.positionVolume, pixel.normal, 1.0);
         const CpuConeTracer::Gather near =
-            cpu.gather(pixel.positionVolume, pixel.normal, frame.uniforms().cone.y);
+            cpu.gather(pixel.positionVolume, pixel.normal, frame.uniforms().aoDistance);
         CpuConeTracer::Shadow shadow{0.0, 0, 0};
         if (glm::dot(pixel.normal, towardsLight) > 0.0)
             shadow = cpu.shadow(pixel.positionVolume, pixel.normal);

@@ -49,8 +49,8 @@ void voxelize(const Context& context, const Scene& scene, const DirectionalLight
     const gl::ShaderLibrary shaders = shaderLibrary(mobile(), context.capabilities, testShaders());
     shared::FrameUniforms uniforms =
         frameUniforms(frameScene(scene), light, scene.boundsWorld, volume, mobile());
-    uniforms.faces.x = sumUnits > 0.0F ? sumUnits : faceSumUnits(scene.triangleCount());
-    uniforms.faces.y = faceRadianceRange(scene, light, glm::vec3(0.0F));
+    uniforms.faceSumUnits = sumUnits > 0.0F ? sumUnits : faceSumUnits(scene.triangleCount());
+    uniforms.radianceRange = faceRadianceRange(scene, light, glm::vec3(0.0F));
     const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
     buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     const GpuScene gpuScene(scene, volume, radianceUnit(light),

@@ -36,7 +36,7 @@ class Room {
             const double weight = base.at(glm::ivec3(shared::unpackFaceVoxel(entry)),
                                           static_cast<int>(shared::unpackFace(entry)))
                                       .a;
-            const double received = face.light.g * frame_.uniforms().faces.y;
+            const double received = face.light.g * frame_.uniforms().radianceRange;
             weights += weight;
             mean_ += weight * received;
             largest_ = std::max(largest_, received);

@@ -82,7 +82,7 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
         const CpuLookUp faces(frame.received());
         const Image image = frame.view(VCT_VIEW_INDIRECT);
         const std::vector<SurfacePixel> pixels = frame.pixels();
-        const double range = frame.uniforms().faces.y;
+        const double range = frame.uniforms().radianceRange;
         int looked = 0, surfaces = 0;
         double largest = 0.0, sum = 0.0, differences = 0.0;
         for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -252,7 +252,7 @@ TEST_P(GatherOf, EachFaceOfABlackFurnaceReceivesOne) {
         frame.settle(true);
         Spread spread;
         for (const auto& [entry, face] : frame.received())
-            spread.add(face.light.g * frame.uniforms().faces.y);
+            spread.add(face.light.g * frame.uniforms().radianceRange);
         std::printf("%s, faces of a furnace turned by %g degrees: mean %.3f, min %.3f, max %.3f (right: 1)\n",
                     GetParam(), turnDeg, spread.mean, spread.min, spread.max);
         EXPECT_NEAR(spread.mean, 1.0, 0.075);

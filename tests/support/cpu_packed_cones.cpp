@@ -23,7 +23,7 @@ glm::dvec4 radianceAndOpacity(std::uint32_t word) {
 CpuConeTracer::CpuConeTracer(std::vector<Words> levels, const shared::FrameUniforms& frame)
     : levels_(std::move(levels)),
       frame_(frame),
-      grid_(frame.grid.x),
+      grid_(frame.gridSide),
       lastLevel_(static_cast<int>(levels_.size()) - 1) {}
 
 glm::dvec4 CpuConeTracer::sample(const glm::dvec3& positionVolume, int level) const {
@@ -83,7 +83,7 @@ CpuConeTracer::Gather CpuConeTracer::gather(const glm::dvec3& positionVolume, co
             ++gather.steps;
             radiance += transmittance * glm::dvec3(value);
             transmittance *= 1.0 - value.a;
-            if (distance < frame_.cone.y) nearTransmittance = transmittance;
+            if (distance < frame_.aoDistance) nearTransmittance = transmittance;
         }
         gather.radiance += weight * (radiance + transmittance * glm::dvec3(frame_.skyRadiance));
         gather.ambientVisibility += weight * nearTransmittance;
@@ -96,7 +96,7 @@ CpuConeTracer::Shadow CpuConeTracer::shadow(const glm::dvec3& positionVolume,
     const double voxel = 1.0 / grid_;
     const glm::dvec3 start = positionVolume + 8.0 * voxel * normal;
     const glm::dvec3 towardsLight(frame_.towardsLight);
-    const double ratio = frame_.cone.x / (1.0 - frame_.cone.x);  // eq. 4.8
+    const double ratio = frame_.shadowConeSine / (1.0 - frame_.shadowConeSine);  // eq. 4.8
     Shadow result;
     double transmittance = 1.0;
     double distance = voxel;

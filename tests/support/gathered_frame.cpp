@@ -11,9 +11,9 @@ namespace {
 shared::FrameUniforms uniformsOf(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                                  const Volume& volume, const Camera& camera) {
     shared::FrameUniforms uniforms = frameUniforms(camera, light, scene.boundsWorld, volume, settings);
-    uniforms.faces.x = faceSumUnits(scene.triangleCount());
-    uniforms.faces.y = faceRadianceRange(scene, light, settings.skyRadiance);
-    uniforms.faces.z = largestBounceShare(scene);
+    uniforms.faceSumUnits = faceSumUnits(scene.triangleCount());
+    uniforms.radianceRange = faceRadianceRange(scene, light, settings.skyRadiance);
+    uniforms.largestBounceShare = largestBounceShare(scene);
     return uniforms;
 }
 
