@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/programs.h"
+#include "app/app_programs.h"
 #include "gl/debug.h"
 
 namespace vct::app {

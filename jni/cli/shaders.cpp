@@ -13,6 +13,7 @@
 #include "core/files.h"
 #include "engine/programs.h"
 #include "lab/options.h"
+#include "lab/program_list.h"
 #include "lab/shader_counters.h"
 #include "lab/timings.h"
 #include "platform/context.h"

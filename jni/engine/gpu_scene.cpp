@@ -11,38 +11,11 @@
 
 #include "engine/axis_sort.h"
 #include "engine/directional/block_scissor.h"
-#include "engine/programs.h"
 #include "shared/layout.h"
 
 namespace vct {
 
 namespace {
-
-GLenum glWrap(Texture::Wrap wrap) {
-    switch (wrap) {
-        case Texture::Wrap::clampToEdge:
-            return GL_CLAMP_TO_EDGE;
-        case Texture::Wrap::mirroredRepeat:
-            return GL_MIRRORED_REPEAT;
-        case Texture::Wrap::repeat:
-            break;
-    }
-    return GL_REPEAT;
-}
-
-gl::Texture uploadTexture(const Texture& source) {
-    const int levels = static_cast<int>(std::log2(std::max(source.width, source.height))) + 1;
-    gl::Texture texture =
-        gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
-    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      source.rgba.data());
-    gl::GenerateMipmap(GL_TEXTURE_2D);
-    texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, source.linearFilter ? GL_LINEAR : GL_NEAREST);
-    texture.setParameter(GL_TEXTURE_WRAP_S, glWrap(source.wrapS));
-    texture.setParameter(GL_TEXTURE_WRAP_T, glWrap(source.wrapT));
-    return texture;
-}
 
 // All in double until the last step: a scene may lie 10^6 units from the origin.
 void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, const glm::dvec3& meshCentre,
@@ -293,48 +266,6 @@ void GpuScene::setPose(const Pose& pose) {
            &movingIndices_[indices.begin]);
 }
 
-void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
-    struct Attribute {
-        GLuint location;
-        int components;
-        std::size_t offset;  // in Vertex
-    };
-    std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
-                                      {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};
-    if (features_.has(featureBaseColorTexture))
-        attributes.push_back({VCT_ATTRIBUTE_UV, 2, offsetof(Vertex, uv)});
-    if (features_.has(featureEmissiveTexture))
-        attributes.push_back({VCT_ATTRIBUTE_EMISSIVE_UV, 2, offsetof(Vertex, emissiveUv)});
-    std::vector<float> vertices;
-    for (const Mesh& mesh : scene.meshes)
-        for (const Vertex& vertex : mesh.vertices)
-            for (const Attribute& attribute : attributes) {
-                float values[3];
-                std::memcpy(values, reinterpret_cast<const char*>(&vertex) + attribute.offset,
-                            static_cast<std::size_t>(attribute.components) * sizeof(float));
-                vertices.insert(vertices.end(), values, values + attribute.components);
-            }
-    vertexArray_.bind();
-    indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
-                          indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
-    vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
-                           GL_STATIC_DRAW);
-    std::size_t stride = 0, offset = 0;  // bytes
-    for (const Attribute& attribute : attributes)
-        stride += static_cast<std::size_t>(attribute.components) * sizeof(float);
-    for (const Attribute& attribute : attributes) {
-        gl::EnableVertexAttribArray(attribute.location);
-        gl::VertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
-                                static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
-        offset += static_cast<std::size_t>(attribute.components) * sizeof(float);
-    }
-}
-
-void GpuScene::uploadTextures(const Scene& scene) {
-    for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        textures_.push_back(features_.textures[i] ? uploadTexture(scene.textures[i]) : gl::Texture());
-}
-
 void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
                         const MaterialPrograms& programs) const {
     const MaterialPrograms::Variant& variant = programs(draw.features);
@@ -399,25 +330,6 @@ Resources GpuScene::resources() const {
         textureBytes += texture.bytes();
     if (textureBytes > 0) resources.push_back({"scene textures", textureBytes});
     return resources;
-}
-
-MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                                   const std::function<gl::ProgramDescription(unsigned features)>& describe) {
-    std::vector<gl::ProgramDescription> known;
-    for (const unsigned features : scene.features().materialFeatures) {
-        const gl::ProgramDescription wanted = describe(features);
-        const auto found = std::find_if(known.begin(), known.end(), [&](const gl::ProgramDescription& one) {
-            return std::tie(one.shaders, one.defines) == std::tie(wanted.shaders, wanted.defines);
-        });
-        indices_[features] = static_cast<std::size_t>(found - known.begin());
-        if (found != known.end()) continue;
-        const auto reads = [&](const char* texture) {
-            return std::count(wanted.defines.begin(), wanted.defines.end(), texture) > 0;
-        };
-        variants_.push_back(
-            {gl::Program(shaders, wanted), reads("VCT_BASE_COLOR_TEXTURE"), reads("VCT_EMISSIVE_TEXTURE")});
-        known.push_back(wanted);
-    }
 }
 
 }  // namespace vct

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/directional/dirty_blocks.h"
+#include "engine/material_programs.h"
 #include "engine/resource.h"
 #include "engine/settings.h"
 #include "engine/volume.h"
@@ -16,8 +17,6 @@
 #include "scene/scene_features.h"
 
 namespace vct {
-
-class MaterialPrograms;
 
 // Which instances: all, those that can move, or those that cannot and touch some blocks.
 struct ScenePart {
@@ -116,23 +115,6 @@ class GpuScene {
     std::vector<gl::Texture> textures_;  // as Scene::textures; without storage where nothing reads them
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;
-};
-
-// The programs of one pass, one for all material features that occur in the scene and that it does not tell
-// apart.
-class MaterialPrograms {
-  public:
-    MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                     const std::function<gl::ProgramDescription(unsigned features)>& describe);
-    struct Variant {
-        gl::Program program;
-        bool readsBaseColorTexture, readsEmissiveTexture;
-    };
-    const Variant& operator()(unsigned features) const { return variants_[indices_.at(features)]; }
-
-  private:
-    std::vector<Variant> variants_;
-    std::map<unsigned, std::size_t> indices_;  // by features
 };
 
 }  // namespace vct

@@ -52,6 +52,10 @@ void copyBuffer(const gl::Buffer& from, const gl::Buffer& to) {
 
 }  // namespace
 
+gl::ProgramDescription packedClearProgram() {
+    return {"packed/clear", {"packed/clear.comp"}, {}};
+}
+
 VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity)
     : grid_(grid),
       texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, levelsOf(grid))),

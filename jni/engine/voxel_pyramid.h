@@ -11,6 +11,8 @@
 
 namespace vct {
 
+gl::ProgramDescription packedClearProgram();
+
 class VoxelPyramid {
   public:
     // `baseCapacity`: entries of the base level's list, or 0 for 16 grid^2 (a closed surface that fills the

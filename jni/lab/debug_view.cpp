@@ -48,6 +48,12 @@ Image stretchDepth(Image depth) {
 
 }  // namespace
 
+gl::ProgramDescription debugViewProgram(int view) {
+    return {"debug_view " + std::to_string(view),
+            {"passes/full_screen.vert", "lab/debug_view.frag"},
+            {"VCT_DEBUG_VIEW " + std::to_string(view)}};
+}
+
 std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera) {
     std::vector<DebugView> parts;
     const auto add = [&](const char* name, Picture view, bool allBounces, float unit) {

@@ -9,6 +9,9 @@
 
 namespace vct {
 
+// `view`: one of VCT_DEBUG_VIEW_*.
+gl::ProgramDescription debugViewProgram(int view);
+
 struct DebugView {
     std::string name;  // "g_buffer_albedo": a file name without its ending
     Image image;       // linear RGB, scaled for the eye

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int timingsVersion = 2;
+constexpr int timingsVersion = 3;
 
 ordered_json samplesJson(const std::vector<double>& samples) {
     return spreadJson("median", median(samples), "samples", samples);

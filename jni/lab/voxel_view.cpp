@@ -13,6 +13,10 @@ constexpr GLushort cube[VoxelView::indexCount] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 
                                                   2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
 }  // namespace
 
+gl::ProgramDescription voxelViewProgram() {
+    return {"voxel_view", {"lab/voxel_view.vert", "lab/voxel_view.frag"}, {}};
+}
+
 VoxelView::VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size)
     : program_(shaders, voxelViewProgram()),
       color_(gl::Texture::make2d("voxel view", GL_RGBA16F, size.x, size.y)),

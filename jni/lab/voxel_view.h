@@ -6,6 +6,8 @@
 
 namespace vct {
 
+gl::ProgramDescription voxelViewProgram();
+
 class VoxelView {
   public:
     static constexpr unsigned indexCount = 36;  // a cube's triangles

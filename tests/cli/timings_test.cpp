@@ -44,7 +44,7 @@ void expectSteps(const json& object) {
 }
 
 void expectCommonFields(const json& timings) {
-    EXPECT_EQ(timings.at("version"), 2);
+    EXPECT_EQ(timings.at("version"), 3);
     for (const char* text : {"program", "scene"})
         EXPECT_TRUE(timings.at(text).is_string()) << text;
     EXPECT_EQ(timings.at("triangles"), 1298);

@@ -50,8 +50,11 @@ TEST(ListEntry, RoundTripsEveryCoordinateOf512) {
 }
 
 TEST(UniformBlocks, FollowStd140) {
-    // mat4 and vec4 only: sixteen-byte steps, as std140 lays them out.
-    EXPECT_EQ(sizeof(FrameUniforms), 3 * 64 + 7 * 16U);
+    // Three matrices, four vectors, and eight scalars (two of them a vec2): sixteen-byte steps, as std140
+    // lays them out.
+    EXPECT_EQ(sizeof(FrameUniforms), 3 * 64 + 6 * 16U);
+    EXPECT_EQ(offsetof(FrameUniforms, shadowConeRadius), 256U);
+    EXPECT_EQ(offsetof(FrameUniforms, gridSide), 284U);
     EXPECT_EQ(offsetof(FrameUniforms, eye), 192U);
     EXPECT_EQ(sizeof(DrawUniforms), 2 * 64 + 3 * 16U);
     // std430: tightly packed.

@@ -296,7 +296,7 @@ TEST(SceneFeatures, AnAnimationCostsNothingButWhereItMovesAnObject) {
     EXPECT_TRUE(featuresOf(scene).movingObjects);
     const Asked moving = askedBy(scene, "mobile");
     // Those of parts of the voxels: engine/directional/incremental_update.h.
-    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 5);
+    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 6);
     EXPECT_GT(moving.frame.byName.at("BufferSubData"),
               askedByPlain("mobile").frame.byName.at("BufferSubData"));
 }

@@ -10,8 +10,10 @@
 #include <map>
 #include <set>
 
+#include "app/app_programs.h"
 #include "engine/programs.h"
 #include "gl/program.h"
+#include "lab/program_list.h"
 #include "platform/context.h"
 #include "support/errors.h"
 #include "support/renderers.h"
@@ -94,6 +96,13 @@ void expectAccepted(const std::vector<Source>& sources) {
         EXPECT_EQ(glslang({source}), "") << source.path << " for " << source.program;
 }
 
+// Every program of the renderer and of the app.
+std::vector<gl::ProgramDescription> allPrograms() {
+    std::vector<gl::ProgramDescription> programs = everyProgram();
+    programs.insert(programs.end(), {app::presentProgram(), app::hudProgram()});
+    return programs;
+}
+
 class Glslang : public testing::TestWithParam<gl::Language> {};
 INSTANTIATE_TEST_SUITE_P(Versions, Glslang, testing::Values(gl::Language::essl310, gl::Language::essl320),
                          [](const auto& test) {
@@ -105,7 +114,7 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
         << "glslangValidator is missing; scripts/setup.sh installs it";
     std::set<std::string> seen;
     std::vector<Source> sources;
-    for (const gl::ProgramDescription& program : everyProgram())
+    for (const gl::ProgramDescription& program : allPrograms())
         for (const std::string& path : program.shaders) {
             const gl::AssembledShader source =
                 gl::assembleShader(testShaders(), path, program.defines, GetParam());
@@ -115,7 +124,7 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
     expectAccepted(sources);
     // No file below shaders/ is left out.
     std::set<std::string> used;
-    for (const gl::ProgramDescription& program : everyProgram())
+    for (const gl::ProgramDescription& program : allPrograms())
         for (const std::string& path : program.shaders)
             used.insert(path);
     const std::filesystem::path folder(VCT_SOURCE_DIR "/shaders");
@@ -131,17 +140,17 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
 
 // The head-up display says what is missing on drivers that have no more than ES 3.0.
 TEST(ShaderSource, GlslangAcceptsTheDisplaysShadersInEs300) {
-    for (const std::string& path : hudProgram().shaders) {
+    for (const std::string& path : app::hudProgram().shaders) {
         const gl::AssembledShader source =
-            gl::assembleShader(testShaders(), path, hudProgram().defines, gl::Language::essl300);
+            gl::assembleShader(testShaders(), path, app::hudProgram().defines, gl::Language::essl300);
         EXPECT_EQ(source.text.rfind("#version 300 es\n", 0), 0U);
-        expectAccepted({{path, source.text, hudProgram().name}});
+        expectAccepted({{path, source.text, app::hudProgram().name}});
     }
 }
 
 TEST(Programs, EveryVariantLinksOnTheDriver) {
     const Context context = openContext(Backend::egl);
-    for (const gl::ProgramDescription& description : everyProgram())
+    for (const gl::ProgramDescription& description : allPrograms())
         EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.language()}, description))
             << description.name;
 }

@@ -51,8 +51,8 @@ TEST(SelfTestBroken, AtomicMaxThatKeepsTheLastFragment) {
 
 TEST(SelfTestBroken, AtomicAddThatLosesColours) {
     expectWrong(withBrokenShader(
-                    "packed/mipmapper.comp", "childContribution(word)) == 0u;",
-                    "(voxel.x & 1u) == 0u ? childContribution(word) : packVoxel(0u, 1u, uvec3(0u))) == 0u;"),
+                    "packed/mipmapper.comp", "childContribution(word)) == 0u)",
+                    "(voxel.x & 1u) == 0u ? childContribution(word) : packVoxel(0u, 1u, uvec3(0u))) == 0u)"),
                 "level 1");
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/programs.h"
+#include "lab/debug_view.h"
 #include "lab/read_back.h"
 
 namespace vct::test {

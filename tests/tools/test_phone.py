@@ -177,7 +177,7 @@ def test_tables_of_two_machines_have_the_thesis_once(root, tmp_path):
                                         "| desk | 1.00 | 12.50 |", "| Mobile (thesis) | 1.93 | 856.00 |"]
 
 
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1, "steps": {}}', '{"version": 2}'])
+@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1, "steps": {}}', '{"version": 3}'])
 def test_tables_refuse_what_they_do_not_know(root, tmp_path, content):
     file = tmp_path / "bench.json"
     file.write_text(content)

@@ -10,7 +10,7 @@ import program
 from files import ROOT
 from sweep.settings import Point
 
-TIMINGS_VERSION = 2
+TIMINGS_VERSION = 3
 # From timings.json into the point's entry, as they are.
 COPIED = ("driver", "machine", "method", "triangles", "active_voxels", "resources")
 

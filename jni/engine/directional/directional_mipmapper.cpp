@@ -5,6 +5,14 @@
 
 namespace vct {
 
+gl::ProgramDescription directionalLevelsProgram() {
+    return {"directional/levels", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS true"}};
+}
+
+gl::ProgramDescription directionalMipmapperProgram() {
+    return {"directional/mipmapper", {"directional/mipmapper.comp"}, {"VCT_LIST_PARENTS false"}};
+}
+
 DirectionalMipmapper::DirectionalMipmapper(const gl::ShaderLibrary& shaders)
     : levels_(shaders, directionalLevelsProgram()), mipmap_(shaders, directionalMipmapperProgram()) {}
 

@@ -5,6 +5,9 @@
 
 namespace vct {
 
+gl::ProgramDescription directionalLevelsProgram();
+gl::ProgramDescription directionalMipmapperProgram();
+
 class DirectionalMipmapper {
   public:
     explicit DirectionalMipmapper(const gl::ShaderLibrary& shaders);

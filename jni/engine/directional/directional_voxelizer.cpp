@@ -17,6 +17,21 @@ glm::ivec4 viewportFor(int side) {
 
 }  // namespace
 
+gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization) {
+    if (!(features & featureAlphaMask)) features = 0;
+    return voxelizing("directional/occupancy",
+                      featureDefines(features, featureBaseColorTexture | featureAlphaMask), voxelization);
+}
+
+gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT false"}),
+                      voxelization);
+}
+
+gl::ProgramDescription directionalResolveProgram() {
+    return {"directional/resolve", {"directional/resolve.comp"}, {"VCT_STATIC false"}};
+}
+
 FaceProjection::FaceProjection(int grid)
     : viewport_(viewportFor(grid)),
       framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}

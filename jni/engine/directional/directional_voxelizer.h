@@ -9,6 +9,10 @@
 
 namespace vct {
 
+gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription directionalResolveProgram();
+
 // The square that the volume is projected to, along each of its axes. It has no targets: the rasterizer only
 // makes fragments.
 class FaceProjection {

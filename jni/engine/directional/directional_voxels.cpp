@@ -25,6 +25,14 @@ double areaWorld(const Mesh& mesh, const Instance& instance) {
 
 }  // namespace
 
+gl::ProgramDescription directionalClearProgram() {
+    return {"directional/clear", {"directional/clear.comp"}, {}};
+}
+
+gl::ProgramDescription directionalClearBaseProgram() {
+    return {"directional/clear_base", {"directional/clear_base.comp"}, {}};
+}
+
 float faceSumUnits(std::size_t triangles) {
     const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));

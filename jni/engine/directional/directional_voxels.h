@@ -19,6 +19,9 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
 // Room for a count of voxels that changes: so much more that it rarely grows again.
 std::uint32_t withHeadRoom(std::uint32_t count);
 
+gl::ProgramDescription directionalClearProgram();
+gl::ProgramDescription directionalClearBaseProgram();
+
 class DirectionalVoxels {
   public:
     // `listCapacity`: of the base level's list, as for VoxelPyramid.

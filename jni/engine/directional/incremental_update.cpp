@@ -7,6 +7,31 @@
 
 namespace vct {
 
+gl::ProgramDescription staticVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("directional/voxelizer",
+                      featureDefines(features, ~0U, {"VCT_RELIGHT false", "VCT_DIRTY_BLOCKS"}), voxelization);
+}
+
+gl::ProgramDescription staticResolveProgram() {
+    return {"directional/resolve of what is static", {"directional/resolve.comp"}, {"VCT_STATIC true"}};
+}
+
+gl::ProgramDescription dirtyResolveProgram() {
+    return {"directional/resolve_dirty", {"directional/resolve_dirty.comp"}, {}};
+}
+
+gl::ProgramDescription dirtyMipmapperProgram() {
+    return {"directional/mipmapper_dirty", {"directional/mipmapper_dirty.comp"}, {}};
+}
+
+gl::ProgramDescription dirtyClearBaseProgram() {
+    return {"directional/clear_base_dirty", {"directional/clear_base_dirty.comp"}, {}};
+}
+
+gl::ProgramDescription clearDynamicProgram() {
+    return {"directional/clear_dynamic", {"directional/clear_dynamic.comp"}, {}};
+}
+
 using Of = ScenePart::Of;
 
 IncrementalUpdate::IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene,

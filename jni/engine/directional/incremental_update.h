@@ -12,6 +12,15 @@
 
 namespace vct {
 
+// Of the static geometry alone.
+gl::ProgramDescription staticVoxelizerProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription staticResolveProgram();
+// Of what is in dirty blocks, and of what moves.
+gl::ProgramDescription dirtyResolveProgram();
+gl::ProgramDescription dirtyMipmapperProgram();
+gl::ProgramDescription dirtyClearBaseProgram();
+gl::ProgramDescription clearDynamicProgram();
+
 class IncrementalUpdate {
   public:
     IncrementalUpdate(const gl::ShaderLibrary& shaders, const GpuScene& scene, Voxelization voxelization);

@@ -51,6 +51,20 @@ void dispatchOver(const glm::ivec3& texels) {
 
 }  // namespace
 
+gl::ProgramDescription lightProgram(const std::string& name) {
+    return {name, {"directional/" + name + ".comp"}, {}};
+}
+
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of) {
+    std::vector<std::string> defines = gatherDefines(settings);
+    defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
+    defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
+                                                   : "VCT_GATHER_OCCLUSION false");
+    return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
+            {"directional/irradiance.comp"},
+            defines};
+}
+
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
                        int lightFrames, bool voxelsChange)
     : settings_(settings),

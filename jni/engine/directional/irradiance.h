@@ -14,6 +14,10 @@ namespace vct {
 // closed room where nothing is absorbed would have no bound.
 float largestBounceShare(const Scene& scene);
 
+// `name`: light_inherit, light_clear, light_bricks, light_blocks or light_shine.
+gl::ProgramDescription lightProgram(const std::string& name);
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of);
+
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light stands still. `voxelsChange`: others are occupied

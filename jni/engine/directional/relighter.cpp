@@ -5,6 +5,19 @@
 
 namespace vct {
 
+gl::ProgramDescription clearRadianceProgram() {
+    return {"directional/clear_radiance", {"directional/clear_radiance.comp"}, {}};
+}
+
+gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT true"}),
+                      voxelization);
+}
+
+gl::ProgramDescription relightResolveProgram() {
+    return {"directional/relight", {"directional/relight.comp"}, {}};
+}
+
 Relighter::Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                      Voxelization voxelization)
     : clearRadiance_(shaders, clearRadianceProgram()),

@@ -7,6 +7,10 @@
 
 namespace vct {
 
+gl::ProgramDescription clearRadianceProgram();
+gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization);
+gl::ProgramDescription relightResolveProgram();
+
 class Relighter {
   public:
     // As the DirectionalVoxelizer that made the voxels.

@@ -5,6 +5,10 @@
 
 namespace vct {
 
+gl::ProgramDescription packedMipmapperProgram() {
+    return {"packed/mipmapper", {"packed/mipmapper.comp"}, {}};
+}
+
 PackedMipmapper::PackedMipmapper(const gl::ShaderLibrary& shaders)
     : program_(shaders, packedMipmapperProgram()) {}
 

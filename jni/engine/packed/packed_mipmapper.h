@@ -5,6 +5,8 @@
 
 namespace vct {
 
+gl::ProgramDescription packedMipmapperProgram();
+
 class PackedMipmapper {
   public:
     explicit PackedMipmapper(const gl::ShaderLibrary& shaders);

@@ -5,6 +5,10 @@
 
 namespace vct {
 
+gl::ProgramDescription packedVoxelizerProgram(unsigned features, Voxelization voxelization) {
+    return voxelizing("packed/voxelizer", featureDefines(features, ~0U), voxelization);
+}
+
 PackedVoxelizer::PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                                  Voxelization voxelization)
     : programs_(shaders, scene,

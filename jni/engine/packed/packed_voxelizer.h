@@ -6,6 +6,8 @@
 
 namespace vct {
 
+gl::ProgramDescription packedVoxelizerProgram(unsigned features, Voxelization voxelization);
+
 class PackedVoxelizer {
   public:
     PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,

@@ -1,8 +1,22 @@
 #include "engine/passes/g_buffer.h"
+#include "engine/programs.h"
 
 #include "gl/debug.h"
 
 namespace vct {
+
+ExtraTargets extraTargets(const SceneFeatures& needs, Specular specular) {
+    return {needs.has(featureEmissive), specular == Specular::cone && needs.glossy};
+}
+
+gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
+    unsigned used = featureBaseColorTexture | featureAlphaMask;
+    if (targets.emissive) used |= featureEmissive | featureEmissiveTexture;
+    std::vector<std::string> defines = featureDefines(features, used);
+    if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    if (targets.gloss) defines.emplace_back(targets.emissive ? "VCT_GLOSS_TARGET 3" : "VCT_GLOSS_TARGET 2");
+    return {"g_buffer", {"passes/g_buffer.vert", "passes/g_buffer.frag"}, defines};
+}
 
 GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size,
                  ExtraTargets targets)

@@ -10,6 +10,15 @@
 
 namespace vct {
 
+// Targets that the G-buffer has where something in the scene needs them: a material that emits; a glossy one.
+struct ExtraTargets {
+    bool emissive = false;
+    bool gloss = false;
+};
+// Those that a scene needs.
+ExtraTargets extraTargets(const SceneFeatures& needs, Specular specular);
+gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
+
 class GBuffer {
   public:
     GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, ExtraTargets targets);

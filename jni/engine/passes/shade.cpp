@@ -6,6 +6,24 @@
 
 namespace vct {
 
+gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Settings& settings) {
+    std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
+    if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
+    if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
+    const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
+    if (softShadow && settings.shadow == Shadow::softMap) {
+        defines.emplace_back("VCT_SOFT_SHADOW");
+        defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
+    }
+    const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
+    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
+    if (targets.gloss && reflects)
+        for (const std::string& define : gatherDefines(settings.gather))
+            defines.push_back(define);
+    return {"shade " + std::to_string(mode), {"passes/full_screen.vert", "passes/shade.frag"}, defines};
+}
+
 Shade::Shade(gl::ShaderLibrary shaders, const Settings& settings)
     : shaders_(std::move(shaders)),
       settings_(settings),

@@ -11,6 +11,8 @@
 
 namespace vct {
 
+gl::ProgramDescription shadeProgram(Picture picture, ExtraTargets targets, const Settings& settings);
+
 class Shade {
   public:
     Shade(gl::ShaderLibrary shaders, const Settings& settings);

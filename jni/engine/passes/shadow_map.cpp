@@ -8,6 +8,18 @@
 
 namespace vct {
 
+gl::ProgramDescription shadowMapProgram(unsigned features) {
+    // An opaque surface's texture does not matter to its shadow.
+    if (!(features & featureAlphaMask)) features = 0;
+    return {"shadow_map",
+            {"passes/shadow_map.vert", "passes/shadow_map.frag"},
+            featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
+}
+
+gl::ProgramDescription shadowLevelProgram() {
+    return {"shadow_level", {"passes/full_screen.vert", "passes/shadow_level.frag"}, {}};
+}
+
 int shadowMapLevels(const Settings& settings) {
     if (settings.shadow != Shadow::softMap) return 1;
     int levels = 1;

@@ -16,6 +16,9 @@ namespace vct {
 // Of its texture, for ShadowMap::makeLevels(): down to 16 texels a side, as wide as a hundredth of any scene.
 int shadowMapLevels(const Settings& settings);
 
+gl::ProgramDescription shadowMapProgram(unsigned features);
+gl::ProgramDescription shadowLevelProgram();
+
 class ShadowMap {
   public:
     // `levels`: those of the texture; draw() writes the finest, and makeLevels() the others.

@@ -1,0 +1,127 @@
+#include "lab/program_list.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "engine/directional/directional_volume.h"
+#include "engine/packed/packed_volume.h"
+#include "engine/passes/g_buffer.h"
+#include "engine/passes/shade.h"
+#include "engine/passes/shadow_map.h"
+#include "lab/debug_view.h"
+#include "lab/voxel_view.h"
+
+namespace vct {
+
+namespace {
+
+bool possible(unsigned features) {
+    return !(features & featureEmissiveTexture) || (features & featureEmissive);
+}
+
+}  // namespace
+
+std::vector<gl::ProgramDescription> everyProgram() {
+    std::vector<gl::ProgramDescription> programs{
+        packedMipmapperProgram(),      packedClearProgram(),         voxelViewProgram(),
+
+        directionalResolveProgram(),   directionalLevelsProgram(),   directionalClearBaseProgram(),
+        directionalMipmapperProgram(), directionalClearProgram(),    lightProgram("light_inherit"),
+        lightProgram("light_clear"),   lightProgram("light_blocks"), lightProgram("light_bricks"),
+        lightProgram("light_shine"),   shadowLevelProgram(),         staticResolveProgram(),
+        dirtyResolveProgram(),         dirtyMipmapperProgram(),      dirtyClearBaseProgram(),
+        clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
+    for (unsigned features : allFeatures()) {
+        programs.push_back(shadowMapProgram(features));
+        for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
+            programs.push_back(packedVoxelizerProgram(features, voxelization));
+            programs.push_back(occupancyProgram(features, voxelization));
+            programs.push_back(directionalVoxelizerProgram(features, voxelization));
+            programs.push_back(relightProgram(features, voxelization));
+            programs.push_back(staticVoxelizerProgram(features, voxelization));
+        }
+        for (bool emissive : {false, true})
+            for (bool gloss : {false, true})
+                programs.push_back(gBufferProgram(features, {emissive, gloss}));
+    }
+    Settings softMap;
+    softMap.shadow = Shadow::softMap;
+    std::vector<Settings> variants{softMap};
+    for (const std::string& preset : presetNames())
+        variants.push_back(presetSettings(preset));
+    for (const Settings& settings : variants) {
+        const bool faces = settings.voxels == Voxels::directional;
+        for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_CONE_SHADOW); ++mode)
+            for (bool emissive : {false, true})
+                for (bool gloss : {false, true})
+                    if (faces || !gloss) programs.push_back(shadeProgram(mode, {emissive, gloss}, settings));
+        if (settings.voxels != Voxels::directional) continue;
+        programs.push_back(irradianceProgram(settings.gather, GatherOf::light));
+        programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion));
+    }
+    for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
+        programs.push_back(debugViewProgram(view));
+    // Presets share most of them.
+    const auto key = [](const gl::ProgramDescription& p) { return std::tie(p.shaders, p.defines); };
+    std::sort(programs.begin(), programs.end(),
+              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    programs.erase(std::unique(programs.begin(), programs.end(),
+                               [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+                   programs.end());
+    return programs;
+}
+
+std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, const SceneFeatures& features) {
+    std::vector<FrameProgram> programs;
+    const auto add = [&](Step step, const gl::ProgramDescription& program) {
+        for (const FrameProgram& known : programs)
+            if (known.program.name == program.name && known.program.defines == program.defines) return;
+        programs.push_back({step, program});
+    };
+    const ExtraTargets targets = extraTargets(features, settings.specular);
+    if (mode != Mode::phong)
+        for (unsigned f : features.materialFeatures)
+            add(Step::shadowMap, shadowMapProgram(f));
+    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap)
+        add(Step::shadowMap, shadowLevelProgram());
+    for (unsigned f : features.materialFeatures)
+        add(Step::renderData, gBufferProgram(f, targets));
+    const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
+    if (voxels && settings.voxels == Voxels::directional) {
+        add(Step::voxelize, directionalClearBaseProgram());
+        add(Step::voxelize, directionalClearProgram());
+        for (unsigned f : features.materialFeatures) {
+            add(Step::voxelize, occupancyProgram(f, settings.voxelization));
+            add(Step::voxelize, directionalVoxelizerProgram(f, settings.voxelization));
+        }
+        add(Step::voxelize, directionalResolveProgram());
+        add(Step::mipmap, directionalLevelsProgram());
+        const bool occlusion = mode == Mode::ao;
+        add(Step::irradiance, lightProgram("light_inherit"));
+        add(Step::irradiance, lightProgram("light_clear"));
+        add(Step::irradiance, lightProgram("light_bricks"));
+        if (!occlusion) {
+            add(Step::irradiance, lightProgram("light_shine"));
+            add(Step::irradiance, directionalMipmapperProgram());
+        }
+        add(Step::irradiance, irradianceProgram(occlusion ? settings.occlusion : settings.gather,
+                                                occlusion ? GatherOf::occlusion : GatherOf::light));
+        add(Step::irradiance, lightProgram("light_blocks"));
+    } else if (voxels) {
+        add(Step::voxelize, packedClearProgram());
+        for (unsigned f : features.materialFeatures)
+            add(Step::voxelize, packedVoxelizerProgram(f, settings.voxelization));
+        add(Step::mipmap, packedMipmapperProgram());
+    }
+    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, settings));
+    return programs;
+}
+
+std::vector<unsigned> allFeatures() {
+    std::vector<unsigned> all;
+    for (unsigned features = 0; features < materialFeatureCombinations; ++features)
+        if (possible(features)) all.push_back(features);
+    return all;
+}
+
+}  // namespace vct
