@@ -26,20 +26,20 @@ struct ScenePart {
 
 class GpuScene {
   public:
-    // At rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
+    // The scene is at rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
     // Voxelization::sortedAxes the triangles of each instance are sorted by their axis (axis_sort.h).
     GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
              Voxelization voxelization);
 
-    // Of draws to come. Uploads what the instances that moved need, and nothing else.
+    // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.
     void setPose(const Pose& pose);
     // Whether a pose can change anything.
     bool moves() const { return !moving_.empty(); }
-    // Where all that can move is.
+    // Returns where all that can move is.
     std::vector<Placement> placements() const;
-    // Around all that cannot, in volume space; inverted where there is nothing.
+    // Returns the box around all that cannot move, in volume space; inverted where there is nothing.
     const Bounds& staticBox() const { return staticBox_; }
-    // Around `boundsWorld` and all that moves, in the present pose.
+    // Returns the box around `boundsWorld` and all that moves, in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
 
     enum class Culling { none, backFaces };

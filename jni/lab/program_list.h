@@ -14,7 +14,7 @@ std::vector<unsigned> allFeatures();
 
 std::vector<gl::ProgramDescription> everyProgram();
 
-// What one frame of a mode runs, step by step, in a scene with these needs; each program once.
+// What one frame of a mode runs, step by step, in a scene with these features; each program once.
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;

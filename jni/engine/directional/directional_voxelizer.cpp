@@ -45,7 +45,8 @@ void FaceProjection::use() const {
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                                            Voxelization voxelization)
-    : touch_(shaders, scene, [=](unsigned features) { return occupancyProgram(features, voxelization); }),
+    : markOccupied_(shaders, scene,
+                    [=](unsigned features) { return occupancyProgram(features, voxelization); }),
       accumulate_(shaders, scene,
                   [=](unsigned features) { return directionalVoxelizerProgram(features, voxelization); }),
       resolve_(shaders, directionalResolveProgram()),
@@ -55,18 +56,18 @@ void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowM
                                DirectionalVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
-    touch(scene, {}, voxels);
+    markOccupied(scene, {}, voxels);
     if (voxels.places() == 0) voxels.makeRoom(voxels.index().readActiveCounts()[0]);
     accumulate(scene, {}, accumulate_, shadowMap, voxels);
     resolve(resolve_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
 }
 
-void DirectionalVoxelizer::touch(const GpuScene& scene, const ScenePart& part,
-                                 DirectionalVoxels& voxels) const {
+void DirectionalVoxelizer::markOccupied(const GpuScene& scene, const ScenePart& part,
+                                        DirectionalVoxels& voxels) const {
     projection_.use();
     voxels.index().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.index().bindLists();
-    scene.drawForVoxels(touch_, part, projection_.viewport());
+    scene.drawForVoxels(markOccupied_, part, projection_.viewport());
     // Next: the places in the list are fetched as a texture.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

@@ -37,7 +37,7 @@ class DirectionalVoxelizer {
     void run(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxels& voxels);
 
     // The passes of that. Adds to the base level's list what a part of the scene occupies.
-    void touch(const GpuScene& scene, const ScenePart& part, DirectionalVoxels& voxels) const;
+    void markOccupied(const GpuScene& scene, const ScenePart& part, DirectionalVoxels& voxels) const;
     // Adds the part to the sums of the voxels in the list, for which there must be room. The programs: those
     // for all of it, or others of the same features.
     void accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
@@ -48,7 +48,7 @@ class DirectionalVoxelizer {
                  const std::function<void()>& dispatch) const;
 
   private:
-    MaterialPrograms touch_, accumulate_;
+    MaterialPrograms markOccupied_, accumulate_;
     gl::Program resolve_;
     FaceProjection projection_;
     gl::PlainSampler plainDepth_;  // the shadow map for shared/shadow.glsl

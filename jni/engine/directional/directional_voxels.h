@@ -29,7 +29,7 @@ class DirectionalVoxels {
 
     Resources resources() const;
     static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
-    // Faces of a grid, as those below.
+    // The faces' texture holds six blocks of grid^3 texels, so many along x and y.
     static constexpr int blocksX = 3, blocksY = 2;
     static gl::Texture texture(const std::string& label, int grid, int levels);
 
@@ -44,7 +44,7 @@ class DirectionalVoxels {
     // shaders/directional/face_sums.glsl, face_list.glsl. Empty before makeRoom().
     const gl::Buffer& sums() const { return sums_; }
 
-    // Empties everything through the last frame's lists.
+    // Empties voxels, faces and sums, through the last frame's lists.
     void clear();
     // Says which entries of the lists are active: VoxelPyramid::copyCommands().
     void setCommands(const gl::Buffer& commands) { index_.setCommands(commands); }

@@ -54,7 +54,7 @@ constexpr double snappingReach(double voxel) {
 Bounds grown(const Bounds& box, double by);
 
 // `before` and `after` hold the same instances. Those that have not moved count too, as all that can move is
-// taken out and put in again, but not their shadows. `voxel`: a voxel's side.
+// removed and put in again, but not their shadows. `voxel`: a voxel's side.
 BlockMask dirtyBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
                       const ShadowReach& shadow, double voxel);
 

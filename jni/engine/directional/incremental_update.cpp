@@ -69,11 +69,11 @@ void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& s
     const gl::DebugGroup group("static voxels");
     staticEntries_.reset();
     voxels.clear();
-    voxelizer.touch(scene, {}, voxels);
+    voxelizer.markOccupied(scene, {}, voxels);
     const std::uint32_t needed = withHeadRoom(voxels.index().readActiveCounts()[0]);
     voxels.clear();
     if (needed > voxels.places()) voxels.makeRoom(needed);
-    voxelizer.touch(scene, {Of::staticOnly}, voxels);
+    voxelizer.markOccupied(scene, {Of::staticOnly}, voxels);
     voxelizer.accumulate(scene, {Of::staticOnly}, voxelizer.programs(), shadowMap, voxels);
     voxelizer.resolve(resolveStatic_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
     mipmapper.makeLevels(voxels);
@@ -103,7 +103,7 @@ void IncrementalUpdate::replaceDynamic(const GpuScene& scene, const BlockMask* c
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
     voxels.setCommands(staticCommands_);
-    voxelizer.touch(scene, {Of::moving}, voxels);
+    voxelizer.markOccupied(scene, {Of::moving}, voxels);
 }
 
 bool IncrementalUpdate::mipmap(DirectionalVoxels& voxels) {

@@ -25,12 +25,12 @@ class Irradiance {
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
                bool voxelsChange);
 
-    // What happened to the voxels since the last step.
+    // What happened to the voxels since the last step:
     struct Change {
-        // Their lists were made anew, and only so many of the base level's faces, the first ones, kept their
-        // places.
+        // where their lists were made anew, how many of the base level's faces, the first ones, kept their
+        // places;
         std::optional<std::uint32_t> keptFaces;
-        bool light = false;  // what they send, or what is in the way of it, is another
+        bool light = false;  // whether what they send, or what is in the way of it, has changed
     };
     void note(const Change& change);
     // The next steps begin as the first ones did.
@@ -52,9 +52,9 @@ class Irradiance {
     std::vector<const gl::Texture*> textures() const;
 
   private:
-    // Steps of a round, in which each face looks into all directions once.
+    // How many steps a round has, in which each face looks into all directions once.
     int round() const { return settings_.directions / settings_.cones; }
-    // Of each face in the next step.
+    // How many cones each face traces in the next step.
     int cones() const { return changed_ ? 1 : settings_.cones; }
     // Which step of a round the next one is, or -1.
     int stepOfRound() const;

@@ -5,8 +5,8 @@
 
 namespace vct {
 
-ExtraTargets extraTargets(const SceneFeatures& needs, Specular specular) {
-    return {needs.has(featureEmissive), specular == Specular::cone && needs.glossy};
+ExtraTargets extraTargets(const SceneFeatures& features, Specular specular) {
+    return {features.has(featureEmissive), specular == Specular::cone && features.glossy};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {

@@ -10,13 +10,13 @@
 
 namespace vct {
 
-// Targets that the G-buffer has where something in the scene needs them: a material that emits; a glossy one.
+// Targets that the G-buffer has only where a material of the scene emits, or is glossy.
 struct ExtraTargets {
     bool emissive = false;
     bool gloss = false;
 };
 // Those that a scene needs.
-ExtraTargets extraTargets(const SceneFeatures& needs, Specular specular);
+ExtraTargets extraTargets(const SceneFeatures& features, Specular specular);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 
 class GBuffer {
