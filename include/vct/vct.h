@@ -147,8 +147,9 @@ using GetProcAddress = void* (*)(const char* name);
 // that use the library at the same time must be of one driver.
 class GlobalIllumination {
   public:
-    // Compiles shaders and uploads the scene. Throws where the description is wrong, the driver lacks
-    // something, or memory does not suffice.
+    // Uploads the scene. Throws where the description is wrong, the driver lacks something, or memory does
+    // not suffice. The first render() compiles the shaders and makes the voxels, so it takes longest, and may
+    // throw for the same causes.
     GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,
                        const Options& options = {});
     ~GlobalIllumination();

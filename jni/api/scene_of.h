@@ -1,6 +1,9 @@
 // The scene of the engine from what an embedding program describes.
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "scene/scene.h"
 #include "vct/vct.h"
 

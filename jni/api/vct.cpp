@@ -1,6 +1,9 @@
 #include "vct/vct.h"
 
-#include <string_view>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
 
 #include "api/embedded_shaders.h"
 #include "api/saved_state.h"

@@ -157,7 +157,8 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile", "quality"));
+INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile", "quality"),
+                         [](const auto& preset) { return std::string(preset.param); });
 
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
@@ -331,7 +332,7 @@ TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
         Options options = optionsOf("mobile");
         spoil(wrong.scene, options);
         const std::string error = errorOf([&] { GlobalIllumination(getProcAddress, wrong.scene, options); });
-        EXPECT_NE(error.find(part), std::string::npos) << error;
+        EXPECT_NE(error.find(part), std::string::npos) << part << ": " << error;
         EXPECT_EQ(error.find("--"), std::string::npos) << error;
     };
     const std::vector<std::uint32_t> beyond{0, 1, 24};
@@ -342,7 +343,6 @@ TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
     expectError("no picture", [](auto&, Options& options) {
         options.radiance = options.irradiance = options.ambientVisibility = options.sunVisibility = false;
     });
-    expectError("cannot read the shader", [](auto&, Options& options) { options.shaderFolder = "/nowhere"; });
     expectError("cone angle", [](SceneDescription& scene, auto&) { scene.sun.diameterDegrees = 0; });
     expectError("no length", [](SceneDescription& scene, auto&) { scene.sun.towardsSun = {0, 0, 0}; });
     expectError("sun's colour", [](SceneDescription& scene, auto&) { scene.sun.color = {0.5F, 0.5F, 0.5F}; });
@@ -361,6 +361,12 @@ TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
     expectError("give as many", [](SceneDescription& scene, auto&) { scene.meshes[0].normals = {}; });
     expectError("material 0: give a base colour",
                 [](SceneDescription& scene, auto&) { scene.materials[0].baseColor[0] = 1.5F; });
+    Options nowhere = optionsOf("mobile");
+    nowhere.shaderFolder = "/nowhere";
+    GlobalIllumination withoutShaders(getProcAddress, described_.scene, nowhere);
+    EXPECT_NE(
+        errorOf([&] { withoutShaders.render(described_.view()); }).find("cannot read the shader /nowhere"),
+        std::string::npos);
     EXPECT_NE(errorOf([&] { GlobalIllumination(nullptr, described_.scene); }).find("null"),
               std::string::npos);
 
