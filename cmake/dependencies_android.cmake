@@ -28,9 +28,10 @@ file(COPY ${tinygltf_SOURCE_DIR}/tiny_gltf.h DESTINATION ${CMAKE_BINARY_DIR}/tin
 target_include_directories(vct_single_headers SYSTEM PUBLIC
     ${CMAKE_BINARY_DIR}/tinygltf ${stb_SOURCE_DIR} ${nlohmann_json_SOURCE_DIR}/single_include)
 
+add_library(vct_headers INTERFACE)
+target_include_directories(vct_headers SYSTEM INTERFACE ${glm_SOURCE_DIR})
 add_library(vct_dependencies INTERFACE)
-target_include_directories(vct_dependencies SYSTEM INTERFACE ${glm_SOURCE_DIR})
-target_link_libraries(vct_dependencies INTERFACE vct_single_headers EGL)
+target_link_libraries(vct_dependencies INTERFACE vct_headers vct_single_headers EGL)
 
 add_library(vct_imgui STATIC ${imgui_SOURCE_DIR}/imgui.cpp ${imgui_SOURCE_DIR}/imgui_draw.cpp
     ${imgui_SOURCE_DIR}/imgui_tables.cpp ${imgui_SOURCE_DIR}/imgui_widgets.cpp)

@@ -1,5 +1,5 @@
 # Third-party libraries of a desktop, all from the system's packages (scripts/setup.sh installs them), behind the
-# targets vct_dependencies and vct_imgui.
+# targets vct_headers, vct_dependencies and vct_imgui.
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -16,10 +16,12 @@ find_library(IMGUI_LIBRARY imgui REQUIRED)
 find_path(EGL_INCLUDE_DIR EGL/egl.h REQUIRED)
 find_path(GLES_INCLUDE_DIR GLES3/gl32.h REQUIRED)
 
+add_library(vct_headers INTERFACE)
+target_include_directories(vct_headers SYSTEM INTERFACE ${GLES_INCLUDE_DIR})
 add_library(vct_dependencies INTERFACE)
 target_include_directories(vct_dependencies SYSTEM INTERFACE
-    ${TINYGLTF_INCLUDE_DIR} ${STB_INCLUDE_DIR} ${EGL_INCLUDE_DIR} ${GLES_INCLUDE_DIR})
-target_link_libraries(vct_dependencies INTERFACE
+    ${TINYGLTF_INCLUDE_DIR} ${STB_INCLUDE_DIR} ${EGL_INCLUDE_DIR})
+target_link_libraries(vct_dependencies INTERFACE vct_headers
     ${TINYGLTF_LIBRARY} ${STB_LIBRARY} OpenEXR::OpenEXR ZLIB::ZLIB nlohmann_json::nlohmann_json Threads::Threads
     ${CMAKE_DL_LIBS})
 find_library(EGL_LIBRARY EGL REQUIRED)

@@ -4,11 +4,12 @@
 set -euo pipefail
 
 # Compiler and build; the libraries of cmake/dependencies.cmake; the drivers that draw (Mesa's llvmpipe behind EGL,
-# and lavapipe for zink); what the tests call: GoogleTest, glslang, and Python for tools/make_assets.py.
+# and lavapipe for zink); what the tests call: GoogleTest, glslang, GLFW for examples/embed,
+# and Python for tools/make_assets.py.
 required=(
     g++ cmake ninja-build
     libglm-dev libtinygltf-dev libopenexr-dev zlib1g-dev libstb-dev nlohmann-json3-dev libcli11-dev libimgui-dev
-    libegl-dev libgles-dev
+    libegl-dev libgles-dev libglfw3-dev
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools python3
 )

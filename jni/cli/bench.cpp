@@ -8,6 +8,7 @@
 #include "cli/grid_option.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/shader_folder.h"
 #include "lab/bench_run.h"
 #include "lab/options.h"
 #include "platform/context.h"
@@ -50,7 +51,7 @@ void bench(BenchOptions& options) {
     BenchRun run({request,
                   scene,
                   context.capabilities,
-                  gl::shadersFromFolder(gl::defaultShaderFolder()),
+                  gl::shadersFromFolder(shaderFolder()),
                   options.backend.name,
                   {},
                   say},

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/grid_option.h"
 #include "cli/progress.h"
+#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
 #include "lab/options.h"
@@ -82,7 +83,7 @@ void printScene(const InfoOptions& options) {
     options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
     const Progress progress("rendering " + options.scene + " with and without each of its needs");
     const SceneCosts costs =
-        sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(gl::defaultShaderFolder()));
+        sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(shaderFolder()));
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
     std::printf(
         "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"

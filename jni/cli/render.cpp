@@ -11,6 +11,7 @@
 #include "cli/output.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
+#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "core/number_text.h"
 #include "engine/renderer.h"
@@ -205,8 +206,7 @@ void render(const RenderOptions& options) {
     context.capabilities.requireAll();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
     options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
-    Renderer renderer(scene, light, settings, context.capabilities,
-                      gl::shadersFromFolder(gl::defaultShaderFolder()));
+    Renderer renderer(scene, light, settings, context.capabilities, gl::shadersFromFolder(shaderFolder()));
 
     if (settings.voxels == Voxels::directional)
         say("received light: it stands still after " + std::to_string(settings.lightFrames) +

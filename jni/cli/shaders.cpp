@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
@@ -74,7 +75,7 @@ gl::ShaderLibrary phoneLibrary(const Settings& settings) {
     gl::Capabilities phone;
     phone.softwareDriver = false;
     phone.essl320 = false;
-    return shaderLibrary(settings, phone, gl::shadersFromFolder(gl::defaultShaderFolder()));
+    return shaderLibrary(settings, phone, gl::shadersFromFolder(shaderFolder()));
 }
 
 const char* stageName(const std::string& shader) {
@@ -158,7 +159,7 @@ void writeShaders(const ShadersOptions& options) {
         settings.countInvocations = true;
         settings.revoxelize = true;
         Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
-                          gl::shadersFromFolder(gl::defaultShaderFolder()));
+                          gl::shadersFromFolder(shaderFolder()));
         for (Mode mode : allModes())
             entry["counts"][modeName(mode)] = countsJson(countInvocations(renderer, mode, camera));
         manifest["presets"].push_back(std::move(entry));

@@ -5,14 +5,6 @@
 //   return value what is expected to happen (two pictures differ)
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
-namespace vct {
-
-class Error : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
-}  // namespace vct
+#include "vct/error.h"

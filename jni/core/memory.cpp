@@ -57,7 +57,7 @@ void requireMemory(std::size_t bytes, const std::string& what) {
     if (bytes + driverReserve > available)
         throw Error("not enough memory for " + what + ": " + megabytesText(bytes) + ", and " +
                     megabytesText(driverReserve) + " for the driver, of which " + megabytesText(available) +
-                    " are available; use fewer voxels (--grid, --voxel-size), or free memory");
+                    " are available; use fewer voxels (a coarser grid), or free memory");
 }
 
 }  // namespace vct

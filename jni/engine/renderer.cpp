@@ -39,15 +39,25 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
              settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
-      gBuffer_(shaders_, scene_, settings.size, extraTargets(scene_.features(), settings.specular)),
-      shade_(shaders_, settings),
       // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.voxelization == Voxelization::geometryShader)
-        capabilities.require("GL_EXT_geometry_shader", "--voxelization sorted-axes gives the same voxels");
+        capabilities.require("GL_EXT_geometry_shader", "the voxelization sorted-axes gives the same voxels");
     if (scene_.moves() && settings.voxels == Voxels::directional)
-        capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6", "--preset thesis does without");
+        capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6",
+                             "the preset thesis does without");
+    shades_.emplace_back(shaders_, settings_);
     gl::checkErrors("setting up the renderer");
+}
+
+void Renderer::resize(glm::ivec2 size) {
+    Settings changed = settings_;
+    changed.size = size;
+    validate(changed);
+    settings_ = changed;
+    if (gBuffer_) gBuffer_->resize(size);
+    for (Shade& shade : shades_)
+        shade.resize(size);
 }
 
 void Renderer::setShadowConeAngle(float degrees) {
@@ -71,6 +81,13 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
 void Renderer::forgetWhatWasMade() {
     if (shadowMap_) shadowMap_->forget();
     if (voxels_) voxels_->forget();
+}
+
+GBuffer& Renderer::gBuffer() {
+    if (!gBuffer_)
+        gBuffer_.emplace(shaders_, scene_, settings_.size,
+                         extraTargets(scene_.features(), settings_.specular));
+    return *gBuffer_;
 }
 
 ShadowMap& Renderer::shadowMap() {
@@ -98,7 +115,7 @@ float Renderer::radianceScale() const {
 }
 
 Image Renderer::radiance() const {
-    return readImage(shade_.texture(), radianceUnit(light_));
+    return readImage(output(), radianceUnit(light_));
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {
@@ -109,9 +126,10 @@ Resources Renderer::resources() const {
     Resources resources = scene_.resources();
     add(resources, frameUniforms_);
     if (shadowMap_) add(resources, shadowMap_->texture());
-    add(resources, gBuffer_.resources());
+    if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
-    add(resources, shade_.texture());
+    for (const Shade& shade : shades_)
+        add(resources, shade.texture());
     return resources;
 }
 

@@ -41,6 +41,16 @@ class Renderer {
     // Draws a part of the light alone, converged: one of VCT_VIEW_*. `allBounces`: or the first one alone.
     void renderPart(Picture view, const Camera& camera, bool allBounces);
 
+    // Draws several pictures of one moment, each into a texture of its own: output(i) is that of pictures[i].
+    // They should be the same ones in the same order from frame to frame. `surface`: what the camera sees, in
+    // textures of the picture's size; null: the renderer draws it. `converged`: see above.
+    void frame(const std::vector<Picture>& pictures, const Camera& camera, const GBuffer::Targets* surface,
+               bool converged);
+
+    // Gives pictures to come another size. Shadow map, voxels and light stay. Throws vct::Error where it is
+    // out of range.
+    void resize(glm::ivec2 size);
+
     // Moves what moves, in frames to come. What the pose does to cameras and lights, posed() says.
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Turns the light, in frames to come. Its strength stays, as emission is stored relative to it.
@@ -50,7 +60,7 @@ class Renderer {
     void setShadowConeAngle(float degrees);
 
     // The last frame: RGBA16F, relative to radianceScale(), row 0 at the bottom.
-    const gl::Texture& output() const { return shade_.texture(); }
+    const gl::Texture& output(std::size_t picture = 0) const { return shades_.at(picture).texture(); }
     float radianceScale() const;
     // The last frame, linear RGB in the scene's radiance unit, row 0 at the top. Waits for the GPU.
     Image radiance() const;
@@ -65,7 +75,7 @@ class Renderer {
     const Volume& volume() const { return volume_; }
     const gl::ShaderLibrary& shaders() const { return shaders_; }
     // The targets of the last frame, and its shadow map, which is drawn by every mode but the first.
-    GBuffer::Targets surface() const { return gBuffer_.targets(); }
+    GBuffer::Targets surface() { return gBuffer().targets(); }
     const gl::Texture& shadowMapTexture() { return shadowMap().texture(); }
 
     // Which voxels are occupied; makes the volume where no mode needed it yet.
@@ -82,10 +92,12 @@ class Renderer {
         int atMost;
         bool allBounces;
     };
-    void draw(Picture picture, const Camera& camera, LightSteps steps);
+    void draw(const std::vector<Picture>& pictures, const Camera& camera, LightSteps steps,
+              const GBuffer::Targets* given = nullptr);
     void uploadFrameUniforms(const Camera& camera);
     void forgetWhatWasMade();
     // These make the pass when it is asked for the first time.
+    GBuffer& gBuffer();
     ShadowMap& shadowMap();
     VoxelVolume& voxels();
 
@@ -100,10 +112,10 @@ class Renderer {
     GpuScene scene_;
     std::optional<Pose> nextPose_;
     gl::Buffer frameUniforms_;
-    GBuffer gBuffer_;
+    std::optional<GBuffer> gBuffer_;
     std::optional<ShadowMap> shadowMap_;
     std::unique_ptr<VoxelVolume> voxels_;
-    Shade shade_;
+    std::vector<Shade> shades_;  // of the pictures of one frame
     StepTimer timer_;
     bool unfinished_ = false;  // the last frame threw
 };

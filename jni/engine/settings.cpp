@@ -128,7 +128,7 @@ Settings presetSettings(const std::string& name) {
         settings.occlusion.height = 0.4F;
         return settings;
     }
-    throw Error("--preset '" + name + "' does not exist; the presets are: " + presetList());
+    throw Error("the preset '" + name + "' does not exist; the presets are: " + presetList());
 }
 
 std::string presetList() {
@@ -144,22 +144,22 @@ void validate(const Settings& settings) {
     };
     const int grid = settings.grid;
     require(std::count(allGrids().begin(), allGrids().end(), grid) > 0,
-            "--grid " + std::to_string(grid) + " is not one of 64, 128, 256, 512, auto");
+            "a grid of " + std::to_string(grid) + " voxels is not one of 64, 128, 256, 512");
     require(
         settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
-        "--size must be between 1x1 and 8192x8192 pixels");
+        "the picture's size must be between 1x1 and 8192x8192 pixels");
     require(settings.shadowMapSize >= 16 && settings.shadowMapSize <= 8192,
-            "--shadow-map must be between 16 and 8192 texels");
+            "the shadow map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
-            "--cone-angle must be between 0.1 and 170 degrees");
+            "the cone angle (of the sun's disc) must be between 0.1 and 170 degrees");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
-            "--light-frames must be between 1 and 1000");
+            "the light frames (until the light stands still) must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
-            "--shadow cone goes through the voxels of the preset thesis; use soft-map with the others");
+            "the shadow 'cone' goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
-            "--specular cone: the preset thesis has none; use another preset");
+            "glossy reflections: the preset thesis has none; use another preset");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
-            "--ao-distance must be above 0 and at most 1 (the volume's side)");
+            "the distance of ambient occlusion must be above 0 and at most 1 (the volume's side)");
 }
 
 }  // namespace vct

@@ -182,8 +182,8 @@ std::vector<std::uint32_t> VoxelPyramid::activeCounts(
         if (c.instanceCount > c.capacity)
             throw Error("the scene has " + std::to_string(c.instanceCount) + " active voxels at " +
                         std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +
-                        "; use --active-voxels " + std::to_string(c.instanceCount) +
-                        " or fewer voxels (--grid, --voxel-size)");
+                        "; make room for " + std::to_string(c.instanceCount) +
+                        " active voxels, or use a coarser grid");
         counts.push_back(c.instanceCount);
     }
     return counts;

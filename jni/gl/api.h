@@ -21,6 +21,7 @@ namespace vct::gl {
     X(ClearBufferfv) X(ClearBufferuiv) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
     X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
     X(DeleteSamplers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
+    X(DepthRangef) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
     X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
     X(DrawElementsIndirect) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                     \
     X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \

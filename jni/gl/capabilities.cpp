@@ -46,7 +46,7 @@ void Capabilities::requireAll() const {
     }
     if (missing.empty()) return;
     throw Error("the GL driver (" + renderer + ", " + version + ") lacks what the pipeline needs:" + missing +
-                "\nA newer driver may have it, or another back end or device (`vct info --help`).");
+                "\nA newer driver may have it, or another device; the program `vct info` lists them.");
 }
 
 bool Capabilities::meets(const std::string& name) const {

@@ -39,7 +39,7 @@ void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
     if (error == GL_OUT_OF_MEMORY)
         throw Error("not enough memory for " + label + " (" + megabytesText(bytes) +
-                    "); use fewer voxels (--grid, --voxel-size) or a smaller --size, or free memory");
+                    "); use fewer voxels (a coarser grid) or a smaller picture, or free memory");
 }
 
 }  // namespace
@@ -85,6 +85,12 @@ Texture Texture::make3d(const std::string& label, GLenum format, int width, int 
                         int levels) {
     Texture texture = create(label, GL_TEXTURE_3D, format, width, height, depth, levels);
     texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
+    return texture;
+}
+
+Texture Texture::ownedElsewhere(GLuint name) {
+    Texture texture;
+    texture.ownedElsewhere_ = name;
     return texture;
 }
 
@@ -144,7 +150,7 @@ void Framebuffer::check(const std::string& label) const {
     const GLenum status = CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
         throw Error("the driver cannot draw into framebuffer '" + label + "' (status " +
-                    std::to_string(status) + "); `vct info` shows which format it lacks");
+                    std::to_string(status) + "); the program `vct info` shows which format it lacks");
 }
 
 Framebuffer::Framebuffer(const std::string& label, const std::vector<const Texture*>& colors,

@@ -56,7 +56,10 @@ class Texture {
     static Texture make3d(const std::string& label, GLenum format, int width, int height, int depth,
                           int levels);
 
-    GLuint name() const { return handle_.get(); }
+    // A 2D texture that somebody else owns: it is read, and neither changed nor deleted.
+    static Texture ownedElsewhere(GLuint name);
+
+    GLuint name() const { return ownedElsewhere_ != 0 ? ownedElsewhere_ : handle_.get(); }
     GLenum target() const { return target_; }
     GLenum format() const { return format_; }
     int width() const { return width_; }
@@ -75,6 +78,7 @@ class Texture {
     static Texture create(const std::string& label, GLenum target, GLenum format, int width, int height,
                           int depth, int levels);
     Handle<&DeleteTextures> handle_;
+    GLuint ownedElsewhere_ = 0;
     GLenum target_ = GL_TEXTURE_2D;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;

@@ -33,7 +33,7 @@ const Feature features[] = {
      {3, 2, 3, 2},
      false,
      "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it that "
-     "preset is lost, unless with --voxelization sorted-axes"},
+     "preset is lost, unless its triangles are sorted by axis"},
     {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
      {3, 2, 3, 0},
      true,
@@ -64,7 +64,7 @@ constexpr Limit limits[] = {
      "clear and mipmap: two images and three storage buffers in one compute shader"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 6, false,
      "moving objects in the presets mobile and quality: four images and four storage buffers in one compute "
-     "shader; without it they need --preset thesis"},
+     "shader; without it they need the preset thesis"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 4, true,

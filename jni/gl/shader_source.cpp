@@ -1,7 +1,6 @@
 #include "gl/shader_source.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -88,16 +87,11 @@ ReadShader shadersFromFolder(const std::string& folder) {
         std::ifstream file(folder + "/" + path, std::ios::binary);
         if (!file)
             throw Error("cannot read the shader " + folder + "/" + path +
-                        "; set VCT_SHADER_DIR to the project's shaders folder");
+                        "; name the project's folder of shaders (vct: VCT_SHADER_DIR)");
         std::ostringstream text;
         text << file.rdbuf();
         return text.str();
     };
-}
-
-std::string defaultShaderFolder() {
-    const char* folder = std::getenv("VCT_SHADER_DIR");
-    return folder != nullptr ? folder : VCT_DEFAULT_SHADER_DIR;
 }
 
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,

@@ -15,8 +15,6 @@ using ReadShader = std::function<std::string(const std::string& path)>;
 
 // From a folder on disk.
 ReadShader shadersFromFolder(const std::string& folder);
-// VCT_SHADER_DIR from the environment, or the folder of the source tree that built the program.
-std::string defaultShaderFolder();
 
 // What the sources are compiled as. 3.00 is for what is drawn on a driver that lacks all the rest.
 enum class Language {

@@ -51,7 +51,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.push_back(presetSettings(preset));
     for (const Settings& settings : variants) {
         const bool faces = settings.voxels == Voxels::directional;
-        for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_CONE_SHADOW); ++mode)
+        for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_IRRADIANCE); ++mode)
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
                     if (faces || !gloss) programs.push_back(shadeProgram(mode, {emissive, gloss}, settings));

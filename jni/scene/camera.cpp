@@ -128,6 +128,7 @@ DirectionalLight chooseLight(const Scene& scene) {
 }
 
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {
+    if (camera.clipFromWorld) return *camera.clipFromWorld;
     const glm::dmat3 worldFromCameraAxes(camera.worldFromCamera);
     const glm::dvec3 eye(camera.worldFromCamera[3]);
     const glm::dmat3 cameraFromWorldAxes = glm::transpose(worldFromCameraAxes);

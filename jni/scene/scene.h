@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,8 @@ struct Camera {
     // camera, what is nearer than a metre would be cut off otherwise.)
     double nearest = std::numeric_limits<double>::infinity();
     int node = -1;  // as Instance::node
+    // Where it is set, clipFromWorld() gives this and fits nothing to the scene. Depth is 1 at its far plane.
+    std::optional<glm::dmat4> clipFromWorld;
 };
 
 struct DirectionalLight {

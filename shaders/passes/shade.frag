@@ -119,6 +119,7 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
 mediump vec3 diffuse(vec3 position, vec3 normal, float cosTheta, mediump vec3 albedo, Gather gather, mediump float light) {
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
     if (mode == VCT_VIEW_INDIRECT) return albedo * gather.radiance;
+    if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
     if (mode == VCT_VIEW_SPECULAR) return vec3(0.0);
     // Occlusion is in the received light already; it takes nothing from the sun.

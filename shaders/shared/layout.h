@@ -28,7 +28,8 @@ using glm::vec4;
 #define VCT_VIEW_AO 6
 #define VCT_VIEW_INDIRECT 7
 #define VCT_VIEW_CONE_SHADOW 8
-#define VCT_VIEW_SPECULAR 9
+#define VCT_VIEW_IRRADIANCE 9  // of the indirect light, relative to the sun's
+#define VCT_VIEW_SPECULAR 10
 
 // What the stage view shows.
 #define VCT_DEBUG_VIEW_SHADOW_MAP 0

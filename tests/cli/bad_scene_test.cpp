@@ -132,7 +132,7 @@ TEST_F(BadScene, GridThatDoesNotFitInMemory) {
 #endif
     expectOneError(
         render("good.glb", triangleGlb({0, 0, 0, 1, 0, 0, 0, 1, 0}), "--grid 512", "ulimit -v 1200000;"),
-        "--grid");
+        "a coarser grid");
 }
 
 TEST_F(BadScene, VoxelsThatNoGridGives) {
@@ -152,7 +152,7 @@ TEST_F(BadScene, GridsThatFollowFromAGoodSceneAreNamed) {
 }
 
 TEST_F(BadScene, ListThatIsTooSmallNamesTheSizeThatIsNeeded) {
-    expectOneError(render("cornell.glb", cornell(), "--grid 64 --active-voxels 100"), "--active-voxels");
+    expectOneError(render("cornell.glb", cornell(), "--grid 64 --active-voxels 100"), "active voxels");
 }
 
 // As on a full disk.

@@ -145,7 +145,7 @@ TEST(Bench, AGridThatIsAskedForIsEveryPresets) {
     EXPECT_EQ(program.json("b.json").at("presets").at(0).at("settings").at("grid"), 64);
     EXPECT_NE(program.err.find("mobile, scenes 1 to 5, 64^3"), std::string::npos) << program.err;
     EXPECT_EQ(program.run(std::string("bench ") + ProgramRun::cornell + " --preset thesis,none"), 1);
-    EXPECT_NE(program.err.find("--preset 'none' does not exist"), std::string::npos) << program.err;
+    EXPECT_NE(program.err.find("preset 'none' does not exist"), std::string::npos) << program.err;
 }
 
 }  // namespace

@@ -402,7 +402,7 @@ TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
             renderer.activeVoxels();
             FAIL() << "an overflow must be reported, frame " << frame;
         } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find("--active-voxels " + needed), std::string::npos)
+            EXPECT_NE(std::string(error.what()).find("room for " + needed), std::string::npos)
                 << "frame " << frame << ": " << error.what();
         }
     }

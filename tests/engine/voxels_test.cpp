@@ -161,7 +161,7 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
             renderer.activeVoxels();
             FAIL() << "an overflow must be reported";
         } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find("--active-voxels"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("active voxels"), std::string::npos) << error.what();
         }
     };
     expectReport();

@@ -21,14 +21,19 @@ gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
 GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size,
                  ExtraTargets targets)
     : programs_(shaders, scene, [targets](unsigned features) { return gBufferProgram(features, targets); }),
-      albedo_(gl::Texture::make2d("G-buffer albedo", GL_RGBA8, size.x, size.y)),
-      normal_(gl::Texture::make2d("G-buffer normal", GL_RG16UI, size.x, size.y)),
-      depth_(gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y)) {
+      extra_(targets) {
+    resize(size);
+}
+
+void GBuffer::resize(glm::ivec2 size) {
+    albedo_ = gl::Texture::make2d("G-buffer albedo", GL_RGBA8, size.x, size.y);
+    normal_ = gl::Texture::make2d("G-buffer normal", GL_RG16UI, size.x, size.y);
+    depth_ = gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y);
     std::vector<const gl::Texture*> colors{&albedo_, &normal_};
-    if (targets.emissive)
+    if (extra_.emissive)
         colors.push_back(
             &emissive_.emplace(gl::Texture::make2d("G-buffer emissive", GL_RGBA16F, size.x, size.y)));
-    if (targets.gloss)
+    if (extra_.gloss)
         colors.push_back(&gloss_.emplace(gl::Texture::make2d("G-buffer gloss", GL_RG8, size.x, size.y)));
     framebuffer_ = gl::Framebuffer("G-buffer", colors, &depth_);
 }

@@ -31,12 +31,15 @@ class GBuffer {
         const gl::Texture* depth;     // 1 where there is no surface
     };
     Targets draw(const GpuScene& scene);
+    // Makes the targets anew; the programs stay.
+    void resize(glm::ivec2 size);
 
     Targets targets() const;
     Resources resources() const;
 
   private:
     MaterialPrograms programs_;
+    ExtraTargets extra_;
     gl::Texture albedo_, normal_, depth_;
     std::optional<gl::Texture> emissive_, gloss_;
     gl::Framebuffer framebuffer_;

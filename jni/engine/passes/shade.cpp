@@ -25,10 +25,14 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Se
 }
 
 Shade::Shade(gl::ShaderLibrary shaders, const Settings& settings)
-    : shaders_(std::move(shaders)),
-      settings_(settings),
-      radiance_(gl::Texture::make2d("radiance", GL_RGBA16F, settings.size.x, settings.size.y)),
-      framebuffer_("radiance", {&radiance_}, nullptr) {}
+    : shaders_(std::move(shaders)), settings_(settings) {
+    resize(settings.size);
+}
+
+void Shade::resize(glm::ivec2 size) {
+    radiance_ = gl::Texture::make2d("radiance", GL_RGBA16F, size.x, size.y);
+    framebuffer_ = gl::Framebuffer("radiance", {&radiance_}, nullptr);
+}
 
 const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surface) {
     const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr};

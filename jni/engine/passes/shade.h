@@ -22,6 +22,8 @@ class Shade {
     const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
                             const VoxelLight& light);
 
+    // Makes the texture anew; the programs stay.
+    void resize(glm::ivec2 size);
     const gl::Texture& texture() const { return radiance_; }
 
   private:

@@ -1,0 +1,11 @@
+# cmake -DSHADERS=<folder> -DOUTPUT=<file>.cpp -P embed_shaders.cmake: the shaders as text in C++
+# (jni/api/embedded_shaders.h).
+file(GLOB_RECURSE files RELATIVE ${SHADERS} ${SHADERS}/*)
+list(SORT files)
+set(code "#include \"api/embedded_shaders.h\"\n\nnamespace vct {\n\nconst EmbeddedFile embeddedFiles[] = {\n")
+foreach(file ${files})
+    file(READ ${SHADERS}/${file} text)
+    string(APPEND code "{\"${file}\", R\"shader(${text})shader\"},\n")
+endforeach()
+string(APPEND code "{nullptr, nullptr}};\n\n}  // namespace vct\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,23 @@
+// Triangles of a box and a ball, and the few matrices that the example needs. All matrices are in
+// column-major order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+using Matrix4 = std::array<float, 16>;
+using Vector = std::array<float, 3>;
+
+struct Shape {
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+};
+
+// Seen from outside, or, as a room that is open towards +Z, from inside.
+Shape box(Vector halfSize, bool inside);
+Shape ball(float radius);
+
+Matrix4 translation(Vector by);
+Matrix4 perspective(float verticalDegrees, float aspect, float near, float far);
+Matrix4 product(const Matrix4& a, const Matrix4& b);

@@ -1,0 +1,162 @@
+#include "api/scene_of.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/error.h"
+#include "scene/gltf.h"
+
+namespace vct {
+
+namespace {
+
+// Beyond this a coordinate squared leaves the range of float, as in a scene of a file.
+constexpr double maxCoordinate = 1e18;
+
+void require(bool ok, const std::string& message) {
+    if (!ok) throw Error(message);
+}
+
+std::string indexed(const char* what, std::size_t index) {
+    return what + (" " + std::to_string(index));
+}
+
+// All of them finite and within the range. NaN is in no range.
+template <class Numbers>
+bool within(const Numbers& numbers, double least, double most) {
+    return std::all_of(std::begin(numbers), std::end(numbers),
+                       [&](auto number) { return number >= least && number <= most; });
+}
+
+glm::vec3 color(const std::array<float, 3>& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+glm::dvec3 vectorAt(std::span<const float> numbers, std::uint32_t vertex) {
+    const float* v = &numbers[std::size_t{3} * vertex];
+    return {v[0], v[1], v[2]};
+}
+
+Material materialOf(const MaterialDescription& description, const std::string& name) {
+    require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
+    require(within(description.emission, 0.0, 1e30), name + ": give an emission from 0 on, below 1e30");
+    const float surface[] = {description.metallic, description.roughness};
+    require(within(surface, 0.0, 1.0), name + ": give metallic and roughness between 0 and 1");
+    Material material;
+    material.name = name;
+    material.baseColor = glm::vec4(color(description.baseColor), 1.0F);
+    material.emissive = color(description.emission);
+    material.metallic = description.metallic;
+    material.roughness = description.roughness;
+    material.doubleSided = description.doubleSided;
+    return material;
+}
+
+Mesh meshOf(const MeshDescription& description, std::size_t materials, const std::string& name) {
+    const std::size_t vertices = description.positions.size() / 3;
+    require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
+            name + ": give three numbers per position, of at most 2^32 vertices");
+    require(description.normals.size() == description.positions.size(),
+            name + ": it has " + std::to_string(description.normals.size()) + " numbers of normals for " +
+                std::to_string(description.positions.size()) + " of positions; give as many");
+    require(!description.indices.empty() && description.indices.size() % 3 == 0,
+            name + ": it has " + std::to_string(description.indices.size()) +
+                " indices; give three per triangle, and at least one triangle");
+    require(description.material < materials, name + ": there is no material " +
+                                                  std::to_string(description.material) + ", but " +
+                                                  std::to_string(materials) + " materials");
+    Mesh mesh;
+    mesh.name = name;
+    mesh.material = static_cast<int>(description.material);
+    mesh.indices.assign(description.indices.begin(), description.indices.end());
+    Bounds bounds = noBounds;
+    for (const std::uint32_t index : mesh.indices) {
+        require(index < vertices, name + ": an index is " + std::to_string(index) + ", and there are " +
+                                      std::to_string(vertices) + " vertices");
+        const glm::dvec3 position = vectorAt(description.positions, index);
+        const double numbers[] = {position.x, position.y, position.z};
+        require(within(numbers, -maxCoordinate, maxCoordinate),
+                name + ": the position of vertex " + std::to_string(index) + " is not finite or beyond 1e18");
+        bounds.include(position);
+    }
+    mesh.centre = 0.5 * (bounds.min + bounds.max);
+    mesh.vertices.resize(vertices);
+    // Only vertices in use: the others may hold anything.
+    for (const std::uint32_t index : mesh.indices) {
+        const glm::dvec3 normal = vectorAt(description.normals, index);
+        const double length = std::sqrt(glm::dot(normal, normal));
+        require(length > 0.0 && std::isfinite(length),
+                name + ": the normal of vertex " + std::to_string(index) + " has no direction");
+        mesh.vertices[index].position = glm::vec3(vectorAt(description.positions, index) - mesh.centre);
+        mesh.vertices[index].normal = glm::vec3(normal / length);
+    }
+    return mesh;
+}
+
+DirectionalLight lightOf(const Sun& sun) {
+    DirectionalLight light;
+    light.towardsLight = direction(sun.towardsSun, "the direction towards the sun");
+    require(within(sun.color, 0.0, 1.0) && *std::max_element(sun.color.begin(), sun.color.end()) == 1.0F,
+            "the sun's colour: give three numbers from 0 on, the largest of which is 1");
+    const float illuminance[] = {sun.illuminance};
+    require(within(illuminance, 0.0, 1e30), "the sun's illuminance: give a number from 0 on, below 1e30");
+    light.color = color(sun.color);
+    light.intensity = sun.illuminance;
+    return light;
+}
+
+}  // namespace
+
+glm::dmat4 affine(const Matrix& matrix, const std::string& what) {
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            result[column][row] = matrix.columns[static_cast<std::size_t>(4 * column + row)];
+    require(within(matrix.columns, -maxCoordinate, maxCoordinate),
+            what + " has a number that is not finite or beyond 1e18");
+    require(result[0][3] == 0.0 && result[1][3] == 0.0 && result[2][3] == 0.0 && result[3][3] == 1.0,
+            what + " is not affine: its last row must be 0 0 0 1 (and matrices are in column-major order)");
+    return result;
+}
+
+glm::dvec3 direction(const std::array<double, 3>& vector, const std::string& what) {
+    const glm::dvec3 v(vector[0], vector[1], vector[2]);
+    const double length = glm::length(v);
+    require(length > 0.0 && std::isfinite(length), what + " has no length, or one that is not finite");
+    return v / length;
+}
+
+Scene sceneOf(const SceneDescription& description) {
+    Scene scene;
+    scene.path = "that the program describes";
+    for (const MaterialDescription& material : description.materials)
+        scene.materials.push_back(materialOf(material, indexed("material", scene.materials.size())));
+    for (const MeshDescription& mesh : description.meshes)
+        scene.meshes.push_back(
+            meshOf(mesh, description.materials.size(), indexed("mesh", scene.meshes.size())));
+    int movers = 0;
+    for (const InstanceDescription& instance : description.instances) {
+        const std::string name = indexed("instance", scene.instances.size());
+        require(instance.mesh < scene.meshes.size(), name + ": there is no mesh " +
+                                                         std::to_string(instance.mesh) + ", but " +
+                                                         std::to_string(scene.meshes.size()) + " meshes");
+        scene.instances.push_back({static_cast<int>(instance.mesh),
+                                   affine(instance.worldFromObject, "the transform of " + name),
+                                   instance.moves ? movers++ : -1});
+    }
+    require(!scene.instances.empty(), "the scene has no instances; give it one at least");
+    scene.lights.push_back(lightOf(description.sun));
+    computeBounds(scene);
+    if (description.bounds) {
+        const auto& [min, max] = *description.bounds;
+        require(within(min, -maxCoordinate, maxCoordinate) && within(max, -maxCoordinate, maxCoordinate) &&
+                    min[0] <= max[0] && min[1] <= max[1] && min[2] <= max[2],
+                "the scene's bounds: give finite numbers, max not below min");
+        scene.boundsWorld.include({min[0], min[1], min[2]});
+        scene.boundsWorld.include({max[0], max[1], max[2]});
+    }
+    return scene;
+}
+
+}  // namespace vct

@@ -1,0 +1,216 @@
+#include "vct/vct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "api/embedded_shaders.h"
+#include "api/saved_state.h"
+#include "api/scene_of.h"
+#include "engine/renderer.h"
+#include "shared/layout.h"
+
+namespace vct {
+
+namespace {
+
+Settings settingsOf(const Options& options, const SceneDescription& scene,
+                    const gl::Capabilities& capabilities) {
+    Settings settings = presetSettings(options.preset);
+    if (options.grid != 0) settings.grid = options.grid;
+    settings.size = {options.width, options.height};
+    settings.shadowConeAngleDeg = scene.sun.diameterDegrees;
+    for (int i = 0; i < 3; ++i) {
+        const float sky = scene.skyRadiance[static_cast<std::size_t>(i)];
+        if (!(sky >= 0.0F && sky <= 1e30F))
+            throw Error("the sky's radiance: give numbers from 0 on, below 1e30");
+        settings.skyRadiance[i] = sky;
+    }
+    return forDriver(settings, capabilities);
+}
+
+gl::Capabilities capabilitiesOf(GetProcAddress getProcAddress) {
+    if (getProcAddress == nullptr)
+        throw Error("getProcAddress is null; give the function that finds GL's entry points");
+    gl::load(
+        [](const char* name, const void* user) {
+            return reinterpret_cast<gl::Proc>((*static_cast<const GetProcAddress*>(user))(name));
+        },
+        &getProcAddress);
+    gl::Capabilities capabilities = gl::queryCapabilities();
+    capabilities.requireAll();
+    return capabilities;
+}
+
+gl::ReadShader shadersOf(const Options& options) {
+    return options.shaderFolder.empty() ? embeddedShaders() : gl::shadersFromFolder(options.shaderFolder);
+}
+
+std::vector<Picture> picturesOf(const Options& options) {
+    std::vector<Picture> pictures;
+    if (options.radiance) pictures.push_back(VCT_MODE_GI_CONE_SHADOW);
+    if (options.irradiance) pictures.push_back(VCT_VIEW_IRRADIANCE);
+    if (options.ambientVisibility) pictures.push_back(VCT_VIEW_AO);
+    if (options.sunVisibility) pictures.push_back(VCT_VIEW_CONE_SHADOW);
+    if (pictures.empty()) throw Error("the options ask for no picture; ask for one at least");
+    return pictures;
+}
+
+Camera cameraOf(const View& view) {
+    const glm::dmat4 cameraFromWorld = affine(view.cameraFromWorld, "View::cameraFromWorld");
+    const glm::dmat3 axes(cameraFromWorld);
+    const glm::dmat3 product = glm::transpose(axes) * axes;
+    for (int i = 0; i < 3; ++i)
+        if (glm::length(product[i] - glm::dmat3(1.0)[i]) > 1e-4 || glm::determinant(axes) < 0.0)
+            throw Error(
+                "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirror");
+    glm::dmat4 clipFromCamera;
+    for (int i = 0; i < 16; ++i)
+        clipFromCamera[i / 4][i % 4] = view.clipFromCamera.columns[static_cast<std::size_t>(i)];
+    const double volume = glm::determinant(clipFromCamera);
+    if (volume == 0.0 || !std::isfinite(volume))
+        throw Error("View::clipFromCamera has no inverse; give a projection");
+    Camera camera;
+    camera.worldFromCamera = glm::inverse(cameraFromWorld);
+    camera.clipFromWorld = clipFromCamera * cameraFromWorld;
+    return camera;
+}
+
+// A texture of the caller's G-buffer, bound to a unit to look at it.
+void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
+    gl::Texture::ownedElsewhere(name).bind(gl::scratchTextureUnit);
+    GLint width = 0, height = 0, format = 0;
+    if (name != 0) {
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    }
+    const bool isOne = gl::GetError() == GL_NO_ERROR && width > 0;
+    const std::string texture = std::string("GBufferTextures::") + what;
+    if (!isOne) throw Error(texture + " is " + std::to_string(name) + ", which is no 2D texture with texels");
+    if (width != size.x || height != size.y)
+        throw Error(texture + " has " + std::to_string(width) + "x" + std::to_string(height) +
+                    " texels for pictures of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                    "; give it that size, or call resize()");
+    if (std::find(formats.begin(), formats.end(), format) == formats.end())
+        throw Error(texture + " has the internal format " + std::to_string(format) +
+                    "; give it one of those that vct.h names");
+}
+
+}  // namespace
+
+struct GlobalIllumination::Implementation {
+    Implementation(GetProcAddress getProcAddress, const SceneDescription& description, const Options& options)
+        : Implementation(sceneOf(description), description, options, capabilitiesOf(getProcAddress)) {}
+
+    Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
+                   const gl::Capabilities& capabilities)
+        : pictures(picturesOf(options)) {
+        for (const Instance& instance : scene.instances) {
+            nodes.push_back(instance.node);
+            if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
+        }
+        const SavedState saved;
+        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description, capabilities),
+                         capabilities, shadersOf(options));
+        plain.emplace();
+    }
+    ~Implementation() {
+        const SavedState saved;
+        plain.reset();
+        renderer.reset();
+    }
+
+    unsigned textureOf(Picture picture) const {
+        const auto found = std::find(pictures.begin(), pictures.end(), picture);
+        return found == pictures.end()
+                   ? 0
+                   : renderer->output(static_cast<std::size_t>(found - pictures.begin())).name();
+    }
+
+    Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
+        renderer->frame(pictures, cameraOf(view), surface, light == Light::settled);
+        return {textureOf(VCT_MODE_GI_CONE_SHADOW), textureOf(VCT_VIEW_IRRADIANCE), textureOf(VCT_VIEW_AO),
+                textureOf(VCT_VIEW_CONE_SHADOW)};
+    }
+
+    std::vector<Picture> pictures;  // in the order of the renderer's outputs
+    std::vector<int> nodes;         // of each instance; -1: it does not move
+    Pose pose;
+    std::optional<Renderer> renderer;
+    std::optional<gl::PlainSampler> plain;  // for the caller's G-buffer
+};
+
+GlobalIllumination::GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,
+                                       const Options& options)
+    : implementation_(std::make_unique<Implementation>(getProcAddress, scene, options)) {}
+
+GlobalIllumination::~GlobalIllumination() = default;
+GlobalIllumination::GlobalIllumination(GlobalIllumination&&) noexcept = default;
+GlobalIllumination& GlobalIllumination::operator=(GlobalIllumination&&) noexcept = default;
+
+void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldFromObject) {
+    const std::vector<int>& nodes = implementation_->nodes;
+    const std::string name = "instance " + std::to_string(instance);
+    if (instance >= nodes.size())
+        throw Error("setTransform: there is no " + name + ", but " + std::to_string(nodes.size()) +
+                    " instances");
+    if (nodes[instance] < 0)
+        throw Error("setTransform: " + name + " was not declared to move (InstanceDescription::moves)");
+    implementation_->pose.worldFromNode[static_cast<std::size_t>(nodes[instance])] =
+        affine(worldFromObject, "setTransform: the transform of " + name);
+    implementation_->renderer->setPose(implementation_->pose);
+}
+
+void GlobalIllumination::setSun(const std::array<double, 3>& towardsSun) {
+    implementation_->renderer->setLightDirection(direction(towardsSun, "setSun: the direction"));
+}
+
+void GlobalIllumination::resize(int width, int height) {
+    const SavedState saved;
+    implementation_->renderer->resize({width, height});
+}
+
+Pictures GlobalIllumination::render(const View& view, Light light) {
+    const SavedState saved;
+    return implementation_->render(view, light, nullptr);
+}
+
+Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBuffer, Light light) {
+    const SavedState saved;
+    const glm::ivec2 size = implementation_->renderer->settings().size;
+    requireTexture(gBuffer.albedo, "albedo", size, {GL_RGBA8});
+    requireTexture(gBuffer.normal, "normal", size, {GL_RG16UI});
+    requireTexture(gBuffer.depth, "depth", size, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24});
+    if (gBuffer.emission != 0) requireTexture(gBuffer.emission, "emission", size, {GL_RGBA16F});
+    if (gBuffer.gloss != 0) requireTexture(gBuffer.gloss, "gloss", size, {GL_RG8});
+    for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
+        implementation_->plain->bind(unit);
+    const auto albedo = gl::Texture::ownedElsewhere(gBuffer.albedo),
+               normal = gl::Texture::ownedElsewhere(gBuffer.normal),
+               depth = gl::Texture::ownedElsewhere(gBuffer.depth),
+               emission = gl::Texture::ownedElsewhere(gBuffer.emission),
+               gloss = gl::Texture::ownedElsewhere(gBuffer.gloss);
+    const GBuffer::Targets surface{&albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr,
+                                   gBuffer.gloss != 0 ? &gloss : nullptr, &depth};
+    return implementation_->render(view, light, &surface);
+}
+
+double GlobalIllumination::radianceUnit() const {
+    return implementation_->renderer->radianceScale();
+}
+
+gl::ReadShader embeddedShaders() {
+    return [](const std::string& path) {
+        for (const EmbeddedFile* file = embeddedFiles; file->path != nullptr; ++file)
+            if (path == file->path) return std::string(file->text);
+        throw Error("the shader " + path + " is not in the library; build it again");
+    };
+}
+
+std::string normalEncodingGlsl() {
+    return embeddedShaders()("shared/octahedral.glsl");
+}
+
+}  // namespace vct

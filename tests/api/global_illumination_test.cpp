@@ -1,0 +1,382 @@
+// The library as a program sees it that embeds it: include/vct/vct.h keeps its promises.
+#include <EGL/egl.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <glm/gtc/type_ptr.hpp>
+#include <map>
+
+#include "cli/program_run.h"
+#include "engine/renderer.h"
+#include "image/image.h"
+#include "platform/contexts.h"
+#include "scene/camera.h"
+#include "support/errors.h"
+#include "support/gltf_builder.h"
+#include "support/renderers.h"
+#include "vct/vct.h"
+
+namespace vct::test {
+namespace {
+
+constexpr int width = 96, height = 72;
+
+// A floor, a box on it, a lamp and a glossy wall, for the library and as a file.
+struct Described {
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+    SceneDescription scene;
+    GltfBuilder file;
+    Camera camera = lookAt({1.5, 1.2, 2.5}, {0, 0.4, 0}, 50);
+    Scene loaded;
+
+    Described() {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const float side : {-1.0F, 1.0F}) {
+                const auto first = static_cast<std::uint32_t>(positions.size() / 3);
+                for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+                    glm::vec3 position(0.0F), normal(0.0F);
+                    normal[axis] = position[axis] = side;
+                    position[(axis + 1) % 3] = corner.x;
+                    position[(axis + 2) % 3] = corner.y;
+                    for (int i = 0; i < 3; ++i) {
+                        positions.push_back(position[i]);
+                        normals.push_back(normal[i]);
+                    }
+                }
+                for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U})
+                    indices.push_back(first + (side > 0.0F ? i : 3U - i));
+            }
+        add({0.8F, 0.7F, 0.6F}, {0, 0, 0}, 1, {0, -0.1, 0}, {1.5, 0.1, 1.5});
+        add({0.2F, 0.5F, 0.9F}, {0, 0, 0}, 1, {0.3, 0.4, 0}, {0.3, 0.4, 0.3});
+        add({1, 1, 1}, {4, 3, 2}, 1, {-0.9, 0.1, 0.6}, {0.1, 0.1, 0.1});
+        add({0.9F, 0.9F, 0.9F}, {0, 0, 0}, 0.4F, {0, 0.7, -1.2}, {1.2, 0.7, 0.1});
+        scene.sun.towardsSun = {0.4, 1, 0.5};
+        scene.sun.illuminance = 3;
+        scene.skyRadiance = {0.1F, 0.2F, 0.3F};
+        loaded = load(file);
+    }
+
+    void add(std::array<float, 3> color, std::array<float, 3> emission, float roughness, glm::dvec3 centre,
+             glm::dvec3 halfSize) {
+        glm::dmat4 place(1.0);
+        for (int i = 0; i < 3; ++i)
+            place[i][i] = halfSize[i];
+        place[3] = glm::dvec4(centre, 1.0);
+        const std::size_t index = scene.materials.size();
+        scene.materials.push_back({color, emission, 0.0F, roughness});
+        scene.meshes.push_back({positions, normals, indices, index});
+        scene.instances.push_back({index, Matrix::of(glm::value_ptr(place))});
+        file.add("materials",
+                 {{"pbrMetallicRoughness",
+                   {{"baseColorFactor", {color[0], color[1], color[2], 1}},
+                    {"metallicFactor", 0},
+                    {"roughnessFactor", roughness}}},
+                  {"emissiveFactor", {emission[0] / 4, emission[1] / 4, emission[2] / 4}},
+                  {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
+        file.node(
+            {{"mesh", file.mesh({{"attributes",
+                                  {{"POSITION", file.floats(positions)}, {"NORMAL", file.floats(normals)}}},
+                                 {"indices", file.accessor(indices, uint32, "SCALAR")},
+                                 {"material", index}})},
+             {"matrix", scene.instances.back().worldFromObject.columns}});
+    }
+
+    View view() const {
+        const glm::dmat4 projection =
+            clipFromWorld(camera, loaded.boundsWorld, double{width} / height) * camera.worldFromCamera;
+        return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
+                Matrix::of(glm::value_ptr(projection))};
+    }
+};
+
+Options optionsOf(const std::string& preset) {
+    Options options;
+    options.preset = preset;
+    options.grid = 64;
+    options.width = width;
+    options.height = height;
+    options.irradiance = options.ambientVisibility = options.sunVisibility = true;
+    return options;
+}
+
+void* getProcAddress(const char* name) {
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
+
+Image imageOf(unsigned texture, double scale = 1.0, int w = width, int h = height) {
+    GLuint framebuffer = gl::generate(gl::GenFramebuffers);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    std::vector<glm::vec4> texels(static_cast<std::size_t>(w * h));
+    gl::ReadPixels(0, 0, w, h, GL_RGBA, GL_FLOAT, texels.data());
+    gl::DeleteFramebuffers(1, &framebuffer);
+    Image image(w, h);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            image.at(x, y) =
+                static_cast<float>(scale) * glm::vec3(texels[static_cast<std::size_t>((h - 1 - y) * w + x)]);
+    return image;
+}
+
+double mean(const Image& image) {
+    double sum = 0.0;
+    for (const glm::vec3& pixel : image.pixels)
+        sum += double{pixel.r} + pixel.g + pixel.b;
+    return sum / (3.0 * static_cast<double>(image.pixels.size()));
+}
+
+class Embedded : public ::testing::Test {
+  protected:
+    std::unique_ptr<Platform> context_ = createContext(Backend::egl, false);
+    Described described_;
+};
+
+class EmbeddedPresets : public Embedded, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
+    ProgramRun program;
+    const Bytes glb = described_.file.glb();
+    writeBytes(program.folder.file("scene.glb"), std::string(glb.begin(), glb.end()));
+    ASSERT_EQ(
+        program.run("render scene.glb --out . --grid 64 --size 96x72 --preset " + std::string(GetParam()) +
+                    " --camera eye=1.5,1.2,2.5,target=0,0.4,0,fov=50 --sky 0.1,0.2,0.3"
+                    " --light direction=-0.4,-1,-0.5,intensity=3"),
+        0)
+        << program.err;
+    const Image expected = readImage(program.folder.file("gi-cone-shadow.exr"));
+
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf(GetParam()));
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Image picture = imageOf(pictures.radiance, light.radianceUnit());
+    EXPECT_GT(mean(picture), 0.05);
+    EXPECT_EQ(picture.pixels, expected.pixels);
+    for (const unsigned part : {pictures.irradiance, pictures.ambientVisibility, pictures.sunVisibility}) {
+        EXPECT_GT(mean(imageOf(part)), 0.005);
+        EXPECT_LT(mean(imageOf(part)), 0.995);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile", "quality"),
+                         [](const auto& preset) { return std::string(preset.param); });
+
+TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    const View view = described_.view();
+    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+
+    const gl::Capabilities capabilities = gl::queryCapabilities();
+    Settings settings = presetSettings("mobile");
+    settings.size = {width, height};
+    DirectionalLight sun;
+    sun.intensity = 3;
+    Renderer drawn(described_.loaded, sun, settings, capabilities, testShaders());
+    drawn.frame(Mode::phong, described_.camera);
+    const GBuffer::Targets targets = drawn.surface();
+    GBufferTextures textures{targets.albedo->name(), targets.normal->name(), targets.depth->name(),
+                             targets.emissive->name(), targets.gloss->name()};
+    // Filters that would make a texture of integers unreadable do not matter.
+    targets.normal->setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    EXPECT_EQ(imageOf(light.render(view, textures).radiance).pixels, expected.pixels);
+
+    std::swap(textures.albedo, textures.normal);
+    EXPECT_NE(errorOf([&] { light.render(view, textures); }).find("albedo has the internal format"),
+              std::string::npos);
+    light.resize(40, 30);
+    EXPECT_NE(errorOf([&] { light.render(view, textures); }).find("call resize()"), std::string::npos);
+    EXPECT_GT(mean(imageOf(light.render(view).radiance, 1.0, 40, 30)), 0.05);
+}
+
+// What vct.h says of Pictures, on the floor, whose base colour and normal are known.
+TEST_F(Embedded, PartsMakeThePicture) {
+    described_.camera = lookAt({0, 0.6, 1}, {0, 0, 1}, 40);
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Image radiance = imageOf(pictures.radiance), irradiance = imageOf(pictures.irradiance),
+                visibility = imageOf(pictures.sunVisibility);
+    const float cosine = 1.0F / std::sqrt(0.4F * 0.4F + 1.0F + 0.5F * 0.5F);
+    for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
+        const glm::vec3 expected =
+            glm::vec3(0.8F, 0.7F, 0.6F) * (cosine * visibility.pixels[i] + irradiance.pixels[i]);
+        ASSERT_LT(glm::length(radiance.pixels[i] - expected), 0.01F * glm::length(expected)) << i;
+    }
+}
+
+TEST_F(Embedded, WhatMovesIsSeenAtItsNewPlace) {
+    SceneDescription& scene = described_.scene;
+    scene.instances[1].moves = true;
+    scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
+    GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
+    const View view = described_.view();
+    const Image before = imageOf(light.render(view).sunVisibility);
+    Matrix moved = scene.instances[1].worldFromObject;
+    moved.columns[12] -= 0.5;
+    light.setTransform(1, moved);
+    light.setSun({-0.4, 1, 0.5});
+    const Image after = imageOf(light.render(view).sunVisibility);
+    EXPECT_NE(before.pixels, after.pixels);
+
+    scene.instances[1].worldFromObject = moved;
+    scene.sun.towardsSun = {-0.4, 1, 0.5};
+    GlobalIllumination anew(getProcAddress, scene, optionsOf("mobile"));
+    EXPECT_EQ(imageOf(anew.render(view).sunVisibility).pixels, after.pixels);
+}
+
+// All that vct.h says is left as it was, and some of what it says is not used.
+std::map<std::string, std::vector<GLfloat>> stateNow() {
+    std::map<std::string, std::vector<GLfloat>> state;
+#define VCT_STATE(NAME) \
+    gl::GetFloatv(NAME, state.emplace(#NAME, std::vector<GLfloat>(4)).first->second.data())
+    VCT_STATE(GL_DRAW_FRAMEBUFFER_BINDING);
+    VCT_STATE(GL_READ_FRAMEBUFFER_BINDING);
+    VCT_STATE(GL_VIEWPORT);
+    VCT_STATE(GL_SCISSOR_BOX);
+    VCT_STATE(GL_DEPTH_RANGE);
+    VCT_STATE(GL_COLOR_WRITEMASK);
+    VCT_STATE(GL_DEPTH_WRITEMASK);
+    VCT_STATE(GL_DEPTH_FUNC);
+    VCT_STATE(GL_CULL_FACE_MODE);
+    VCT_STATE(GL_FRONT_FACE);
+    VCT_STATE(GL_CURRENT_PROGRAM);
+    VCT_STATE(GL_VERTEX_ARRAY_BINDING);
+    VCT_STATE(GL_ACTIVE_TEXTURE);
+    VCT_STATE(GL_BLEND);
+    VCT_STATE(GL_CULL_FACE);
+    VCT_STATE(GL_DEPTH_TEST);
+    VCT_STATE(GL_SCISSOR_TEST);
+    VCT_STATE(GL_POLYGON_OFFSET_FILL);
+    VCT_STATE(GL_RASTERIZER_DISCARD);
+    VCT_STATE(GL_STENCIL_TEST);
+    VCT_STATE(GL_DITHER);
+    VCT_STATE(GL_BLEND_SRC_RGB);
+    VCT_STATE(GL_BLEND_EQUATION_RGB);
+    VCT_STATE(GL_COLOR_CLEAR_VALUE);
+    VCT_STATE(GL_PACK_ALIGNMENT);
+    VCT_STATE(GL_UNPACK_ALIGNMENT);
+    VCT_STATE(GL_PIXEL_PACK_BUFFER_BINDING);
+    VCT_STATE(GL_RENDERBUFFER_BINDING);
+#undef VCT_STATE
+    return state;
+}
+
+TEST_F(Embedded, StateIsLeftAsVctHPromises) {
+    Image clean;
+    const View view = described_.view();
+    described_.scene.instances[1].moves = true;
+    {
+        GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+        clean = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+    }
+    // As bad as a frame can leave it: each of these would spoil a pass.
+    const gl::Texture target = gl::Texture::make2d("of the test", GL_RGBA8, 8, 8);
+    const gl::Framebuffer drawn("drawn", {&target}, nullptr), read("read", {&target}, nullptr);
+    drawn.bind();
+    gl::BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    gl::Viewport(3, 2, 5, 7);
+    for (const GLenum what : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
+                              GL_RASTERIZER_DISCARD})
+        gl::Enable(what);
+    gl::Scissor(1, 2, 3, 4);
+    gl::DepthRangef(0.25F, 0.5F);
+    gl::ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+    gl::DepthMask(GL_FALSE);
+    gl::DepthFunc(GL_GREATER);
+    gl::CullFace(GL_FRONT);
+    gl::FrontFace(GL_CW);
+    gl::BlendFunc(GL_ZERO, GL_ONE);
+    const gl::VertexArray vertices;
+    vertices.bind();
+    const GLuint sampler = gl::generate(gl::GenSamplers);
+    for (GLuint unit = 0; unit < 16; ++unit)
+        gl::BindSampler(unit, sampler);
+    gl::ActiveTexture(GL_TEXTURE5);
+
+    const auto before = stateNow();
+    const auto expectSame = [&](const char* after) {
+        for (const auto& [name, values] : stateNow())
+            EXPECT_EQ(values, before.at(name)) << name << " after " << after;
+        EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR}) << after;
+    };
+    {
+        GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+        expectSame("the constructor");
+        light.resize(width + 1, height);
+        light.resize(width, height);
+        expectSame("resize()");
+        const Pictures pictures = light.render(view, GlobalIllumination::Light::settled);
+        expectSame("render()");
+        GLint bound = -1;
+        gl::ActiveTexture(GL_TEXTURE0 + VCT_TEX_G_NORMAL);
+        gl::GetIntegerv(GL_SAMPLER_BINDING, &bound);
+        EXPECT_EQ(bound, 0);
+        gl::ActiveTexture(GL_TEXTURE5);
+        light.setSun({1, 1, 1});
+        light.setTransform(1, {});
+        expectSame("setSun() and setTransform()");
+        light.setSun(described_.scene.sun.towardsSun);
+        light.setTransform(1, described_.scene.instances[1].worldFromObject);
+        EXPECT_THROW(light.resize(0, 0), Error);
+        expectSame("an error");
+        EXPECT_EQ(imageOf(pictures.radiance).pixels, clean.pixels);
+        drawn.bind();
+        gl::BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+        gl::Viewport(3, 2, 5, 7);
+    }
+    expectSame("the destructor");
+}
+
+TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
+    const auto expectError = [&](const char* part,
+                                 const std::function<void(SceneDescription&, Options&)>& spoil) {
+        Described wrong;
+        Options options = optionsOf("mobile");
+        spoil(wrong.scene, options);
+        const std::string error = errorOf([&] { GlobalIllumination(getProcAddress, wrong.scene, options); });
+        EXPECT_NE(error.find(part), std::string::npos) << part << ": " << error;
+        EXPECT_EQ(error.find("--"), std::string::npos) << error;
+    };
+    const std::vector<std::uint32_t> beyond{0, 1, 24};
+    const std::vector<float> noNormals(72, 0.0F);
+    expectError("thesis, mobile, quality", [](auto&, Options& options) { options.preset = "best"; });
+    expectError("64, 128, 256, 512", [](auto&, Options& options) { options.grid = 100; });
+    expectError("size must be", [](auto&, Options& options) { options.width = 0; });
+    expectError("no picture", [](auto&, Options& options) {
+        options.radiance = options.irradiance = options.ambientVisibility = options.sunVisibility = false;
+    });
+    expectError("cone angle", [](SceneDescription& scene, auto&) { scene.sun.diameterDegrees = 0; });
+    expectError("no length", [](SceneDescription& scene, auto&) { scene.sun.towardsSun = {0, 0, 0}; });
+    expectError("sun's colour", [](SceneDescription& scene, auto&) { scene.sun.color = {0.5F, 0.5F, 0.5F}; });
+    expectError("sky", [](SceneDescription& scene, auto&) { scene.skyRadiance[1] = -1; });
+    expectError("no instances", [](SceneDescription& scene, auto&) { scene.instances.clear(); });
+    expectError("instance 0: there is no mesh 9",
+                [](SceneDescription& scene, auto&) { scene.instances[0].mesh = 9; });
+    expectError("not affine",
+                [](SceneDescription& scene, auto&) { scene.instances[0].worldFromObject.columns[3] = 1; });
+    expectError("mesh 1: there is no material 9",
+                [](SceneDescription& scene, auto&) { scene.meshes[1].material = 9; });
+    expectError("mesh 0: an index is 24",
+                [&](SceneDescription& scene, auto&) { scene.meshes[0].indices = beyond; });
+    expectError("normal of vertex",
+                [&](SceneDescription& scene, auto&) { scene.meshes[0].normals = noNormals; });
+    expectError("give as many", [](SceneDescription& scene, auto&) { scene.meshes[0].normals = {}; });
+    expectError("material 0: give a base colour",
+                [](SceneDescription& scene, auto&) { scene.materials[0].baseColor[0] = 1.5F; });
+    Options nowhere = optionsOf("mobile");
+    nowhere.shaderFolder = "/nowhere";
+    GlobalIllumination withoutShaders(getProcAddress, described_.scene, nowhere);
+    EXPECT_NE(
+        errorOf([&] { withoutShaders.render(described_.view()); }).find("cannot read the shader /nowhere"),
+        std::string::npos);
+    EXPECT_NE(errorOf([&] { GlobalIllumination(nullptr, described_.scene); }).find("null"),
+              std::string::npos);
+
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    EXPECT_NE(errorOf([&] { light.setTransform(0, {}); }).find("not declared to move"), std::string::npos);
+    EXPECT_NE(errorOf([&] { light.setTransform(9, {}); }).find("no instance 9"), std::string::npos);
+    View scaled = described_.view();
+    scaled.cameraFromWorld.columns[0] *= 2;
+    EXPECT_NE(errorOf([&] { light.render(scaled); }).find("not a rotation"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vct::test
