@@ -8,6 +8,7 @@
 
 #include "cli/program_run.h"
 #include "engine/renderer.h"
+#include "image/compare.h"
 #include "image/image.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
@@ -150,7 +151,10 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
     const Image picture = imageOf(pictures.radiance, light.radianceUnit());
     EXPECT_GT(mean(picture), 0.05);
-    EXPECT_EQ(picture.pixels, expected.pixels);
+    // The camera comes as two matrices, whose product differs in its last bits from that of the program.
+    const Difference difference = compareImages(picture, expected, 0.002F);
+    EXPECT_TRUE(difference.comparable) << difference.reason;
+    EXPECT_LE(difference.fraction, 0.002) << "largest difference " << difference.largest;
     for (const unsigned part : {pictures.irradiance, pictures.ambientVisibility, pictures.sunVisibility}) {
         EXPECT_GT(mean(imageOf(part)), 0.005);
         EXPECT_LT(mean(imageOf(part)), 0.995);
