@@ -98,14 +98,14 @@ TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
     EXPECT_NEAR(lit(0.0F, presetFrames), 1.0, 0.06);
     const double few = lit(0.8F, presetFrames);
     EXPECT_NEAR(few, 1.0, 0.15);
-    EXPECT_NEAR(few / lit(0.8F, 4 * presetFrames), 1.0, 0.025);
+    EXPECT_NEAR(few / lit(0.8F, 3 * presetFrames), 1.0, 0.025);
 }
 
 // Nothing absorbs anything: there is no balance, and yet a bound, largestBounceShare()'s.
 TEST(ClosedRoom, LightThatNothingAbsorbsIsBounded) {
     const Context context = openContext(Backend::egl);
     const double first = lampSide * lampSide / 24.0;
-    const double times = receivedByWalls(context, roomWithLamp(1.0F), 128).mean / first;
+    const double times = receivedByWalls(context, roomWithLamp(1.0F), 3 * presetFrames).mean / first;
     std::printf("albedo 1: %.2f times the first bounce\n", times);
     EXPECT_LE(times, 1.1 / (1.0 - 0.95));
     EXPECT_GE(times, 3.0);

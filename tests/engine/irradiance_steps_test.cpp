@@ -207,7 +207,7 @@ TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
         PlayingScene stage(context, scene, settings);
         stage.renderer().renderConverged(Mode::gi, chooseCamera(scene, ""));
         const ReceivedFaces before = receivedBy(stage.renderer());
-        for (int frame = 0; frame < 10; ++frame)
+        for (int frame = 0; frame < 20; ++frame)
             stage.frame();
         const ReceivedFaces after = receivedBy(stage.renderer());
         ASSERT_EQ(after.size(), before.size());
@@ -217,7 +217,7 @@ TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
         EXPECT_GT(kept, 99 * static_cast<int>(after.size()) / 100) << "of " << after.size();
         // Of what can move, faces begin with what pixels looked up, together with its block's light.
         const bool moves = !scene.animation.channels.empty();
-        expectAlike(after, before, moves ? 0.3 : 0.15, scene.path + " after 10 frames");
+        expectAlike(after, before, moves ? 0.3 : 0.15, scene.path + " after 20 frames");
         EXPECT_NEAR(brightness(after) / brightness(before), 1.0, moves ? 0.03 : 0.02) << scene.path;
     }
 }

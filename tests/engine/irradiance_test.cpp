@@ -337,6 +337,7 @@ TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
     };
     const auto lit = [&](float sky) {
         Settings settings = mobileAt(48);
+        settings.lightFrames = 6;
         settings.skyRadiance = glm::vec3(sky);
         FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60));
         return Lit{frame.spreadOf(VCT_VIEW_INDIRECT).mean, frame.spreadOf(VCT_MODE_GI).mean};

@@ -128,7 +128,7 @@ TEST(PartOfTheVoxels, AStaticSceneTakesLess) {
     };
     for (const char* name : {"indices", "voxel face sums", "received light", "irradiance"})
         EXPECT_LT(bytesOf(still, name), bytesOf(moving, name)) << name;
-    for (const char* name : {"static voxels and faces", "static voxel commands", "changed blocks"}) {
+    for (const char* name : {"static voxels and faces", "static voxel commands", "dirty blocks"}) {
         EXPECT_GT(bytesOf(moving, name), 0U) << name;
         EXPECT_EQ(bytesOf(still, name), 0U) << name;
     }
