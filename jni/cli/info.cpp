@@ -30,7 +30,7 @@ struct InfoOptions {
     int timedFrames = 0;
 };
 
-constexpr const char* footer =
+constexpr const char* infoFooter =
     "Exit code: 0 if everything that is required is there, 1 if something is missing or no context can be "
     "made.\n"
     "Examples:\n"
@@ -118,7 +118,7 @@ void addInfo(CLI::App& app, int& exitCode) {
     for (const char* ofAScene :
          {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
         command->get_option(ofAScene)->needs(scene);
-    command->footer(footer);
+    command->footer(infoFooter);
     command->callback([options, &exitCode] {
         if (options->listDevices)
             printDevices();

@@ -230,7 +230,7 @@ void render(const RenderOptions& options) {
     }
 }
 
-constexpr const char* footer =
+constexpr const char* renderFooter =
     "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode, with --frames "
     "DIR/<mode>_0000.png "
     "and so on.\nOther pictures in DIR stay.\n"
@@ -247,7 +247,7 @@ void addRender(CLI::App& app, int&) {
     CLI::App* command =
         app.add_subcommand("render", "Render a glTF scene: pictures, debug views, step timings");
     auto options = std::make_shared<RenderOptions>();
-    command->footer(footer);
+    command->footer(renderFooter);
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
     command->add_option("--out", options->pictures.out, "Folder for the pictures; made if missing")
         ->required();

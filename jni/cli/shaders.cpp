@@ -168,7 +168,7 @@ void writeShaders(const ShadersOptions& options) {
     out.keep();
 }
 
-constexpr const char* footer =
+constexpr const char* shadersFooter =
     "Writes DIR/manifest.json (docs/mali.md) and each program's shaders below DIR/<preset>/.\n"
     "Example:\n"
     "  vct shaders assets/cornell.glb --out out/shaders";
@@ -179,7 +179,7 @@ void addShaders(CLI::App& app, int&) {
     CLI::App* command = app.add_subcommand(
         "shaders", "Write every program's ESSL 3.10 sources, and how often they run in a frame of a scene");
     const auto options = std::make_shared<ShadersOptions>();
-    command->footer(footer);
+    command->footer(shadersFooter);
     command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
     command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")

@@ -14,7 +14,7 @@ namespace vct {
 
 namespace {
 
-constexpr int grid = 64;
+constexpr int testGrid = 64;
 
 // A rectangle that faces along one axis, of its own material.
 struct Sheet {
@@ -84,7 +84,7 @@ Scene testScene() {
 
 // Thesis eq. 4.4 for every sheet; where several meet, the largest word.
 Words expectedBase() {
-    Words words(static_cast<std::size_t>(grid) * grid * grid, 0U);
+    Words words(static_cast<std::size_t>(testGrid) * testGrid * testGrid, 0U);
     for (const Sheet& sheet : sheets()) {
         const auto cosTheta = static_cast<float>(light().towardsLight[sheet.axis]);
         const glm::uvec3 color(
@@ -97,7 +97,7 @@ Words expectedBase() {
         for (u = static_cast<int>(sheet.low.x); u < static_cast<int>(sheet.high.x); ++u)
             for (v = static_cast<int>(sheet.low.y); v < static_cast<int>(sheet.high.y); ++v) {
                 std::uint32_t& known =
-                    words[static_cast<std::size_t>((voxel.z * grid + voxel.y) * grid + voxel.x)];
+                    words[static_cast<std::size_t>((voxel.z * testGrid + voxel.y) * testGrid + voxel.x)];
                 known = std::max(known, word);
             }
     }
@@ -118,7 +118,7 @@ std::string compare(const Words& found, const Words& expected, int level) {
     char words[64];
     std::snprintf(words, sizeof words, "0x%08X, right is 0x%08X", found[first], expected[first]);
     return "level " + std::to_string(level) + ": " + std::to_string(wrong) +
-           " voxels are wrong, the first at " + placeOf(first, grid >> level) + " is " + words;
+           " voxels are wrong, the first at " + placeOf(first, testGrid >> level) + " is " + words;
 }
 
 // "" where all is right.
@@ -126,7 +126,7 @@ std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels)
     const VoxelPyramid& pyramid = renderer.packed()->occupancy();
     const std::vector<std::uint32_t> counts = renderer.activeVoxels();
     for (int level = 0; level < pyramid.levels(); ++level) {
-        const int side = grid >> level;
+        const int side = testGrid >> level;
         if (level > 0) expected = mipOnCpu(expected, 2 * side);
         if (const std::string wrong = compare(readVoxels(pyramid.texture(), level), expected, level);
             !wrong.empty())
@@ -149,7 +149,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
     try {
         const Scene scene = testScene();
         Settings settings;
-        settings.grid = grid;
+        settings.grid = testGrid;
         settings.size = glm::ivec2(8);
         settings.revoxelize = true;
         Renderer renderer(scene, light(), forDriver(settings, capabilities), capabilities, shaders);

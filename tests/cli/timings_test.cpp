@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array steps{"shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace"};
-constexpr std::size_t frames = 5;
+constexpr std::array stepNames{"shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace"};
+constexpr std::size_t frameCount = 5;
 
 std::string renderSmall(const std::string& options) {
     return std::string("render ") + ProgramRun::cornell +
@@ -20,23 +20,23 @@ std::string renderSmall(const std::string& options) {
 }
 
 void expectSpread(const json& step) {
-    ASSERT_EQ(step.at("samples").size(), frames);
+    ASSERT_EQ(step.at("samples").size(), frameCount);
     std::vector<double> samples = step.at("samples");
     std::sort(samples.begin(), samples.end());
     EXPECT_GE(samples.front(), 0.0);
     EXPECT_EQ(step.at("min"), samples.front());
     EXPECT_EQ(step.at("max"), samples.back());
-    EXPECT_EQ(step.at("median"), samples[frames / 2]);
+    EXPECT_EQ(step.at("median"), samples[frameCount / 2]);
 }
 
 void expectSteps(const json& object) {
-    ASSERT_EQ(object.size(), steps.size() + 1);
-    for (const char* step : steps)
+    ASSERT_EQ(object.size(), stepNames.size() + 1);
+    for (const char* step : stepNames)
         expectSpread(object.at(step));
     expectSpread(object.at("total"));
-    for (std::size_t frame = 0; frame < frames; ++frame) {
+    for (std::size_t frame = 0; frame < frameCount; ++frame) {
         double sum = 0.0;
-        for (const char* step : steps)
+        for (const char* step : stepNames)
             sum += object.at(step).at("samples").at(frame).get<double>();
         // Each number is rounded to a microsecond.
         EXPECT_NEAR(object.at("total").at("samples").at(frame).get<double>(), sum, 0.0035);
@@ -65,7 +65,7 @@ void expectCommonFields(const json& timings) {
     const json& method = timings.at("method");
     EXPECT_TRUE(method.at("clock").is_string());
     EXPECT_EQ(method.at("warm_up_frames"), 2);
-    EXPECT_EQ(method.at("frames"), frames);
+    EXPECT_EQ(method.at("frames"), frameCount);
     EXPECT_EQ(method.at("revoxelized_every_frame"), true);
     ASSERT_FALSE(timings.at("resources").empty());
     for (const json& resource : timings.at("resources")) {
@@ -82,7 +82,7 @@ TEST(Timings, OneModeHasItsStepsAtTheTop) {
     EXPECT_EQ(timings.at("mode"), "gi-cone-shadow");
     EXPECT_FALSE(timings.contains("modes"));
     expectSteps(timings.at("steps"));
-    for (const std::string step : steps)
+    for (const std::string step : stepNames)
         if (step == "irradiance")  // the thesis has none
             EXPECT_EQ(timings.at("steps").at(step).at("max").get<double>(), 0.0);
         else
@@ -107,7 +107,7 @@ TEST(Timings, WhatAFrameNeedNotMakeAgainTakesNoTime) {
     EXPECT_EQ(timings.at("method").at("revoxelized_every_frame"), false);
     EXPECT_NE(program.err.find("--revoxelize times them too"), std::string::npos) << program.err;
     expectSteps(timings.at("steps"));
-    for (const std::string step : steps) {
+    for (const std::string step : stepNames) {
         const bool everyFrame = step == "render_data" || step == "trace";
         EXPECT_EQ(timings.at("steps").at(step).at("max").get<double>() > 0.0, everyFrame) << step;
     }

@@ -4,12 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <set>
-#include <tuple>
 
-#include "support/direct_frame.h"
 #include "support/exact_light.h"
-#include "support/gathered_frame.h"
+#include "support/frame_inspector.h"
 #include "support/rooms.h"
 #include "support/scenes.h"
 
@@ -83,7 +80,8 @@ struct Count {
 class CreasesOfARoom {
   public:
     CreasesOfARoom(const Context& context, const Room& room, const glm::ivec2& size, int mapSize)
-        : exact_(room.scene), frame_(context, room.scene, settings(size, mapSize), room.camera) {
+        : exact_(room.scene),
+          frame_(context, room.scene, lightFrom({0, 1, 0}), settings(size, mapSize), room.camera) {
         const glm::dvec3 extent = room.scene.boundsWorld.max - room.scene.boundsWorld.min;
         texel_ = glm::length(extent) / mapSize;  // or less
         const glm::dvec3 eye(room.camera.worldFromCamera[3]);
@@ -91,9 +89,9 @@ class CreasesOfARoom {
         for (std::size_t i = 0; i < frame_.pixels().size(); ++i) {
             const SurfacePixel& pixelOf = frame_.pixels()[i];
             if (!pixelOf.surface) continue;
-            const int triangle = exact_.triangleAt(pixelOf.positionVolume, pixelOf.normal);
+            const int triangle = exact_.triangleAt(pixelOf.positionWorld, pixelOf.normal);
             if (triangle < 0) continue;
-            const glm::dvec3 p = exact_.onPlane(pixelOf.positionVolume, triangle);
+            const glm::dvec3 p = exact_.onPlane(pixelOf.positionWorld, triangle);
             const double near = 4.0 * pixel * glm::length(p - eye);
             const double distance = exact_.distanceToOthers(p, triangle, near);
             // A rasterizer's corners are rounded: this near to the crease either wall may be seen.
@@ -137,6 +135,8 @@ class CreasesOfARoom {
         settings.size = size;
         settings.shadowMapSize = mapSize;
         settings.shadowConeAngleDeg = sunDeg;
+        settings.grid = 64;
+        settings.lightFrames = 1;  // what surfaces receive is taken off again
         return settings;
     }
     struct Point {
@@ -146,7 +146,7 @@ class CreasesOfARoom {
         bool nearCrease;
     };
     ExactLight exact_;
-    DirectFrame frame_;
+    FrameInspector frame_;
     double texel_;  // of the map, in the world
     std::vector<Point> points_;
 };
@@ -183,10 +183,14 @@ TEST_P(Creases, AreDarkWhereNoSunReaches) {
 }
 
 // Faces of the voxels that hold the sun's light, though no point near them sees it.
-int facesLitInVain(const GatheredFrame& frame, const ExactLight& exact, const Volume& volume,
-                   const glm::dvec3& towardsLight) {
-    const FaceLevel level = frame.levels().front();
-    std::set<std::tuple<int, int, int, int>> lit;
+int facesLitInVain(FrameInspector& frame, const ExactLight& exact, const glm::dvec3& towardsLight) {
+    const Volume& volume = frame.renderer().volume();
+    const FaceLevel level = frame.faceLevels().front();
+    const int side = level.side();
+    std::vector<bool> lit(static_cast<std::size_t>(side) * side * side * faceCount);
+    const auto index = [&](const glm::ivec3& v, int face) {
+        return ((static_cast<std::size_t>(v.z) * side + v.y) * side + v.x) * faceCount + face;
+    };
     for (std::size_t t = 0; t < exact.triangles().size(); ++t) {
         const ExactLight::Triangle& triangle = exact.triangles()[t];
         const double facing = glm::dot(triangle.normal, towardsLight);
@@ -206,16 +210,14 @@ int facesLitInVain(const GatheredFrame& frame, const ExactLight& exact, const Vo
                     for (int face = 0; face < faceCount; ++face)
                         // The filter mixes in some light of a lit wall next to it; but not through a wall.
                         if (!triangle.doubleSided || glm::dot(faceDirection(face), normal) > 0.0)
-                            lit.insert(
-                                {voxel.x + n % 3 - 1, voxel.y + n / 3 % 3 - 1, voxel.z + n / 9 - 1, face});
+                            lit[index(voxel + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1, face)] = true;
             }
     }
     int inVain = 0;
     level.forEachVoxel([&](const glm::ivec3& voxel) {
         for (int face = 0; face < faceCount; ++face) {
             const glm::u8vec4& value = level.at(voxel, face);
-            inVain += std::max({value.r, value.g, value.b}) > 1 &&
-                      lit.count({voxel.x, voxel.y, voxel.z, face}) == 0;
+            inVain += std::max({value.r, value.g, value.b}) > 1 && !lit[index(voxel, face)];
         }
     });
     return inVain;
@@ -227,11 +229,11 @@ TEST(CreasesOfVoxels, HoldNoSun) {
         const ExactLight exact(room.scene);
         Settings settings = presetSettings("mobile");
         settings.size = {16, 16};
-        const Volume volume = volumeAround(room.scene.boundsWorld, settings.grid);
         int inVain = 0;
+        FrameInspector frame(context, room.scene, lightFrom({0, 1, 0}), settings, room.camera);
         for (const glm::dvec3& sun : suns()) {
-            const GatheredFrame frame(context, room.scene, lightFrom(sun), settings, volume, room.camera);
-            inVain += facesLitInVain(frame, exact, volume, glm::normalize(sun));
+            frame.setLight(sun);
+            inVain += facesLitInVain(frame, exact, glm::normalize(sun));
         }
         std::printf("  %-32s %d faces lit in vain\n", room.name.c_str(), inVain);
         EXPECT_EQ(inVain, 0) << room.name;

@@ -8,69 +8,32 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.h"
-#include "engine/directional/directional_mipmapper.h"
-#include "engine/directional/directional_voxelizer.h"
-#include "engine/frame_uniforms.h"
-#include "engine/programs.h"
 #include "lab/cpu_mips.h"
 #include "lab/read_back.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/faces.h"
+#include "support/frame_inspector.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 
 namespace vct::test {
 namespace {
 
-constexpr int grid = 64;
+constexpr int directionalGrid = 64;
 
-Settings mobile() {
-    Settings settings = presetSettings("mobile");
-    settings.grid = grid;
-    settings.size = glm::ivec2(16);
-    settings.shadowMapSize = 256;
+Settings directionalSettings() {
+    Settings settings = mobileAt(16);
+    settings.grid = directionalGrid;
     settings.revoxelize = true;
     return settings;
 }
 
 // World units are voxels, whatever the scene's size: a wall may be larger than the volume.
-Volume voxelsAsWorld() {
-    Volume volume;
-    volume.grid = grid;
-    volume.side = grid;
-    return volume;
-}
-
-// The passes from the shadow map to the mip levels, on their own. `sumUnits`: of the fixed point, 0 for the
-// scene's.
-void voxelize(const Context& context, const Scene& scene, const DirectionalLight& light, const Volume& volume,
-              DirectionalVoxels& into, float sumUnits = 0.0F) {
-    const gl::ShaderLibrary shaders = shaderLibrary(mobile(), context.capabilities, testShaders());
-    shared::FrameUniforms uniforms =
-        frameUniforms(frameScene(scene), light, scene.boundsWorld, volume, mobile());
-    uniforms.faceSumUnits = sumUnits > 0.0F ? sumUnits : faceSumUnits(scene.triangleCount());
-    uniforms.radianceRange = faceRadianceRange(scene, light, glm::vec3(0.0F));
-    const gl::Buffer buffer("frame uniforms", GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_STATIC_DRAW);
-    buffer.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
-    const GpuScene gpuScene(scene, volume, radianceUnit(light),
-                            context.capabilities.uniformBufferOffsetAlignment, Voxelization::sortedAxes);
-    ShadowMap shadowMap(shaders, gpuScene, mobile().shadowMapSize);
-    DirectionalVoxelizer(shaders, gpuScene, grid, Voxelization::sortedAxes)
-        .run(gpuScene, shadowMap.draw(gpuScene), into);
-    DirectionalMipmapper mipmapper(shaders);
-    mipmapper.makeLevels(into);
-}
-
-DirectionalVoxels emptyVoxels(const Context& context) {
-    return DirectionalVoxels(shaderLibrary(mobile(), context.capabilities, testShaders()), grid, 0);
-}
-
-std::vector<FaceLevel> facesOf(const Context& context, const Scene& scene, const DirectionalLight& light,
-                               float sumUnits = 0.0F) {
-    DirectionalVoxels voxels = emptyVoxels(context);
-    voxelize(context, scene, light, voxelsAsWorld(), voxels, sumUnits);
-    return readFaces(voxels);
+std::vector<FaceLevel> facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
+    scene.boundsWorld = boundsForVoxelsAsWorld(directionalGrid);
+    const Camera camera = frameScene(scene);
+    return FrameInspector(context, std::move(scene), light, directionalSettings(), camera).faceLevels();
 }
 
 // A quad with this normal around a point; `side` in voxels. Its edges run along no axis, so that what a
@@ -90,10 +53,10 @@ TEST(FaceCoverage, WallAcrossTheVolumeIsOpaqueFromItsFrontOnlyAtEveryLevel) {
     const Context context = openContext(Backend::egl);
     constexpr int wall = 21;  // odd: behind its sibling for half of the faces
     for (int face = 0; face < faceCount; ++face) {
-        glm::dvec3 centre(grid / 2);
+        glm::dvec3 centre(directionalGrid / 2);
         centre[face / 2] = wall + 0.5;
-        const std::vector<FaceLevel> levels =
-            facesOf(context, quadScene(faceDirection(face), centre, 1.5 * grid), lightFrom({1, 2, 3}));
+        const std::vector<FaceLevel> levels = facesOf(
+            context, quadScene(faceDirection(face), centre, 1.5 * directionalGrid), lightFrom({1, 2, 3}));
         ASSERT_EQ(levels.size(), 7U);
         for (std::size_t level = 0; level < levels.size(); ++level)
             levels[level].forEachVoxel([&](const glm::ivec3& voxel) {
@@ -214,31 +177,26 @@ Scene coincidentQuads(int copies, double sideVoxels) {
     return scene;
 }
 
-TEST(FaceSums, ThousandsOfCoincidentTrianglesGiveTheirMean) {
+// So many that the fixed point has fewer steps, and that sums in a voxel, which has half of all triangles,
+// pass 2^31.
+TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
     const Context context = openContext(Backend::egl);
-    const Scene scene = coincidentQuads(4000, 2.0);
+    const Scene scene = coincidentQuads(620000, 2.0);
     const DirectionalLight light = lightFrom({0, 1, 0});
-    // The scene's own units, and as many as a sum over all of its triangles has room for: whether the pixel's
-    // centre lies in one or the other of a quad's triangles, a voxel has half of them.
-    const float most = std::floor(4294967295.0F / 4000.0F);
-    for (const float units : {faceSumUnits(scene.triangleCount()), most}) {
-        const FaceLevel base = facesOf(context, scene, light, units)[0];
-        int covered = 0;
-        base.forEachVoxel([&](const glm::ivec3& voxel) {
-            for (int face = 0; face < faceCount; ++face) {
-                const glm::u8vec4& value = base.at(voxel, face);
-                if (value == glm::u8vec4(0)) continue;
-                ++covered;
-                ASSERT_EQ(face, 2) << faceName(face);
-                ASSERT_EQ(value.a, 255) << units;
-                for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F)),
-                                1.0)
-                        << units;
-            }
-        });
-        EXPECT_GE(covered, 1);
-    }
+    const FaceLevel base = facesOf(context, scene, light)[0];
+    int covered = 0;
+    base.forEachVoxel([&](const glm::ivec3& voxel) {
+        for (int face = 0; face < faceCount; ++face) {
+            const glm::u8vec4& value = base.at(voxel, face);
+            if (value == glm::u8vec4(0)) continue;
+            ++covered;
+            ASSERT_EQ(face, 2) << faceName(face);
+            ASSERT_EQ(value.a, 255);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F)), 1.0);
+        }
+    });
+    EXPECT_GE(covered, 1);
 }
 
 class FaceVoxelsOf : public testing::TestWithParam<const char*> {
@@ -258,7 +216,7 @@ std::vector<FaceLevel> facesAfterFrames(Renderer& renderer, const Scene& scene, 
 }
 std::vector<FaceLevel> facesOn(Backend backend, const Scene& scene) {
     const Context context = openContext(backend);
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     return facesAfterFrames(renderer, scene, 1);
 }
 
@@ -274,7 +232,7 @@ TEST_P(FaceVoxelsOf, AnyOrderOfTrianglesAndInstancesGivesTheSame) {
 class FaceVoxelsOn : public testing::TestWithParam<std::tuple<Backend, const char*>> {};
 INSTANTIATE_TEST_SUITE_P(Drivers, FaceVoxelsOn,
                          testing::Combine(testing::Values(Backend::osmesa, Backend::zink),
-                                          testing::Values("cornell", "courtyard")),
+                                          testing::Values("courtyard")),
                          [](const auto& test) {
                              return backendName(std::get<0>(test.param)) + std::string("_") +
                                     std::get<1>(test.param);
@@ -302,7 +260,7 @@ TEST_P(FaceVoxelsOn, AreLlvmpipesWithinOneOf255) {
 TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
     const std::vector<FaceLevel> levels = facesOn(Backend::egl, scene());
     for (std::size_t level = 1; level < levels.size(); ++level)
-        EXPECT_LE(largestDifference(levels[level], mipOnCpu(levels[level - 1])), 1) << "level " << level;
+        EXPECT_LE(largestDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
 }
 
 // Each level's list against the places that are marked occupied and against the faces that are not zero.
@@ -330,7 +288,8 @@ void expectListsHoldWhatIsOccupied(const DirectionalVoxels& voxels) {
         EXPECT_EQ(occupied, sorted);
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const glm::uvec3 v = shared::unpackEntry(entries[i]);
-            ASSERT_EQ(index[(static_cast<std::size_t>(v.z) * grid + v.y) * grid + v.x], i + 1);
+            ASSERT_EQ(index[(static_cast<std::size_t>(v.z) * directionalGrid + v.y) * directionalGrid + v.x],
+                      i + 1);
         }
     }
 }
@@ -338,59 +297,41 @@ void expectListsHoldWhatIsOccupied(const DirectionalVoxels& voxels) {
 TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelOnceAndNothingIsLeftOutside) {
     const Context context = openContext(Backend::egl);
     const Scene scene = FaceVoxelsOf::scene();
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     for (int frame = 0; frame < 2; ++frame) {
         facesAfterFrames(renderer, scene, 1);
         expectListsHoldWhatIsOccupied(renderer.directional()->voxels());
     }
 }
 
-TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatTheWordsOccupy) {
+TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatPackedOnesOccupy) {
     const Context context = openContext(Backend::egl);
     const Scene scene = FaceVoxelsOf::scene();
-    Renderer faces = makeRenderer(context, scene, chooseLight(scene), mobile());
-    Renderer words = makeRenderer(context, scene, chooseLight(scene), smallSettings(grid, 16));
+    Renderer faces = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
+    Renderer packed = makeRenderer(context, scene, chooseLight(scene), smallSettings(directionalGrid, 16));
     faces.frame(mode, chooseCamera(scene, ""));
-    words.frame(mode, chooseCamera(scene, ""));
-    ASSERT_GT(words.activeVoxels()[0], 1000U);
-    for (int level = 0; level < words.occupancy().levels(); ++level)
-        EXPECT_EQ(entriesOnCpu(readVoxels(faces.occupancy().texture(), level), grid >> level),
-                  entriesOnCpu(readVoxels(words.occupancy().texture(), level), grid >> level))
+    packed.frame(mode, chooseCamera(scene, ""));
+    ASSERT_GT(packed.activeVoxels()[0], 1000U);
+    for (int level = 0; level < packed.occupancy().levels(); ++level)
+        EXPECT_EQ(entriesOnCpu(readVoxels(faces.occupancy().texture(), level), directionalGrid >> level),
+                  entriesOnCpu(readVoxels(packed.occupancy().texture(), level), directionalGrid >> level))
             << "level " << level;
 }
 
-TEST(FaceVoxelsOverTime, FrameHundredEqualsFrameOne) {
+TEST(FaceVoxelsOverTime, FrameTwentyEqualsFrameOne) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("courtyard.glb"));
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobile());
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     const std::vector<FaceLevel> first = facesAfterFrames(renderer, scene, 1);
     const std::vector<std::uint32_t> counts = renderer.activeVoxels();
-    EXPECT_TRUE(facesAfterFrames(renderer, scene, 99) == first);
+    EXPECT_TRUE(facesAfterFrames(renderer, scene, 19) == first);
     EXPECT_EQ(renderer.activeVoxels(), counts);
-}
-
-// Once a voxel is no longer there, nothing of it may be: the clear goes by the list of the frame before.
-TEST(FaceVoxelsOverTime, AnEarlierSceneLeavesNothingBehind) {
-    const Context context = openContext(Backend::egl);
-    const Scene large = closedBox(20.0);
-    const Scene small = quadScene({0, 1, 0}, {0, 0, 0}, 0.5);
-    const Volume volume = volumeAround(large.boundsWorld, grid);
-    const auto voxelized = [&](const Scene& scene, DirectionalVoxels& into) {
-        voxelize(context, scene, lightFrom({1, 2, 3}), volume, into);
-        return readFaces(into);
-    };
-    DirectionalVoxels voxels = emptyVoxels(context), fresh = emptyVoxels(context);
-    const std::vector<FaceLevel> before = voxelized(large, voxels);
-    const std::vector<FaceLevel> expected = voxelized(small, fresh);
-    ASSERT_FALSE(expected == before);
-    EXPECT_TRUE(voxelized(small, voxels) == expected);
-    expectListsHoldWhatIsOccupied(voxels);
 }
 
 TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
-    Settings settings = mobile();
+    Settings settings = directionalSettings();
     Renderer roomy = makeRenderer(context, scene, chooseLight(scene), settings);
     roomy.frame(Mode::gi, chooseCamera(scene, ""));
     const std::string needed = std::to_string(roomy.activeVoxels()[0]);

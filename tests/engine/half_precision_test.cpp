@@ -16,24 +16,24 @@ namespace {
 
 // A half has 11 significant bits; a handful of operations cost three of them. Small values are what opacity
 // leaves of 1, so a difference is relative to at least 1/16.
-const double maxRelative = std::exp2(-8);
+const double halfRelative = std::exp2(-8);
 constexpr double smallest = 1.0 / 16.0;
-constexpr double maxFraction = 0.002;  // of the pixels may differ by more: a cone is done at 0.998, so where
-                                       // rounding decides whether it is, 0.002 of light is at stake
-const double maxAbsolute = std::exp2(-8);  // of a value up to 1, anywhere
-constexpr double maxPngSteps = 1.0;        // of 255, anywhere in the five modes
+constexpr double halfFraction = 0.002;  // of the pixels may differ by more: a cone is done at 0.998, so where
+                                        // rounding decides whether it is, 0.002 of light is at stake
+const double halfAbsolute = std::exp2(-8);  // of a value up to 1, anywhere
+constexpr double maxPngSteps = 1.0;         // of 255, anywhere in the five modes
 
-struct Pictures {
+struct HalfPictures {
     std::vector<DebugView> images;
     std::vector<Words> voxels;
 };
 
-Pictures picturesOf(const gl::Capabilities& capabilities, const Scene& scene) {
+HalfPictures halfPicturesOf(const gl::Capabilities& capabilities, const Scene& scene) {
     Settings settings = smallSettings(64, 96);
     settings.skyRadiance = glm::vec3(0.1F, 0.15F, 0.3F);
     Renderer renderer(scene, chooseLight(scene), settings, capabilities, testShaders());
     const Camera camera = chooseCamera(scene, "");
-    Pictures pictures;
+    HalfPictures pictures;
     for (Mode mode : allModes()) {
         renderer.frame(mode, camera);
         pictures.images.push_back({modeName(mode), renderer.radiance(), true});
@@ -45,15 +45,15 @@ Pictures picturesOf(const gl::Capabilities& capabilities, const Scene& scene) {
     return pictures;
 }
 
-struct Difference {
+struct HalfDifference {
     std::size_t changed = 0;  // pixels
     std::size_t beyond = 0;   // pixels
     double largest = 0.0;
     double largestPngSteps = 0.0;
 };
 
-Difference differenceOf(const Image& full, const Image& half) {
-    Difference result;
+HalfDifference halfDifferenceOf(const Image& full, const Image& half) {
+    HalfDifference result;
     for (std::size_t i = 0; i < full.pixels.size(); ++i) {
         double relative = 0.0;
         for (int c = 0; c < 3; ++c) {
@@ -66,23 +66,23 @@ Difference differenceOf(const Image& full, const Image& half) {
             result.largestPngSteps = std::max(result.largestPngSteps, steps);
         }
         result.changed += relative > 0.0 ? 1 : 0;
-        result.beyond += relative > maxRelative ? 1 : 0;
+        result.beyond += relative > halfRelative ? 1 : 0;
     }
     return result;
 }
 
-void expectLowBitsOnly(const Pictures& full, const Pictures& half) {
+void expectLowBitsOnly(const HalfPictures& full, const HalfPictures& half) {
     ASSERT_EQ(full.images.size(), half.images.size());
     std::size_t changed = 0;
     for (std::size_t i = 0; i < full.images.size(); ++i) {
         const std::string& name = full.images[i].name;
-        const Difference d = differenceOf(full.images[i].image, half.images[i].image);
+        const HalfDifference d = halfDifferenceOf(full.images[i].image, half.images[i].image);
         const auto pixels = static_cast<double>(full.images[i].image.pixels.size());
         std::printf("%-18s changed %4.1f %%, beyond 2^-8 %.3f %%, largest 2^%.1f, %g of 255\n", name.c_str(),
                     100.0 * static_cast<double>(d.changed) / pixels,
                     100.0 * static_cast<double>(d.beyond) / pixels, std::log2(d.largest), d.largestPngSteps);
-        EXPECT_LE(static_cast<double>(d.beyond), maxFraction * pixels) << name;
-        EXPECT_LE(d.largest, maxAbsolute) << name;
+        EXPECT_LE(static_cast<double>(d.beyond), halfFraction * pixels) << name;
+        EXPECT_LE(d.largest, halfAbsolute) << name;
         if (i < allModes().size()) {
             EXPECT_LE(d.largestPngSteps, maxPngSteps) << name;
         }
@@ -102,10 +102,10 @@ TEST_P(HalfPrecision, ChangesOnlyTheLowBits) {
     const Scene scene = loadGltf(asset(std::string(GetParam()) + ".glb"));
     gl::Capabilities capabilities = context.capabilities;
     capabilities.softwareDriver = true;  // mediump is highp then
-    const Pictures full = picturesOf(capabilities, scene);
+    const HalfPictures full = halfPicturesOf(capabilities, scene);
     // Mesa's llvmpipe computes mediump in 16 bits where the CPU has F16C, and rounds each operation.
     capabilities.softwareDriver = false;
-    const Pictures half = picturesOf(capabilities, scene);
+    const HalfPictures half = halfPicturesOf(capabilities, scene);
     if (half.images[0].image.pixels == full.images[0].image.pixels)
         GTEST_SKIP() << context.capabilities.renderer << " does not round mediump";
     expectLowBitsOnly(full, half);

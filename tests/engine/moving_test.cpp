@@ -12,45 +12,41 @@
 namespace vct::test {
 namespace {
 
-class Moving : public testing::TestWithParam<VoxelKind> {};
-INSTANTIATE_TEST_SUITE_P(Voxels, Moving, everyVoxelKind(), nameOfKind);
+class MovingOfEveryKind : public testing::TestWithParam<VoxelKind> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, MovingOfEveryKind, everyVoxelKind(), nameOfKind);
 
-TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
+class Moving : public testing::TestWithParam<VoxelKind> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Moving, onePerPreset(), nameOfKind);
+
+// In a mode that lights no face with what it received, the grid's radiance is compared too.
+TEST_P(MovingOfEveryKind, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
     ASSERT_EQ(std::count_if(scene.instances.begin(), scene.instances.end(),
                             [](const Instance& instance) { return instance.moves(); }),
               2);
     const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
-    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
-        expectFresh(stage, context, scene, settings, seconds);
-    // And back at rest, as the constructor left it.
-    stage.frameAt(1.0);
-    const Grid moved = gridOf(stage.renderer());
-    stage.frameAt(0.0);
-    EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
-}
-
-// Of modes that light no face with what it received, the radiance of every level's faces too.
-TEST_P(Moving, EveryFramesDirectLightIsThatOfAFreshRenderer) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = load(twoThatMove());
-    const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
-    for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
-        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
-    EXPECT_FALSE(gridOf(stage.renderer()).received);
+    for (const Mode mode : {Mode::gi, Mode::ao}) {
+        PlayingScene stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
+            expectFresh(stage, context, scene, settings, seconds, mode);
+        EXPECT_EQ(gridOf(stage.renderer()).received,
+                  mode == Mode::gi && stage.renderer().directional() != nullptr);
+        // And back at rest, as the constructor left it.
+        const Grid moved = gridOf(stage.renderer());
+        stage.frameAt(0.0, mode);
+        EXPECT_FALSE(gridOf(stage.renderer()).lists == moved.lists) << "nothing moves";
+    }
 }
 
 // What is received stays from pose to pose, and comes to what it is where nothing ever moved.
 TEST(MovingInstances, LeaveNoTraceInTheReceivedLight) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    const Settings settings = mobileSettings();
     for (const Mode mode : {Mode::gi, Mode::ao}) {
-        Stage stage(context, scene, settings);
-        for (const double seconds : {0.05, 0.35, 1.7}) {
+        PlayingScene stage(context, scene, settings);
+        for (const double seconds : {0.35, 1.7}) {
             stage.frameAt(seconds - 0.05, mode);
             expectFreshLight(stage, context, scene, settings, seconds, mode);
         }
@@ -62,7 +58,7 @@ TEST_P(Moving, BetweenModesThatTakeTurns) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
     const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    PlayingScene stage(context, scene, settings);
     stage.frameAt(0.1);
     expectFresh(stage, context, scene, settings, 0.4, Mode::ao);
     expectFresh(stage, context, scene, settings, 0.7, Mode::ao);
@@ -76,21 +72,19 @@ TEST_P(Moving, BetweenModesThatTakeTurns) {
 TEST(MovingInstances, AtAFinerGrid) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    for (const Mode mode : {Mode::ao, Mode::gi}) {
-        Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
-        settings.grid = 128;
-        Stage stage(context, scene, settings);
-        for (const double seconds : {0.0, 0.1, 1.7, 1.6})
-            expectFresh(stage, context, scene, settings, seconds, mode);
-    }
+    Settings settings = mobileSettings();
+    settings.grid = 128;
+    PlayingScene stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.1, 1.7})
+        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
 }
 
 // Cards between blocks: on which side their fragments fall is a matter of rounding. What moves changes the
 // blocks between them, one at a time but for its shadow.
-TEST_P(Moving, BetweenCardsOnTheBordersOfBlocks) {
+TEST(MovingInstances, BetweenCardsOnTheBordersOfBlocks) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = mobileSettings();
     const double block = volumeAround(load(builder).boundsWorld, settings.grid).side / VCT_BLOCKS;
     const double thickness = 0.0123;
     for (int i = -8; i <= 8; ++i)
@@ -103,7 +97,7 @@ TEST_P(Moving, BetweenCardsOnTheBordersOfBlocks) {
     const auto start = static_cast<float>(-7.5 * block), step = static_cast<float>(block);
     builder.animate(box, "translation", {0, 15}, {start, 0.9F, 0, start + 15 * step, 0.9F, 0});
     const Scene scene = load(builder);
-    Stage stage(context, scene, settings);
+    PlayingScene stage(context, scene, settings);
     for (int i = 0; i < 15; ++i) {
         stage.frameAt(i + 0.1);
         expectFresh(stage, context, scene, settings, i);
@@ -119,7 +113,7 @@ TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
     const Scene scene = load(builder);
     EXPECT_LT(scene.boundsWorld.max.x, 4.1) << "half of the floor's 4 m beyond its edge";
     const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    PlayingScene stage(context, scene, settings);
     stage.frameAt(0.0);
     const std::size_t inside = gridOf(stage.renderer()).lists[0].size();
     expectFresh(stage, context, scene, settings, 2.0);
@@ -131,14 +125,14 @@ TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
 }
 
 // More voxels than the first frame had, by far: nothing may be lost for want of room.
-TEST_P(Moving, WhatShrinksToNothingAndGrows) {
+TEST(MovingInstances, WhatShrinksToNothingAndGrows) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0, 0, 0}}});
     builder.animate(box, "scale", {0, 1, 2}, {0, 0, 0, 3, 1.8F, 3, 0, 0, 0});
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    const Settings settings = mobileSettings();
+    PlayingScene stage(context, scene, settings);
     stage.frame();  // at rest, which is nothing
     for (const double seconds : {0.0, 0.3, 1.0, 2.0, 0.9})
         expectFresh(stage, context, scene, settings, seconds);
@@ -153,7 +147,7 @@ TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
     builder.animate(2, "translation", {0, 2}, {0, 2.6F, 5.2F, 1.5F, 2.2F, 4.4F});
     const Scene scene = load(builder);
     const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    PlayingScene stage(context, scene, settings);
     const auto brightness = [&] {
         double sum = 0.0;
         for (const glm::vec3& p : stage.renderer().radiance().pixels) {
@@ -162,11 +156,11 @@ TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
         }
         return sum;
     };
-    stage.stillAt(0.0);
+    stage.convergedAt(0.0);
     const double day = brightness();
     for (const double seconds : {0.9, 1.0, 2.0, 0.5})
         expectFresh(stage, context, scene, settings, seconds);
-    stage.stillAt(2.0);
+    stage.convergedAt(2.0);
     // From below it shines through nothing: on the underside of the floor, which nobody sees.
     EXPECT_LT(brightness(), 0.05 * day);
 }
@@ -189,8 +183,8 @@ TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
     const int wheel = builder.node({{"children", {card, turned}}, {"translation", {0, 1.2, 0}}});
     builder.animate(wheel, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 0.70710678F, 0.70710678F, 0, 0, 1, 0});
     const Scene scene = load(builder);
-    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
-    Stage stage(context, scene, settings);
+    const Settings settings = mobileSettings();
+    PlayingScene stage(context, scene, settings);
     stage.frameAt(0.0);
     const Image before = stage.renderer().radiance();
     for (const double seconds : {2.0, 0.0, 0.7})
@@ -198,7 +192,7 @@ TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
     for (unsigned seed = 1; seed < 4; ++seed) {
         Scene shuffled = scene;
         shuffleTriangles(shuffled, seed);
-        Stage other(context, shuffled, settings);
+        PlayingScene other(context, shuffled, settings);
         for (const double seconds : {0.0, 2.0, 0.0, 0.7})
             other.frameAt(seconds);
         expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
@@ -208,7 +202,7 @@ TEST(MovingInstances, AreDrawnInAnOrderThatIsNotTheirs) {
 
 // In voxels that the wall occupies, too; the wall is in its shadow before and after. It covers its voxels in
 // part: what is added to it twice is seen.
-TEST_P(Moving, WhatPassesThroughAWall) {
+TEST(MovingInstances, WhatPassesThroughAWall) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     addCube(builder, {0.7F, 0.7F, 0.2F},
@@ -217,34 +211,34 @@ TEST_P(Moving, WhatPassesThroughAWall) {
         addCube(builder, {0.1F, 0.3F, 0.9F}, {{"translation", {-1, 0.7, 0}}, {"scale", {0.4, 0.4, 0.4}}});
     builder.animate(box, "translation", {0, 2}, {-1, 0.7F, -0.3F, 1, 0.9F, 0.3F});
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    const Settings settings = mobileSettings();
+    PlayingScene stage(context, scene, settings);
     for (double seconds = 0.0; seconds <= 2.0; seconds += 0.2)
         expectFresh(stage, context, scene, settings, seconds);
 }
 
 // Along an axis of the voxels: its sides are projected along the way it goes.
-TEST_P(Moving, WhatLeavesTheVolumeAlongAnAxis) {
+TEST(MovingInstances, WhatLeavesTheVolumeAlongAnAxis) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     const int bird = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
     builder.animate(bird, "translation", {0, 2}, {0, 1, 0, 30, 1, 0});
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    const Settings settings = mobileSettings();
+    PlayingScene stage(context, scene, settings);
     for (const double seconds : {0.0, 1.0, 2.0})
         expectFresh(stage, context, scene, settings, seconds);
     Scene without = scene;
     without.instances.erase(std::remove_if(without.instances.begin(), without.instances.end(),
                                            [](const Instance& instance) { return instance.moves(); }),
                             without.instances.end());
-    Stage floor(context, without, settings);
+    PlayingScene floor(context, without, settings);
     floor.frame();
     EXPECT_TRUE(gridOf(stage.renderer()).lists == gridOf(floor.renderer()).lists);
 }
 
 // Steps of any size, heights and lights, so that shadows fall on what is near and far.
-TEST_P(Moving, ShadowsThatComeAndGo) {
+TEST(MovingInstances, ShadowsThatComeAndGo) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     for (int i = 0; i < 8; ++i)
@@ -262,25 +256,25 @@ TEST_P(Moving, ShadowsThatComeAndGo) {
     builder.animate(box, "translation", times, places);
     builder.animate(box, "rotation", times, turns);
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = mobileSettings();
     const auto lit = [&](Renderer& renderer, const Scene& of, double seconds, const glm::dvec3& light) {
         renderer.setPose(poseAt(of.animation, seconds));
         renderer.setLightDirection(light);
         renderer.frame(Mode::gi, chooseCamera(of, ""));
     };
-    Stage stage(context, scene, settings);
+    PlayingScene stage(context, scene, settings);
     for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})
         // The second light first finds what the last one left, and lights it anew.
         for (const double seconds : {1.0, 0.0, 0.1, 3.3, 3.4, 7.9, 1.0}) {
             lit(stage.renderer(), scene, seconds, glm::normalize(light));
             const Scene frozen = frozenAt(scene, seconds);
-            Stage fresh(context, frozen, settings);
+            PlayingScene fresh(context, frozen, settings);
             lit(fresh.renderer(), frozen, 0.0, glm::normalize(light));
             expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
         }
 }
 
-TEST_P(Moving, AThousandAtOnce) {
+TEST(MovingInstances, AThousandAtOnce) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     const int first = addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {0, 0.5, 0}}});
@@ -293,8 +287,8 @@ TEST_P(Moving, AThousandAtOnce) {
         builder.animate(node, "translation", {0, 1}, {x, y, z, x + 0.2F, y + 0.1F, z - 0.1F});
     }
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
-    Stage stage(context, scene, settings);
+    const Settings settings = mobileSettings();
+    PlayingScene stage(context, scene, settings);
     stage.frameAt(0.0);
     for (const double seconds : {0.2, 1.0})
         expectFresh(stage, context, scene, settings, seconds);
@@ -308,7 +302,7 @@ TEST(MovingInstances, AreSeenBeyondTheVolume) {
     builder.animate(bird, "translation", {0, 1}, {0, 1, 0, 0, 0, -40});
     builder.animate(bird, "scale", {0, 1}, {1, 1, 1, 6, 6, 6});
     const Scene scene = load(builder);
-    Stage stage(context, scene, settingsOf({"mobile", Voxelization::sortedAxes}));
+    PlayingScene stage(context, scene, mobileSettings());
     const auto redPixels = [&](double seconds) {
         stage.frameAt(seconds);
         const std::vector<glm::vec3>& pixels = stage.renderer().radiance().pixels;

@@ -9,8 +9,7 @@
 #include <tuple>
 
 #include "scene/camera.h"
-#include "support/direct_frame.h"
-#include "support/gathered_frame.h"
+#include "support/frame_inspector.h"
 #include "support/scenes.h"
 
 namespace vct::test {
@@ -24,7 +23,7 @@ struct Edge {
 // Share of a disc of `radius` that a straight edge leaves over, `distance` from its middle to it.
 double shareOfDisc(double distance, double radius) {
     const double t = glm::clamp(distance / radius, -1.0, 1.0);
-    return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / glm::pi<double>();
+    return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / pi;
 }
 
 struct Ramp {
@@ -48,21 +47,20 @@ Ramp rampOf(const Context& context, const Edge& edge, double sunDeg, int width, 
 
     const int rows = 24;
     Settings settings = presetSettings(preset);
+    settings.grid = 64;  // the voxels are not looked at
     settings.size = {width, rows};
     settings.shadowConeAngleDeg = static_cast<float>(sunDeg);
     const double eyeHeight = 20.0, pixel = 4.0 / width;
     Camera camera = lookAt({0, eyeHeight, 0}, {0, 0, -1e-6},
                            glm::degrees(2.0 * std::atan(0.5 * rows * pixel / eyeHeight)));
     camera.worldFromCamera = glm::translate(glm::dmat4(1.0), inShadow) * turn * camera.worldFromCamera;
-    DirectFrame frame(context, scene, settings, camera);
-    frame.setLight(towardsLight);
+    FrameInspector frame(context, scene, lightFrom(towardsLight), settings, camera);
     const std::vector<float> light = frame.softShadow();
 
     const glm::dvec3 onEdge = turned({0, edge.height, 0}), along = turned({0, 0, 1});
     const double radius = std::sin(glm::radians(0.5 * sunDeg));
     const auto exactAt = [&](std::size_t i) {
-        const glm::dvec3 normal =
-            glm::normalize(glm::cross(along, onEdge - frame.pixels()[i].positionVolume));
+        const glm::dvec3 normal = glm::normalize(glm::cross(along, onEdge - frame.pixels()[i].positionWorld));
         return shareOfDisc(glm::dot(normal, towardsLight), radius);
     };
     Ramp ramp;
@@ -87,8 +85,7 @@ Ramp rampOf(const Context& context, const Edge& edge, double sunDeg, int width, 
     return ramp;
 }
 
-using Case = std::tuple<std::string, double>;
-class Penumbrae : public testing::TestWithParam<Case> {};
+class Penumbrae : public testing::TestWithParam<std::tuple<std::string, double>> {};
 INSTANTIATE_TEST_SUITE_P(PresetsAndSuns, Penumbrae,
                          testing::Combine(testing::Values("mobile", "quality"),
                                           testing::Values(0.5, 2.0, 5.0, 10.0)),

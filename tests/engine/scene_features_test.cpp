@@ -5,18 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <map>
-#include <set>
 
 #include "core/error.h"
 #include "gl/call_log.h"
 #include "scene/camera.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
-#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
@@ -24,7 +19,6 @@ namespace {
 struct Feature {
     const char* name;
     void (*give)(Material& material);
-    const char* code;  // of shaders, without spaces, that only this feature reads
     const char* preset;
 };
 void PrintTo(const Feature& feature, std::ostream* out) {
@@ -33,26 +27,23 @@ void PrintTo(const Feature& feature, std::ostream* out) {
 
 const std::vector<Feature>& allFeaturesOfAllPresets() {
     const std::vector<Feature> features{
-        {"BaseColorTexture", [](Material& m) { m.baseColorTexture = 0; }, "baseColorTexture", ""},
-        {"AlphaMask", [](Material& m) { m.alphaMode = Material::AlphaMode::mask; }, "draw.surface.x", ""},
-        {"Emission", [](Material& m) { m.emissive = glm::vec3(2.0F); }, "draw.emissive", ""},
+        {"BaseColorTexture", [](Material& m) { m.baseColorTexture = 0; }, ""},
+        {"AlphaMask", [](Material& m) { m.alphaMode = Material::AlphaMode::mask; }, ""},
+        {"Emission", [](Material& m) { m.emissive = glm::vec3(2.0F); }, ""},
         {"EmissiveTexture",
          [](Material& m) {
              m.emissive = glm::vec3(2.0F);
              m.emissiveTexture = 1;
          },
-         "emissiveTexture", ""},
-        {"Glossy", [](Material& m) { m.roughness = 0.3F; }, "glossTarget", ""},
-        {"DoubleSided", [](Material& m) { m.doubleSided = true; }, "", ""},
+         ""},
+        {"Glossy", [](Material& m) { m.roughness = 0.3F; }, ""},
+        {"DoubleSided", [](Material& m) { m.doubleSided = true; }, ""},
     };
     static std::vector<Feature> all;
     if (all.empty())
         for (const char* preset : {"thesis", "mobile"})
             for (Feature feature : features) {
                 feature.preset = preset;
-                // Light on both sides: of one colour per voxel, or of each face.
-                if (std::string(feature.name) == "DoubleSided")
-                    feature.code = std::string(preset) == "thesis" ? "abs(facing)" : "baseColor.rgb,-normal)";
                 all.push_back(feature);
             }
     return all;
@@ -80,7 +71,7 @@ struct Asked {
     std::vector<std::pair<std::string, std::size_t>> bytes;
 };
 
-Settings settingsOf(const std::string& preset) {
+Settings featureSettings(const std::string& preset) {
     Settings settings = presetSettings(preset);
     settings.grid = 64;
     settings.size = glm::ivec2(32);
@@ -94,7 +85,7 @@ const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
 Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
     const Context context = openContext(Backend::egl);
     gl::CallLog log;
-    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), settingsOf(preset));
+    Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), featureSettings(preset));
     int frames = 0;
     const auto frame = [&] {
         if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
@@ -125,22 +116,6 @@ void expectEqual(const Asked& a, const Asked& b) {
     EXPECT_EQ(a.bytes, b.bytes);
 }
 
-// What a compiler sees of the sources, once the preprocessor is through.
-std::string preprocessed(const std::vector<std::string>& sources) {
-    TemporaryFolder folder;
-    std::string text;
-    for (const std::string& source : std::set<std::string>(sources.begin(), sources.end())) {
-        writeBytes(folder.file("shader.frag"), source);
-        FILE* pipe = popen(("glslangValidator -E " + folder.file("shader.frag")).c_str(), "r");
-        char buffer[4096];
-        for (std::size_t count; (count = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-            text.append(buffer, count);
-        EXPECT_EQ(pclose(pipe), 0) << source.substr(0, 200);
-    }
-    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-    return text;
-}
-
 // Of the scene that never heard of any feature; once for each preset.
 const Asked& askedByPlain(const std::string& preset) {
     static std::map<std::string, Asked> known;
@@ -158,49 +133,12 @@ TEST_P(FeatureOfAScene, WhatNoInstanceHasCostsNothing) {
     expectEqual(askedBy(sceneWith(&feature, false), feature.preset), never);
 }
 
-// Of frames that take turns, as the machine may be busy with something else: the fastest.
-TEST(SceneFeatures, WhatNoInstanceHasTakesNoTime) {
-    using Clock = std::chrono::steady_clock;
-    const Feature everything{"",
-                             [](Material& m) {
-                                 for (const Feature& feature : allFeaturesOfAllPresets())
-                                     feature.give(m);
-                             },
-                             "", ""};
-    const Scene never = sceneWith(nullptr, false), declared = sceneWith(&everything, false);
-    // The second is where the surfaces' features take most of the time.
-    for (const auto& [preset, mode] : {std::pair{"mobile", Mode::giConeShadow}, {"thesis", Mode::phong}}) {
-        const Context context = openContext(Backend::egl);
-        Settings settings = settingsOf(preset);
-        settings.size = glm::ivec2(192);
-        Renderer plain = makeRenderer(context, never, lightFrom({1, 2, 1}), settings);
-        Renderer other = makeRenderer(context, declared, lightFrom({1, 2, 1}), settings);
-        const auto improve = [&, mode = mode](Renderer& renderer, Clock::duration& fastest) {
-            const Clock::time_point start = Clock::now();
-            renderer.frame(mode, camera);
-            gl::Finish();
-            fastest = std::min(fastest, Clock::now() - start);
-        };
-        Clock::duration plainTime = Clock::duration::max(), otherTime = plainTime;
-        double ratio = 0.0;
-        for (int round = 0; round < 200 && (round < 20 || std::abs(ratio - 1.0) > 0.05); ++round) {
-            improve(plain, plainTime);
-            improve(other, otherTime);
-            ratio = static_cast<double>(otherTime.count()) / static_cast<double>(plainTime.count());
-        }
-        EXPECT_NEAR(ratio, 1.0, 0.1) << preset << ": " << std::chrono::duration<double>(plainTime).count()
-                                     << " s";
-    }
-}
-
-TEST_P(FeatureOfAScene, ItsCodeIsInTheShadersOnlyWhereItOccurs) {
+// The thesis's voxels reflect nothing.
+TEST_P(FeatureOfAScene, WhatAnInstanceHasIsInItsShaders) {
     const Feature& feature = GetParam();
-    const auto has = [&](const Asked& asked) {
-        return preprocessed(asked.sources).find(feature.code) != std::string::npos;
-    };
-    EXPECT_FALSE(has(askedByPlain(feature.preset)));
     const bool reflects = std::string(feature.name) != "Glossy" || std::string(feature.preset) != "thesis";
-    EXPECT_EQ(has(askedBy(sceneWith(&feature, true), feature.preset)), reflects);
+    const Asked with = askedBy(sceneWith(&feature, true), feature.preset);
+    EXPECT_EQ(with.sources != askedByPlain(feature.preset).sources, reflects);
 }
 
 INSTANTIATE_TEST_SUITE_P(Features, FeatureOfAScene, ::testing::ValuesIn(allFeaturesOfAllPresets()),

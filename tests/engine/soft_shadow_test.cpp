@@ -8,15 +8,14 @@
 #include <functional>
 
 #include "scene/camera.h"
+#include "support/frame_inspector.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
-#include "support/traced_frame.h"
 
 namespace vct::test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double height = 0.5;  // of the blockers above the floor
+constexpr double sheetHeight = 0.5;  // of the blockers above the floor
 
 Settings softMap(float sunAngleDeg, int pixels = 192) {
     Settings settings = smallSettings(64, pixels);
@@ -31,7 +30,7 @@ Settings softMap(float sunAngleDeg, int pixels = 192) {
 Scene sheetOverFloor(double from, double to) {
     Scene scene = emptyScene();
     addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
-    addQuad(scene, {from, height, -1}, {to - from, 0, 0}, {0, 0, 2});
+    addQuad(scene, {from, sheetHeight, -1}, {to - from, 0, 0}, {0, 0, 2});
     return finished(std::move(scene));
 }
 
@@ -44,7 +43,7 @@ glm::dvec3 sunAt(double elevationDeg) {
 // `edgeX`: a disc cut by a chord, at `t` radii from its centre.
 double shareBeyond(double edgeX, const glm::dvec3& position, const glm::dvec3& towardsLight,
                    double sunAngleDeg) {
-    const glm::dvec2 toEdge = glm::normalize(glm::dvec2(edgeX - position.x, height));
+    const glm::dvec2 toEdge = glm::normalize(glm::dvec2(edgeX - position.x, sheetHeight));
     const double sine = towardsLight.x * toEdge.y - towardsLight.y * toEdge.x;
     const double t = glm::clamp(sine / std::sin(glm::radians(0.5 * sunAngleDeg)), -1.0, 1.0);
     return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / pi;
@@ -59,18 +58,12 @@ struct Point {
 std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& towardsLight, const Settings& settings,
                                  double fovDeg) {
     const Context context = openContext(Backend::egl);
-    const Volume volume = volumeAround(scene.boundsWorld, settings.grid);
-    TracedFrame frame(context, scene, lightFrom(towardsLight), settings, volume,
-                      lookAt({0, 3, 0.001}, {0, 0, 0}, fovDeg));
-    const Image shadow = frame.view(VCT_VIEW_CONE_SHADOW);
-    const std::vector<SurfacePixel> pixels = frame.pixels();
-    const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
+    FrameInspector frame(context, scene, lightFrom(towardsLight), settings,
+                         lookAt({0, 3, 0.001}, {0, 0, 0}, fovDeg));
+    const std::vector<float> light = frame.softShadow();
     std::vector<Point> points;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (!pixels[i].surface) continue;
-        const glm::dvec3 p(worldFromVolume * glm::dvec4(pixels[i].positionVolume, 1.0));
-        points.push_back({p, shadow.pixels[i].x});
-    }
+    for (std::size_t i = 0; i < light.size(); ++i)
+        if (frame.pixels()[i].surface) points.push_back({frame.pixels()[i].positionWorld, light[i]});
     return points;
 }
 
@@ -121,7 +114,7 @@ void print(const char* name, const Fit& fit) {
                 name, fit.inside, fit.rmse, fit.largest, fit.width, fit.shift);
 }
 
-struct Case {
+struct Penumbra {
     const char* name;
     float sunAngleDeg;
     double elevationDeg;
@@ -129,19 +122,21 @@ struct Case {
     double rmse, largest;
 };
 
-class HalfPlane : public testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(
-    SoftShadow, HalfPlane,
-    testing::Values(Case{"Overhead", 5, 90, 16, 0.05, 0.15}, Case{"FewTaps", 5, 90, 8, 0.07, 0.2},
-                    Case{"Slanted", 5, 50, 16, 0.05, 0.15}, Case{"Grazing", 5, 20, 16, 0.05, 0.15},
-                    Case{"WideSun", 20, 90, 16, 0.05, 0.15}, Case{"WideSunSlanted", 20, 50, 16, 0.05, 0.15}),
-    [](const auto& test) { return test.param.name; });
+class HalfPlane : public testing::TestWithParam<Penumbra> {};
+INSTANTIATE_TEST_SUITE_P(SoftShadow, HalfPlane,
+                         testing::Values(Penumbra{"Overhead", 5, 90, 16, 0.05, 0.15},
+                                         Penumbra{"FewTaps", 5, 90, 8, 0.07, 0.2},
+                                         Penumbra{"Slanted", 5, 50, 16, 0.05, 0.15},
+                                         Penumbra{"Grazing", 5, 20, 16, 0.05, 0.15},
+                                         Penumbra{"WideSun", 20, 90, 16, 0.05, 0.15},
+                                         Penumbra{"WideSunSlanted", 20, 50, 16, 0.05, 0.15}),
+                         [](const auto& test) { return test.param.name; });
 
 // The edge's shadow falls on the middle of the floor.
 TEST_P(HalfPlane, PenumbraIsThatOfADisc) {
-    const Case& c = GetParam();
+    const Penumbra& c = GetParam();
     const glm::dvec3 towardsLight = sunAt(c.elevationDeg);
-    const double edgeX = height * towardsLight.x / towardsLight.y;
+    const double edgeX = sheetHeight * towardsLight.x / towardsLight.y;
     Settings settings = softMap(c.sunAngleDeg);
     settings.filterTaps = c.filterTaps;
     const auto points =
@@ -224,12 +219,11 @@ TEST(SoftShadow, IsAllThatDimsTheSunInMode5) {
     const Scene scene = sheetOverFloor(-1, 0);
     const Settings settings = softMap(5, 96);
     const DirectionalLight light = lightFrom({0, 1, 0});
-    TracedFrame frame(context, scene, light, settings, volumeAround(scene.boundsWorld, settings.grid),
-                      lookAt({0, 3, 0.001}, {0, 0, 0}, 36));
+    FrameInspector frame(context, scene, light, settings, lookAt({0, 3, 0.001}, {0, 0, 0}, 36));
     const Image shadow = frame.view(VCT_VIEW_CONE_SHADOW);
     const Image indirect = frame.view(VCT_VIEW_INDIRECT);
     const Image all = frame.view(VCT_MODE_GI_CONE_SHADOW);
-    const std::vector<SurfacePixel> pixels = frame.pixels();
+    const std::vector<SurfacePixel>& pixels = frame.pixels();
     int dark = 0, bright = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!pixels[i].surface) continue;

@@ -35,31 +35,32 @@ Settings settingsFor(const std::string& preset, int grid) {
 }
 
 class SortedAxes : public testing::TestWithParam<std::tuple<Backend, std::string>> {};
-INSTANTIATE_TEST_SUITE_P(BackendsAndScenes, SortedAxes,
-                         testing::Combine(testing::Values(Backend::egl, Backend::zink, Backend::osmesa),
-                                          testing::Values("cornell", "courtyard", "corridor", "soup")),
-                         [](const auto& test) {
-                             return std::string(backendName(std::get<0>(test.param))) + "_" +
-                                    std::get<1>(test.param);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    BackendsAndScenes, SortedAxes,
+    testing::Values(std::tuple(Backend::egl, "cornell"), std::tuple(Backend::egl, "courtyard"),
+                    std::tuple(Backend::egl, "corridor"), std::tuple(Backend::egl, "soup"),
+                    std::tuple(Backend::zink, "courtyard"), std::tuple(Backend::zink, "soup"),
+                    std::tuple(Backend::osmesa, "courtyard"), std::tuple(Backend::osmesa, "soup")),
+    [](const auto& test) {
+        return std::string(backendName(std::get<0>(test.param))) + "_" + std::get<1>(test.param);
+    });
 
 TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
     const auto& [backend, name] = GetParam();
     VCT_SKIP_IF_ABSENT(backend);
     const Scene scene = name == "soup" ? triangleSoup(1) : loadGltf(asset(name + ".glb"));
-    for (const char* preset : {"thesis", "mobile"})
-        for (int grid : {64, 128}) {
-            const Settings settings = settingsFor(preset, grid);
-            const Grid byShader = voxelized(backend, scene, settings, Voxelization::geometryShader);
-            const Grid bySorting = voxelized(backend, scene, settings, Voxelization::sortedAxes);
-            ASSERT_GT(byShader.lists[0].size(), 1000U);
-            ASSERT_EQ(byShader.words.size() + byShader.faces.size(), byShader.lists.size());
-            expectSameGrid(bySorting, byShader, preset + (" " + std::to_string(grid)));
-        }
+    for (const auto& [preset, grid] : {std::pair("thesis", 128), {"mobile", 64}}) {
+        const Settings settings = settingsFor(preset, grid);
+        const Grid byShader = voxelized(backend, scene, settings, Voxelization::geometryShader);
+        const Grid bySorting = voxelized(backend, scene, settings, Voxelization::sortedAxes);
+        ASSERT_GT(byShader.lists[0].size(), 1000U);
+        ASSERT_EQ(byShader.words.size() + byShader.faces.size(), byShader.lists.size());
+        expectSameGrid(bySorting, byShader, preset);
+    }
 }
 
 TEST(SortedAxesOfSoups, GiveTheVoxelsOfTheGeometryShaderAt256) {
-    for (unsigned seed = 2; seed <= 4; ++seed) {
+    for (unsigned seed = 2; seed <= 3; ++seed) {
         const Scene scene = triangleSoup(seed);
         const Settings settings = settingsFor("thesis", 256);
         const auto byShader = voxelized(Backend::egl, scene, settings, Voxelization::geometryShader);

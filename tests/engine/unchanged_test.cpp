@@ -16,7 +16,7 @@
 namespace vct::test {
 namespace {
 
-Settings settingsOf(const std::string& preset) {
+Settings unchangedSettings(const std::string& preset) {
     Settings settings = presetSettings(preset);
     settings.grid = 64;
     settings.size = glm::ivec2(48);
@@ -58,7 +58,7 @@ class Unchanged : public testing::TestWithParam<const char*> {
         : context_(openContext(Backend::egl)),
           scene_(load(slidingBox())),
           light_(chooseLight(scene_)),
-          settings_(settingsOf(GetParam())),
+          settings_(unchangedSettings(GetParam())),
           renderer_(makeRenderer(context_, scene_, light_, settings_)) {}
 
     void frame(Mode mode = Mode::gi, const char* camera = "") {

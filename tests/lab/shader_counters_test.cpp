@@ -10,8 +10,8 @@
 
 #include "scene/camera.h"
 #include "support/cpu_packed_cones.h"
+#include "support/frame_inspector.h"
 #include "support/renderers.h"
-#include "support/traced_frame.h"
 
 namespace vct::test {
 namespace {
@@ -49,9 +49,8 @@ TEST(ShaderCounters, AreThoseOfTheCpusCones) {
     const Settings settings = smallSettings(64, pixelsAlongASide);
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
-    TracedFrame frame(context, scene, chooseLight(scene), settings,
-                      volumeAround(scene.boundsWorld, settings.grid), chooseCamera(scene, ""));
-    const CpuConeTracer cpu(frame.levels(), frame.uniforms());
+    FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
+    const CpuConeTracer cpu(frame.packedLevels(), frame.uniforms());
     double surfaces = 0.0, diffuseSteps = 0.0, shadowSteps = 0.0;
     for (const SurfacePixel& pixel : frame.pixels()) {
         if (!pixel.surface) continue;

@@ -5,12 +5,11 @@
 
 #include "lab/cpu_mips.h"
 #include "shared/layout.h"
+#include "support/scenes.h"
 
 namespace vct::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 FacePlane unpackPlane(std::uint32_t word) {
     const auto step = [&](int shift) { return static_cast<double>(word >> shift & 255U); };

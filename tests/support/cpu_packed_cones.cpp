@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/scenes.h"
+
 namespace vct::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A cone this opaque is done (published program: 1 up to rounding).
 constexpr double opaque = 0.998;
@@ -108,11 +108,7 @@ CpuConeTracer::Shadow CpuConeTracer::shadow(const glm::dvec3& positionVolume,
         const int coarse = std::min(fine + 1, lastLevel_);
         if (seesNothing(p, coarse)) break;
         double opacity = sample(p, fine).a;
-        ++result.samples;
-        if (level > fine) {
-            opacity = glm::mix(opacity, sample(p, coarse).a, level - fine);
-            ++result.samples;
-        }
+        if (level > fine) opacity = glm::mix(opacity, sample(p, coarse).a, level - fine);
         ++result.steps;
         transmittance *= 1.0 - opacity;
         // A needle steps as a cone of 2 degrees does, and never by more than half a voxel.

@@ -26,7 +26,6 @@ class CpuConeTracer {
     struct Shadow {
         double light = 1.0;
         int steps = 0;
-        int samples = 0;  // levels read: one or two a step
     };
     Shadow shadow(const glm::dvec3& positionVolume, const glm::dvec3& normal) const;
 

@@ -105,7 +105,7 @@ std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels) {
     return levels;
 }
 
-FaceLevel mipOnCpu(const FaceLevel& children) {
+FaceLevel faceMipOnCpu(const FaceLevel& children) {
     FaceLevel parents(children.side() / 2);
     parents.forEachVoxel([&](const glm::ivec3& parent) {
         for (int face = 0; face < faceCount; ++face) {
@@ -132,7 +132,7 @@ FaceLevel mipOnCpu(const FaceLevel& children) {
 void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base) {
     for (int level = 0; level < voxels.levels(); ++level) {
         writeLevel(voxels.faces(), level, base);
-        if (level + 1 < voxels.levels()) base = mipOnCpu(base);
+        if (level + 1 < voxels.levels()) base = faceMipOnCpu(base);
     }
 }
 

@@ -54,7 +54,7 @@ std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels);
 
 // The next level: per face, of each of the four pairs of children along its axis the front one over the back
 // one, F + (1 - alpha of F) B; the mean of the pairs, rounded to nearest.
-FaceLevel mipOnCpu(const FaceLevel& children);
+FaceLevel faceMipOnCpu(const FaceLevel& children);
 
 // Replaces the base level and gives every other level its CPU mip.
 void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base);

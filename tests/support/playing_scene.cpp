@@ -9,34 +9,34 @@
 
 namespace vct::test {
 
-Camera Stage::moveTo(double seconds) {
+Camera PlayingScene::moveTo(double seconds) {
     const Pose pose = poseAt(scene_.animation, seconds);
     renderer_.setPose(pose);
     renderer_.setLightDirection(posed(chooseLight(scene_), pose).towardsLight);
     return posed(chooseCamera(scene_, ""), pose);
 }
 
-void Stage::frameAt(double seconds, Mode mode) {
+void PlayingScene::frameAt(double seconds, Mode mode) {
     renderer_.frame(mode, moveTo(seconds));
 }
 
-void Stage::stillAt(double seconds, Mode mode) {
+void PlayingScene::convergedAt(double seconds, Mode mode) {
     renderer_.renderConverged(mode, moveTo(seconds));
 }
 
-std::size_t Stage::bytes() const {
+std::size_t PlayingScene::bytes() const {
     std::size_t sum = 0;
     for (const Resource& resource : renderer_.resources())
         sum += resource.bytes;
     return sum;
 }
 
-void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Mode mode) {
     const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
     stage.frameAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
-    Stage fresh(context, frozen, settings);
+    PlayingScene fresh(context, frozen, settings);
     fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
     const DirectionalVolume* directional = stage.renderer().directional();
@@ -45,15 +45,15 @@ void expectFresh(Stage& stage, const Context& context, const Scene& scene, const
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 
-void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
-                      double seconds, Mode mode) {
+void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& scene,
+                      const Settings& settings, double seconds, Mode mode) {
     const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
-    stage.stillAt(seconds, mode);
+    stage.convergedAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
-    Stage fresh(context, frozen, settings);
-    fresh.stillAt(0.0, mode);
+    PlayingScene fresh(context, frozen, settings);
+    fresh.convergedAt(0.0, mode);
     const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
-    const auto received = [&](Stage& of_) {
+    const auto received = [&](PlayingScene& of_) {
         return readReceived(of_.renderer().directional()->voxels(),
                             of_.renderer().directional()->received(of)->received());
     };

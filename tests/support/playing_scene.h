@@ -1,4 +1,5 @@
-// A scene on a renderer of its own, at whatever time, and what a renderer leaves that never saw another.
+// An animated scene on a renderer of its own, at whatever time, and what a renderer leaves that never saw
+// another.
 #pragma once
 
 #include "scene/camera.h"
@@ -7,15 +8,15 @@
 
 namespace vct::test {
 
-class Stage {
+class PlayingScene {
   public:
-    // Of what is given here it keeps the scene.
-    Stage(const Context& context, const Scene& scene, const Settings& settings)
+    // The scene must live as long.
+    PlayingScene(const Context& context, const Scene& scene, const Settings& settings)
         : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
 
     void frameAt(double seconds, Mode mode = Mode::gi);
-    // When the received light stands still.
-    void stillAt(double seconds, Mode mode = Mode::gi);
+    // Draws a frame in which the received light is converged.
+    void convergedAt(double seconds, Mode mode = Mode::gi);
     void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
     Renderer& renderer() { return renderer_; }
     std::size_t bytes() const;
@@ -28,12 +29,12 @@ class Stage {
 
 // Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its
 // picture, where that does not show what faces received: they remember earlier poses.
-void expectFresh(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
+void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Mode mode = Mode::gi);
 
-// Likewise of what faces received, when it stands still: the difference of the two is noise of the last round
-// of directions and of 8 bits, not a trace of where things were.
-void expectFreshLight(Stage& stage, const Context& context, const Scene& scene, const Settings& settings,
-                      double seconds, Mode mode = Mode::gi);
+// Expects the same of the converged light that faces received: the difference of the two is noise of the last
+// round of directions and of 8 bits, not a trace of where things were.
+void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& scene,
+                      const Settings& settings, double seconds, Mode mode = Mode::gi);
 
 }  // namespace vct::test

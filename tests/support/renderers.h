@@ -31,4 +31,12 @@ inline Settings smallSettings(int grid = 64, int pixels = 64) {
     return settings;
 }
 
+// The preset at its own grid.
+inline Settings mobileAt(int pixels) {
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(pixels);
+    settings.shadowMapSize = 256;
+    return settings;
+}
+
 }  // namespace vct::test

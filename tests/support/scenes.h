@@ -7,6 +7,8 @@
 
 namespace vct::test {
 
+constexpr double pi = 3.14159265358979323846;
+
 // One white, single-sided material and no geometry.
 Scene emptyScene();
 

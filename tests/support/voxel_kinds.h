@@ -24,10 +24,20 @@ inline Settings settingsOf(const VoxelKind& kind) {
     return settings;
 }
 
+inline Settings mobileSettings() {
+    return settingsOf({"mobile", Voxelization::sortedAxes});
+}
+
 inline auto everyVoxelKind() {
     return testing::Values(
         VoxelKind{"thesis", Voxelization::geometryShader}, VoxelKind{"thesis", Voxelization::sortedAxes},
         VoxelKind{"mobile", Voxelization::geometryShader}, VoxelKind{"mobile", Voxelization::sortedAxes});
+}
+
+// One of each preset; the other way to make them gives the same voxels (sorted_axes_test.cpp).
+inline auto onePerPreset() {
+    return testing::Values(VoxelKind{"thesis", Voxelization::geometryShader},
+                           VoxelKind{"mobile", Voxelization::sortedAxes});
 }
 
 inline std::string nameOfKind(const testing::TestParamInfo<VoxelKind>& test) {

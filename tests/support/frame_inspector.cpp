@@ -1,0 +1,181 @@
+#include "support/frame_inspector.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/frame_uniforms.h"
+#include "engine/programs.h"
+#include "lab/debug_view.h"
+#include "lab/read_back.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+
+namespace {
+
+// ES cannot read a depth texture; the depth view writes it into a colour target.
+Image readDepth(const gl::ShaderLibrary& shaders, const gl::Texture& depth) {
+    depth.bind(VCT_TEX_G_DEPTH);
+    const gl::Program program(shaders, debugViewProgram(VCT_DEBUG_VIEW_DEPTH));
+    const gl::Texture color = gl::Texture::make2d("depth", GL_RGBA32F, depth.width(), depth.height());
+    const gl::Framebuffer framebuffer("depth", {&color}, nullptr);
+    const gl::VertexArray noVertices;
+    framebuffer.bind();
+    gl::Disable(GL_DEPTH_TEST);
+    program.use();
+    noVertices.bind();
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    return readImage(color);
+}
+
+// Four numbers per pixel, the bottom row first.
+template <class Number>
+std::vector<Number> readRgba(const gl::Texture& texture, GLenum format, GLenum type) {
+    const gl::Framebuffer framebuffer("read back", {&texture}, nullptr);
+    framebuffer.bind();
+    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
+    std::vector<Number> numbers(static_cast<std::size_t>(texture.width()) * texture.height() * 4);
+    gl::ReadPixels(0, 0, texture.width(), texture.height(), format, type, numbers.data());
+    return numbers;
+}
+
+// Cigolle et al. 2014: the octahedron unfolded into a square, two coordinates of 0..65534.
+glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY) {
+    const double x = codeX / 32767.0 - 1.0;
+    const double y = codeY / 32767.0 - 1.0;
+    const double z = 1.0 - std::abs(x) - std::abs(y);
+    if (z >= 0.0) return glm::normalize(glm::dvec3(x, y, z));
+    return glm::normalize(
+        glm::dvec3(std::copysign(1.0 - std::abs(y), x), std::copysign(1.0 - std::abs(x), y), z));
+}
+
+std::vector<SurfacePixel> readSurface(Renderer& renderer, const shared::FrameUniforms& frame) {
+    const GBuffer::Targets targets = renderer.surface();
+    const Image depth = readDepth(renderer.shaders(), *targets.depth);
+    const auto normals = readRgba<std::uint32_t>(*targets.normal, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
+    const auto roots = readRgba<std::uint8_t>(*targets.albedo, GL_RGBA, GL_UNSIGNED_BYTE);
+    const glm::dmat4 worldFromVolume = glm::inverse(renderer.volume().volumeFromWorld());
+    std::vector<SurfacePixel> pixels(depth.pixels.size());
+    for (int y = 0; y < depth.height; ++y)
+        for (int x = 0; x < depth.width; ++x) {
+            const float z = depth.at(x, y).x;
+            if (z == 1.0F) continue;
+            const glm::dvec4 p =
+                glm::dmat4(frame.volumeFromWindow) * glm::dvec4(x + 0.5, depth.height - (y + 0.5), z, 1.0);
+            const std::size_t fromBottom =
+                (static_cast<std::size_t>(depth.height - 1 - y) * depth.width + x) * 4;
+            SurfacePixel& pixel = pixels[static_cast<std::size_t>(y) * depth.width + x];
+            pixel.surface = true;
+            pixel.positionVolume = glm::dvec3(p) / p.w;
+            pixel.positionWorld = glm::dvec3(worldFromVolume * glm::dvec4(pixel.positionVolume, 1.0));
+            pixel.normal = normalFromCode(normals[fromBottom], normals[fromBottom + 1]);
+            const glm::dvec3 root =
+                glm::dvec3(roots[fromBottom], roots[fromBottom + 1], roots[fromBottom + 2]) / 255.0;
+            pixel.albedo = root * root;
+        }
+    return pixels;
+}
+
+}  // namespace
+
+void Spread::add(double value) {
+    mean = (mean * count + value) / (count + 1);
+    min = std::min(min, value);
+    max = std::max(max, value);
+    ++count;
+}
+
+Bounds boundsForVoxelsAsWorld(int grid) {
+    return {glm::dvec3(2.5), glm::dvec3(grid - 2.5)};
+}
+
+FrameInspector::FrameInspector(const Context& context, Scene scene, const DirectionalLight& light,
+                               const Settings& settings, const Camera& camera)
+    : scene_(std::move(scene)),
+      light_(light),
+      settings_(settings),
+      camera_(camera),
+      renderer_(makeRenderer(context, scene_, light, settings)) {}
+
+void FrameInspector::setLight(const glm::dvec3& towardsLight) {
+    light_.towardsLight = glm::normalize(towardsLight);
+    renderer_.setLightDirection(light_.towardsLight);
+}
+
+Image FrameInspector::view(Picture picture) {
+    renderer_.renderPart(picture, camera_, picture != VCT_VIEW_INDIRECT);
+    return readImage(renderer_.output());
+}
+
+std::vector<float> FrameInspector::hardShadow() {
+    pixels();
+    const Image all = view(VCT_MODE_GI);
+    renderer_.renderPart(VCT_VIEW_INDIRECT, camera_, true);
+    const Image indirect = readImage(renderer_.output());
+    std::vector<float> light(all.pixels.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        if (!pixels_[i].surface) continue;
+        const double cosine = glm::dot(pixels_[i].normal, light_.towardsLight) * pixels_[i].albedo.x;
+        if (cosine > 1e-3) light[i] = static_cast<float>((all.pixels[i].x - indirect.pixels[i].x) / cosine);
+    }
+    return light;
+}
+
+std::vector<float> FrameInspector::softShadow() {
+    std::vector<float> light;
+    for (const Image image = view(VCT_VIEW_CONE_SHADOW); const glm::vec3& pixel : image.pixels)
+        light.push_back(pixel.x);
+    return light;
+}
+
+const std::vector<SurfacePixel>& FrameInspector::pixels() {
+    if (pixels_.empty()) {
+        renderer_.frame(Mode::phong, camera_);
+        pixels_ = readSurface(renderer_, uniforms());
+    }
+    return pixels_;
+}
+
+Spread FrameInspector::spreadOf(Picture picture) {
+    const Image image = view(picture);
+    Spread spread;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (pixels()[i].surface) spread.add(image.pixels[i].x);
+    return spread;
+}
+
+shared::FrameUniforms FrameInspector::uniforms() const {
+    return frameUniforms(camera_, light_, scene_.boundsWorld, renderer_.volume(), settings_);
+}
+
+double FrameInspector::radianceRange() const {
+    return faceRadianceRange(scene_, light_, settings_.skyRadiance);
+}
+
+std::vector<Words> FrameInspector::packedLevels() {
+    if (renderer_.packed() == nullptr) view(VCT_MODE_GI);
+    const VoxelPyramid& pyramid = renderer_.occupancy();
+    std::vector<Words> levels;
+    for (int level = 0; level < pyramid.levels(); ++level)
+        levels.push_back(readVoxels(pyramid.texture(), level));
+    return levels;
+}
+
+void FrameInspector::replacePackedVoxels(const Words& base) {
+    writePyramid(renderer_.occupancy().texture(), base);
+}
+
+std::vector<FaceLevel> FrameInspector::faceLevels() {
+    view(VCT_VIEW_CONE_SHADOW);
+    return readFaces(renderer_.directional()->voxels());
+}
+
+ReceivedFaces FrameInspector::received(bool allBounces) {
+    renderer_.renderPart(VCT_VIEW_INDIRECT, camera_, allBounces);
+    return readReceived(renderer_.directional()->voxels(),
+                        renderer_.directional()->received(GatherOf::light)->received());
+}
+
+}  // namespace vct::test
