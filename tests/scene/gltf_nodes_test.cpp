@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "support/gltf_builder.h"
+#include "support/scenes.h"
 
 namespace vct::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void expectNear(const glm::dmat4& a, const glm::dmat4& b) {
     for (int column = 0; column < 4; ++column) {
