@@ -29,8 +29,8 @@ def list_full(vct: Vct) -> Measured:
     """Refuses with the size that it needs, and renders with exactly that."""
     data = cornell.build().to_bytes()
     scene = vct.scene_file("list_full", data)
-    faults, said = _refusal(vct, "list_full_refused", scene, ["--active-voxels", "1000"], "--active-voxels")
-    wanted = re.search(r"--active-voxels (\d+)", said)
+    faults, said = _refusal(vct, "list_full_refused", scene, ["--active-voxels", "1000"], "make room for")
+    wanted = re.search(r"make room for (\d+) active voxels", said)
     if not wanted:
         return Measured(faults + 1, None, said)
     exact = vct.render("list_full", data, options=("--active-voxels", wanted[1]))
