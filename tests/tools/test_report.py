@@ -94,7 +94,7 @@ def test_the_summary_has_each_preset_and_the_failed_point(page):
     rows = [row for row in page.rows if row[0] == "cornell" and row[1] in ("thesis", "mobile")]
     assert [row[1] for row in rows[:2]] == ["thesis", "mobile"]
     assert all(float(cell) > 0 for row in rows[:2] for cell in row[2:6])
-    assert "a grid of 100 voxels" in page.text and "1 failed" in page.text
+    assert "--grid: 100 not in" in page.text and "1 failed" in page.text
 
 
 def test_pictures_and_plots_are_pictures(page):
