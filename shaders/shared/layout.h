@@ -31,7 +31,7 @@ using glm::vec4;
 #define VCT_VIEW_IRRADIANCE 9  // of the indirect light, relative to the sun's
 #define VCT_VIEW_SPECULAR 10
 
-// What the stage view shows.
+// What the debug view shows.
 #define VCT_DEBUG_VIEW_SHADOW_MAP 0
 #define VCT_DEBUG_VIEW_ALBEDO 1
 #define VCT_DEBUG_VIEW_NORMAL 2
@@ -137,8 +137,8 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which time light is stored (directional/voxels.glsl); what a pass over a part of the voxels visits (shared/commands.glsl), and
-// what it empties (directional/dynamic_faces.glsl).
+// the triangles of a draw call are voxelized; which time light is stored (directional/voxels.glsl); what a pass over a part of the voxels visits
+// (directional/static_entries.glsl).
 #define VCT_UNIFORM_LEVEL 0
 #define VCT_UNIFORM_WHICH 1
 #define VCT_UNIFORM_FIRST 1
