@@ -16,10 +16,8 @@ from pathlib import Path
 import program
 from files import ROOT
 from scenes import balls
-from tables import markdown
+from tables import STEPS, markdown
 
-STEPS = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-         "irradiance": "irradiance", "trace": "trace", "total": "frame"}
 # What changes, as the scene is told, and the program.
 CASES = {
     "everything anew (`--revoxelize`)": ({"turn_camera": True}, ["--revoxelize"]),
@@ -34,7 +32,7 @@ def measured(vct: Path, scene: Path, preset: str, folder: Path, frames: int, fla
     timings = folder / "timings.json"
     program.render(vct, scene, "--out", folder, "--mode", "gi-cone-shadow", "--preset", preset, "--frames", frames, "--fps",
                    frames / balls.SECONDS, "--timings", timings, *flags)
-    steps = json.loads(timings.read_text())["steps"]
+    steps = json.loads(timings.read_text())["modes"]["gi-cone-shadow"]["steps"]
     return {step: steps[step]["median"] for step in STEPS}
 
 

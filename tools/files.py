@@ -1,10 +1,12 @@
-"""Where the repository's files lie, what a result depends on beside its settings, and how results are written."""
+"""Where the repository's files lie, what a result depends on beside its settings, and how results are read and written."""
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import subprocess
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -33,6 +35,19 @@ def shown(path: Path) -> str:
     """A path as written into files: relative to the repository, or the name alone where it lies elsewhere."""
     full = path.resolve()
     return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else full.name
+
+
+def read_json(path: Path, **versions: int) -> dict[str, Any]:
+    """An object that has one of the members, and the version that goes with it; else ends the program with a sentence."""
+    try:
+        data = json.loads(path.read_text())
+    except (OSError, ValueError) as error:
+        raise SystemExit(f"error: {path} cannot be read: {error}") from None
+    found = data.get("version") if isinstance(data, dict) else None
+    if not any(member in data and found == version for member, version in versions.items()):
+        known = " or ".join(f"version {version} with {member}" for member, version in versions.items())
+        raise SystemExit(f"error: {path} has version {found}; this program reads {known}: make it anew")
+    return data
 
 
 def write_whole(path: Path, data: bytes | str) -> None:

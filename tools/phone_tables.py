@@ -6,40 +6,16 @@ mode, a column for each machine. docs/timings.md describes both files.
 from __future__ import annotations
 
 import argparse
-import json
-import sys
 from pathlib import Path
 from typing import Any
 
-from tables import markdown
+from files import read_json
+from tables import STEPS, markdown
 
-# Steps that are not named as they are written.
-LABELS = {"render_data": "G-buffer"}
 # docs/timings.md says when they change, each for itself.
 BENCH_VERSION = 1
-TIMINGS_VERSION = 3
+TIMINGS_VERSION = 4
 File = tuple[str, dict[str, Any]]  # the machine's name, and what was measured there
-
-
-def read(path: Path) -> dict[str, Any]:
-    """Raises ValueError with the file's name where it is neither of the two."""
-    try:
-        content = json.loads(path.read_text())
-    except (OSError, ValueError) as error:
-        raise ValueError(f"cannot read {path}: {error}") from error
-    if not isinstance(content, dict) or not {"tables", "steps", "modes"} & content.keys():
-        raise ValueError(f"{path} is neither a bench.json nor a timings.json")
-    version = BENCH_VERSION if "tables" in content else TIMINGS_VERSION
-    if content.get("version") != version:
-        raise ValueError(f"{path} is not of version {version}, the one that this program reads")
-    return content
-
-
-def modes(timings: dict[str, Any]) -> dict[str, Any]:
-    """Each mode's steps."""
-    if "mode" in timings:
-        return {timings["mode"]: timings["steps"]}
-    return {name: mode["steps"] for name, mode in timings.get("modes", {}).items()}
 
 
 def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
@@ -57,19 +33,19 @@ def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]
 
 def step_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
     """A table for each mode, in the order of the first file that has it: medians of its steps."""
-    measured = [(f"{name}, {content['settings']['grid']}^3", modes(content)) for name, content in files
+    measured = [(f"{name}, {content['settings']['grid']}^3", content["modes"]) for name, content in files
                 if "tables" not in content]
     tables = []
     for mode in dict.fromkeys(mode for _, found in measured for mode in found):
-        columns = [(name, found[mode]) for name, found in measured if mode in found]
+        columns = [(name, found[mode]["steps"]) for name, found in measured if mode in found]
         steps = dict.fromkeys(key for _, found in columns for key in found)
         tables.append((f"{mode}, medians in ms", ["", *(name for name, _ in columns)], [
-            [LABELS.get(key, key.replace("_", " ")), *(f"{found[key]['median']:.2f}" if key in found else "–" for _, found in columns)]
+            [STEPS[key], *(f"{found[key]['median']:.2f}" if key in found else "–" for _, found in columns)]
             for key in steps]))
     return tables
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", metavar="NAME=FILE", help="a bench.json or timings.json")
     files = []
@@ -77,14 +53,9 @@ def main() -> int:
         name, separator, path = entry.partition("=")
         if not separator:
             parser.error(f"'{entry}' is not NAME=FILE")
-        try:
-            files.append((name, read(Path(path))))
-        except ValueError as error:
-            print(f"error: {error}", file=sys.stderr)
-            return 1
+        files.append((name, read_json(Path(path), tables=BENCH_VERSION, modes=TIMINGS_VERSION)))
     print("\n".join(f"{title}\n\n{markdown(head, rows)}" for title, head, rows in bench_tables(files) + step_tables(files)), end="")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -38,7 +38,4 @@ BenchReport comparisonReport(const std::vector<BenchRuns>& presets);
 nlohmann::ordered_json benchHeadJson(const std::vector<BenchRuns>& all, const std::string& statistic);
 std::string benchHeadText(const std::vector<BenchRuns>& all);
 
-// The steps of one mode out of a timings.json; null where it has not got that mode.
-const nlohmann::ordered_json* stepsOf(const nlohmann::ordered_json& timings, const std::string& mode);
-
 }  // namespace vct

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 
 #include "core/number_text.h"
 #include "gl/api.h"
@@ -71,12 +70,10 @@ void StepTimer::beginFrame() {
 
 void StepTimer::endFrame() {
     if (!recording_) return;
-    for (int i = 0; i < stepCount; ++i)
+    for (int i = 0; i < stepCount; ++i) {
         times_.stepMs[i].push_back(frameMs_[i]);
-    if (gpuTimer_)
-        for (int i = 0; i < stepCount; ++i)
-            times_.gpuMs[i].push_back(frameGpuMs_[i]);
-    times_.totalMs.push_back(std::accumulate(frameMs_.begin(), frameMs_.end(), 0.0));
+        if (gpuTimer_) times_.gpuMs[i].push_back(frameGpuMs_[i]);
+    }
 }
 
 StepTimer::Scope::Scope(StepTimer& t, Step s)

@@ -21,7 +21,6 @@ const char* stepName(Step step);
 // Milliseconds of every timed frame.
 struct StepTimes {
     std::array<std::vector<double>, stepCount> stepMs;
-    std::vector<double> totalMs;  // the row sum, per frame
     // By the GPU's clock; empty where it has none.
     std::array<std::vector<double>, stepCount> gpuMs;
     bool gpuDisjoint = false;  // the GPU's clock jumped meanwhile

@@ -20,27 +20,19 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int timingsVersion = 3;
+constexpr int timingsVersion = 4;
 
 ordered_json samplesJson(const std::vector<double>& samples) {
     return spreadJson("median", median(samples), "samples", samples);
 }
 
-ordered_json stepsJson(const StepTimes& times) {
+// Of each step, and of their sum frame by frame.
+ordered_json stepsJson(const std::array<std::vector<double>, stepCount>& stepsMs) {
     ordered_json json;
-    for (int i = 0; i < stepCount; ++i)
-        json[stepName(static_cast<Step>(i))] = samplesJson(times.stepMs[i]);
-    json["total"] = samplesJson(times.totalMs);
-    return json;
-}
-
-ordered_json gpuStepsJson(const StepTimes& times) {
-    ordered_json json;
-    std::vector<double> totalMs(times.gpuMs[0].size());
+    std::vector<double> totalMs(stepsMs[0].size());
     for (int i = 0; i < stepCount; ++i) {
-        json[stepName(static_cast<Step>(i))] = samplesJson(times.gpuMs[i]);
-        std::transform(totalMs.begin(), totalMs.end(), times.gpuMs[i].begin(), totalMs.begin(),
-                       std::plus<>());
+        json[stepName(static_cast<Step>(i))] = samplesJson(stepsMs[i]);
+        std::transform(totalMs.begin(), totalMs.end(), stepsMs[i].begin(), totalMs.begin(), std::plus<>());
     }
     json["total"] = samplesJson(totalMs);
     return json;
@@ -141,15 +133,9 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     const std::string gpuClock = gpuClockText(report);
     json["method"]["gpu_clock"] = gpuClock;
     const bool gpu = gpuClock.rfind("not used", 0) != 0;
-    if (report.modes.size() == 1) {
-        json["mode"] = modeName(report.modes[0].first);
-        json["steps"] = stepsJson(report.modes[0].second);
-        if (gpu) json["gpu_steps"] = gpuStepsJson(report.modes[0].second);
-    } else {
-        for (const auto& [mode, times] : report.modes) {
-            json["modes"][modeName(mode)]["steps"] = stepsJson(times);
-            if (gpu) json["modes"][modeName(mode)]["gpu_steps"] = gpuStepsJson(times);
-        }
+    for (const auto& [mode, times] : report.modes) {
+        json["modes"][modeName(mode)]["steps"] = stepsJson(times.stepMs);
+        if (gpu) json["modes"][modeName(mode)]["gpu_steps"] = stepsJson(times.gpuMs);
     }
     json["active_voxels"] = report.activeVoxels;
     std::size_t gBufferBytes = 0;
@@ -167,16 +153,15 @@ std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
     TableRows rows{{"milliseconds", "CS", "RT", "V", "M", "I", "Tr", "Tot"}};
     for (const auto& [mode, times] : modes) {
         rows.push_back({modeName(mode)});
-        for (const std::vector<double>& samples : times.stepMs)
-            rows.back().push_back(cellText("%.2f", median(samples)));
-        rows.back().push_back(cellText("%.2f", median(times.totalMs)));
+        const ordered_json steps = stepsJson(times.stepMs);
+        for (const auto& [step, ms] : steps.items())
+            rows.back().push_back(cellText("%.2f", ms.at("median")));
     }
     return markdownTable(rows);
 }
 
 void writeJson(const std::string& path, const ordered_json& json) {
-    const std::string text = json.dump(2) + "\n";
-    replaceFile(path, Bytes(text.begin(), text.end()));
+    replaceFile(path, json.dump(2) + "\n");
 }
 
 }  // namespace vct

@@ -30,7 +30,7 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     const nlohmann::json timings = program.json("t.json");
     EXPECT_EQ(timings.at("method").at("frames"), 3);
     for (const char* step : {"voxelize", "trace", "total"})
-        EXPECT_EQ(timings.at("steps").at(step).at("samples").size(), 3U) << step;
+        EXPECT_EQ(timings.at("modes").at("gi").at("steps").at(step).at("samples").size(), 3U) << step;
 
     const auto bytes = [&](const std::string& name) { return readBytes(program.folder.file("out/" + name)); };
     ASSERT_EQ(program.run(renderOf(moving, "--grid 64 --time 1.5", "thesis")), 0) << program.err;

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "gl/objects.h"
-#include "platform/context.h"
+#include "platform/platform.h"
 
 namespace vct::test {
 namespace {
@@ -42,12 +42,10 @@ TEST(StepTimer, AddsUpWhatAStepTakesInEachFrame) {
     const StepTimes times = timesOf(0, 4);
     const auto samples = [&](Step step) { return times.stepMs[static_cast<std::size_t>(step)]; };
     ASSERT_EQ(samples(Step::voxelize).size(), 4U);
-    ASSERT_EQ(times.totalMs.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_GT(samples(Step::voxelize)[i], 3.0);
         EXPECT_GT(samples(Step::trace)[i], 0.0);
         EXPECT_EQ(samples(Step::mipmap)[i], 0.0);
-        EXPECT_DOUBLE_EQ(times.totalMs[i], samples(Step::voxelize)[i] + samples(Step::trace)[i]);
     }
     EXPECT_TRUE(times.gpuMs[0].empty());
     EXPECT_NE(whyGpuTimesAreWrong(times), "");

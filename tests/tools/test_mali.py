@@ -50,9 +50,9 @@ def test_a_write_out_around_everything_is_no_loop_either():
 
 
 def loops(*entries):
-    """(depth, trips), with a letter where the length is constant."""
-    return [{"name": str(index), "depth": depth, "trips": trips, "constant": bool(constant)}
-            for index, (depth, trips, *constant) in enumerate(entries)]
+    """(depth, iterations), with a letter where the length is constant."""
+    return [{"name": str(index), "depth": depth, "iterations": iterations, "constant": bool(constant)}
+            for index, (depth, iterations, *constant) in enumerate(entries)]
 
 
 @pytest.mark.parametrize("source, compiled, which", [
@@ -89,7 +89,7 @@ def test_the_bound_is_the_readmes_formula():
     assert arithmetic.bottleneck() == "A" and arithmetic.bound_ms() == pytest.approx(300_000 / CORES / CLOCK_HZ * 1e3)
 
 
-def test_copies_of_an_unrolled_loop_share_its_trips():
+def test_copies_of_an_unrolled_loop_share_its_iterations():
     stage = Stage("fragment", 8, 2, 0, 0, {"A": 0, "LS": 0, "T": 0}, [Loop(0, {"A": 1, "LS": 0, "T": 0}) for _ in range(3)])
     assert stage_cost(stage, 100, loops((0, 300, "c"), (1, 3000))).words["A"] == 3000
 

@@ -36,11 +36,11 @@ class Cost:
 
 
 def stage_cost(stage: Stage, invocations: int, loops: list[dict[str, Any]]) -> Cost:
-    """`loops`: of the manifest, {"name", "depth", "constant", "trips"}. Both sides of a branch are taken as run."""
+    """`loops`: of the manifest, {"name", "depth", "constant", "iterations"}. Both sides of a branch are taken as run."""
     which = match_loops(loops, [loop.depth for loop in stage.loops])
     copies = Counter(which)
     words = Counter({pipe: number * invocations for pipe, number in stage.outside.items()})
     for compiled, source in zip(stage.loops, which):
-        trips = loops[source]["trips"] / copies[source]
-        words.update({pipe: number * trips for pipe, number in compiled.words.items()})
+        iterations = loops[source]["iterations"] / copies[source]
+        words.update({pipe: number * iterations for pipe, number in compiled.words.items()})
     return Cost(invocations, dict(words))

@@ -29,7 +29,7 @@ def _tree(depths: Sequence[int]) -> list[_Node]:
 
 
 Match = dict[int, int]  # compiled loop -> source loop
-Loop = dict[str, Any]  # of the manifest: name, depth, constant (its length), trips
+Loop = dict[str, Any]  # of the manifest: name, depth, constant (its length), iterations
 
 
 def _matches(source: list[_Node], compiled: list[_Node], loops: Sequence[Loop]) -> Iterator[Match]:
@@ -77,7 +77,7 @@ def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int]) -> list[i
                         "not counted (shaders/shared/counters.glsl)?")
 
     def unrolled(match: Match) -> tuple[int, float]:
-        gone = [loop["trips"] for index, loop in enumerate(loops) if index not in match.values()]
+        gone = [loop["iterations"] for index, loop in enumerate(loops) if index not in match.values()]
         return len(gone), sum(gone)
 
     least = min(map(unrolled, readings))

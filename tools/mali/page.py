@@ -13,7 +13,7 @@ PASSES = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "vo
           "irradiance": "irradiance", "trace": "trace"}
 MODES = ("ao", "gi", "gi-cone-shadow")
 
-# C. Wahlén's published shaders through the same compiler, at 256^3 and 400x400: words per step, and the trips that
+# C. Wahlén's published shaders through the same compiler, at 256^3 and 400x400: words per step, and the iterations that
 # the thesis's cones make where nothing stops them.
 PUBLISHED_A = {"diffuse step": 100, "shadow step": 191}
 PUBLISHED_TRIPS = {"diffuse step": 6 * 7, "shadow step": 137}
@@ -60,7 +60,7 @@ class StageOfFrame:
     program: Program
     stage: Stage
     cost: Cost
-    loops: list[dict[str, Any]]  # of the source, with trips
+    loops: list[dict[str, Any]]  # of the source, with iterations
 
 
 @dataclass
@@ -112,12 +112,12 @@ def loop_rows(preset: Preset) -> list[list[str]]:
         for compiled, source in zip(s.stage.loops, which):
             loop = s.loops[source]
             rows.append([s.program.title(), ("in it: " if loop["depth"] else "") + loop["name"],
-                         *(str(compiled.words[pipe]) for pipe in T880.pipes), f"{loop['trips']:,.0f}",
-                         number(loop["trips"] / s.cost.invocations), *published(loop["name"])])
+                         *(str(compiled.words[pipe]) for pipe in T880.pipes), f"{loop['iterations']:,.0f}",
+                         number(loop["iterations"] / s.cost.invocations), *published(loop["name"])])
         for index, loop in enumerate(s.loops):
             if index not in which:
-                rows.append([s.program.title(), loop["name"], "unrolled", "", "", f"{loop['trips']:,.0f}",
-                             number(loop["trips"] / s.cost.invocations), *published(loop["name"])])
+                rows.append([s.program.title(), loop["name"], "unrolled", "", "", f"{loop['iterations']:,.0f}",
+                             number(loop["iterations"] / s.cost.invocations), *published(loop["name"])])
     return rows
 
 
@@ -152,7 +152,7 @@ def page(manifest: dict[str, Any], presets: list[Preset]) -> str:
         head = ["program", "stage", "invocations", "A", "LS", "T", "most", "bound ms", "registers", "spills:fills"]
         parts.append(f"## Preset `{preset.name}`, mode `gi-cone-shadow`: words per invocation, loops included\n\n" +
                      markdown(head, stage_rows(preset, "gi-cone-shadow")))
-        head = ["program", "loop", "A", "LS", "T", "trips in the frame", "per invocation", "published: A", "trips"]
+        head = ["program", "loop", "A", "LS", "T", "iterations in the frame", "per invocation", "published: A", "iterations"]
         parts.append("Its loops, words per iteration without those of the loops inside:\n\n" +
                      markdown(head, loop_rows(preset)))
         head = ["program", "T880: A/LS/T", "registers", "threads of 4", "spills:fills",

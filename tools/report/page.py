@@ -11,7 +11,8 @@ import phone_tables
 from motion.tables import tables as motion_tables
 from report.html import Html, details, image, join, table, tag
 from report.pictures import Album, small_png
-from report.sweep_sections import METRICS, STEPS, SweepSections, number
+from report.sweep_sections import METRICS, SweepSections, number
+from tables import STEPS
 
 FILE_VERSION = 1  # of the JSON of vct bench and of tools/motion.py
 SOFTWARE = ("llvmpipe", "softpipe", "lavapipe", "swrast")
@@ -65,28 +66,19 @@ def method(sweep: dict[str, Any]) -> Html:
                      [scene, *(number(found.get(kind, {}).get("noise_relmse")) for kind in kinds)] for scene, found in noise.items()))])
 
 
-def json_file(path: Path, needs: str) -> dict[str, Any]:
-    """`needs`: what the file must hold beside its version."""
-    data = json.loads(path.read_text())
-    if data.get("version") != FILE_VERSION or needs not in data:
-        raise SystemExit(f"error: {path} has version {data.get('version')}, {'with' if needs in data else 'without'} {needs}; "
-                         f"this program reads version {FILE_VERSION} with {needs}")
-    return data
-
-
 def measured_by(data: dict[str, Any]) -> Html:
     return tag("p", f"Of {data['scene']}, milliseconds; {data['method']['statistic']}. {data['driver']['renderer']}, "
                     f"{data['machine']['cpu']}.")
 
 
 def bench(path: Path) -> Html:
-    data = json_file(path, "tables")
+    data = files.read_json(path, tables=FILE_VERSION)
     return join([measured_by(data), *(part for title, head, rows in phone_tables.bench_tables([("here", data)])
                                       for part in (tag("h3", title), table(head, rows)))])
 
 
 def presets(path: Path) -> Html:
-    data = json_file(path, "presets")
+    data = files.read_json(path, presets=FILE_VERSION)
     steps = {"voxelize_mipmap": "voxelize + mipmap", **STEPS}
     parts = [measured_by(data)]
     for mode in data["presets"][0]["modes"]:
@@ -100,7 +92,7 @@ def presets(path: Path) -> Html:
 
 
 def motion(path: Path) -> Html:
-    return join(part for one in motion_tables(json_file(path, "size"))
+    return join(part for one in motion_tables(files.read_json(path, size=FILE_VERSION))
                 for part in (tag("h3", one.name), tag("p", one.what), table(one.head, one.rows)))
 
 

@@ -10,10 +10,9 @@ from report.html import Html, details, image, join, table, tag
 from sweep.measures import MEASURES, Measure, NoReference, References, pair
 from sweep.settings import MODES, SETTINGS
 from sweep.usual import closeness, usual_settings
+from tables import STEPS
 from truth.exr import PictureError
 
-STEPS = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-         "irradiance": "irradiance", "trace": "cones", "total": "frame"}
 METRICS = {
     "relmse": ("relMSE", "Mean of (x − r)² / (r² + 0.01): how wrong, dark parts weighted like bright ones. “At the floor”: the "
                "error cannot be told from the reference's own noise, so its number says nothing."),

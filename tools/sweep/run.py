@@ -10,17 +10,15 @@ import program
 from files import ROOT
 from sweep.settings import Point
 
-TIMINGS_VERSION = 3
+TIMINGS_VERSION = 4
 # From timings.json into the point's entry, as they are.
 COPIED = ("driver", "machine", "method", "triangles", "active_voxels", "resources")
 
 
 def step_medians(timings: dict[str, Any], modes: tuple[str, ...]) -> dict[str, Any]:
-    """Per mode its steps, whether the file holds one mode or several."""
+    """Per mode its steps."""
     if timings.get("version") != TIMINGS_VERSION:
         raise program.Failed(f"timings.json has version {timings.get('version')}, not {TIMINGS_VERSION}")
-    if "steps" in timings:
-        return {timings["mode"]: timings["steps"]}
     found = {name: mode["steps"] for name, mode in timings["modes"].items()}
     if set(found) != set(modes):
         raise program.Failed(f"timings.json holds {', '.join(found)}, not {', '.join(modes)}")

@@ -5,7 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from files import write_whole
+from files import read_json, write_whole
 
 VERSION = 2
 
@@ -47,12 +47,4 @@ class Store:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """Refuses a file of another version, with a sentence."""
-    try:
-        data = json.loads(path.read_text())
-    except (OSError, ValueError) as error:
-        raise SystemExit(f"error: {path} cannot be read: {error}") from None
-    if data.get("version") != VERSION:
-        raise SystemExit(f"error: {path} has version {data.get('version')}; this program reads {VERSION}: remove it, and "
-                         "tools/sweep.py makes it anew")
-    return data
+    return read_json(path, points=VERSION)
