@@ -298,16 +298,14 @@ std::string App::scenePath() const {
 }
 
 void App::takeLoadedScene() {
-    const std::optional<Scenes::Result> result = scenes_.take();
-    if (!result) return;
-    if (!result->scene) {
-        if (request_)
-            endMeasuring(result->error);
-        else
-            fail(result->error);
-        return;
+    std::shared_ptr<const Scene> loaded;
+    try {
+        loaded = scenes_.take();
+    } catch (const std::exception& error) {
+        return request_ ? endMeasuring(error.what()) : fail(error.what());
     }
-    scene_ = result->scene;
+    if (!loaded) return;
+    scene_ = loaded;
     for (const std::string& warning : scene_->warnings)
         log(LogLevel::warning, warning);
     log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");

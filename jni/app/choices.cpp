@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <sstream>
 
 #include "core/error.h"
+#include "lab/options.h"
 #include "scene/camera.h"
 
 namespace vct::app {
@@ -21,56 +20,43 @@ const std::vector<Resolution>& resolutions() {
 
 ShowRequest showRequestFromText(const std::string& text) {
     ShowRequest request;
-    const auto onOff = [](const std::string& key, const std::string& value) {
-        if (value != "on" && value != "off")
-            throw Error("show: " + key + " is on or off, not '" + value + "'");
-        return value == "on";
-    };
-    std::istringstream words(text);
-    std::string word;
-    words >> word;
+    Choices& choices = request.choices;
     std::optional<int> grid;  // over the preset's, in whichever order they stand
-    while (words >> word) {
-        const std::size_t equals = word.find('=');
-        const std::string key = word.substr(0, equals);
-        const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
-        Choices& choices = request.choices;
-        if (key == "scene") {
-            request.scene = value;
-        } else if (key == "preset") {
-            choosePreset(choices, value);
-        } else if (key == "mode") {
-            choices.mode = modesFromText(value).front();
-        } else if (key == "grid") {
-            grid = std::atoi(value.c_str());
-        } else if (key == "cone-angle") {
-            choices.coneAngleDeg = std::strtof(value.c_str(), nullptr);
-        } else if (key == "pixels") {
-            const int divisor = value == "thesis" ? 0 : std::atoi(value.c_str());
-            const auto found = std::find_if(resolutions().begin(), resolutions().end(),
-                                            [&](const Resolution& r) { return r.divisor == divisor; });
-            if (found == resolutions().end() || (divisor == 0 && value != "thesis"))
-                throw Error("show: pixels is 1, 2, 3, 4 or thesis, not '" + value + "'");
-            choices.resolution = static_cast<int>(found - resolutions().begin());
-        } else if (key == "display") {
-            request.display = onOff(key, value);
-        } else if (key == "steps") {
-            choices.timeSteps = onOff(key, value);
-        } else if (key == "revoxelize") {
-            choices.revoxelize = onOff(key, value);
-        } else if (key == "time") {
-            char* end = nullptr;
-            request.timeS = std::strtod(value.c_str(), &end);
-            if (value.empty() || *end != '\0' || !std::isfinite(request.timeS) || request.timeS < 0.0)
-                throw Error("show: time is a number of seconds from 0 on, not '" + value + "'");
-            choices.play = false;
-        } else {
-            throw Error(
-                "show: unknown '" + word +
-                "'; there are scene, preset, mode, grid, cone-angle, pixels, display, steps, revoxelize and "
-                "time, each as name=value");
-        }
-    }
+    const auto setSwitch = [](const char* name, bool& on) {
+        return [name, &on](const std::string& value) {
+            if (value != "on" && value != "off")
+                throw Error(std::string("show: ") + name + " is on or off, not '" + value + "'");
+            on = value == "on";
+        };
+    };
+    const auto setPixels = [&](const std::string& value) {
+        const auto found =
+            std::find_if(resolutions().begin(), resolutions().end(), [&](const Resolution& resolution) {
+                return value == (resolution.divisor == 0 ? "thesis" : std::to_string(resolution.divisor));
+            });
+        if (found == resolutions().end())
+            throw Error("show: pixels is 1, 2, 3, 4 or thesis, not '" + value + "'");
+        choices.resolution = static_cast<int>(found - resolutions().begin());
+    };
+    const auto setTime = [&](const std::string& value) {
+        request.timeS = numberFromText("show: time", value);
+        if (request.timeS < 0.0) throw Error("show: time is a number of seconds from 0 on, not " + value);
+        choices.play = false;
+    };
+    setFromWords(
+        text, {{"scene", [&](const auto& value) { request.scene = value; }},
+               {"preset", [&](const auto& value) { choosePreset(choices, value); }},
+               {"mode", [&](const auto& value) { choices.mode = modesFromText(value).front(); }},
+               {"grid", [&](const auto& value) { grid = wholeNumberFromText("show: grid", value, 100000); }},
+               {"cone-angle",
+                [&](const auto& value) {
+                    choices.coneAngleDeg = static_cast<float>(numberFromText("show: cone-angle", value));
+                }},
+               {"pixels", setPixels},
+               {"display", setSwitch("display", request.display)},
+               {"steps", setSwitch("steps", choices.timeSteps)},
+               {"revoxelize", setSwitch("revoxelize", choices.revoxelize)},
+               {"time", setTime}});
     if (grid) request.choices.grid = *grid;
     validate(settingsFor(request.choices, glm::ivec2(1)));
     return request;

@@ -24,12 +24,6 @@ glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
     return {(window - size) / 2, size};
 }
 
-void bindWindow(glm::ivec2 window) {
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::Viewport(0, 0, window.x, window.y);
-    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
 }  // namespace
 
 Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
@@ -56,7 +50,9 @@ void Presenter::draw(const Renderer& renderer, glm::ivec2 window) const {
 }
 
 void clearWindow(glm::ivec2 window, const glm::vec3& color) {
-    bindWindow(window);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl::Viewport(0, 0, window.x, window.y);
+    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const GLfloat value[4] = {color.r, color.g, color.b, 1.0F};
     gl::ClearBufferfv(GL_COLOR, 0, value);
 }

@@ -1,6 +1,7 @@
 #include "app/scenes.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/log.h"
@@ -22,35 +23,23 @@ void Scenes::load(const SceneFile& file) {
     cancel();
     log("loading " + file.path);
     file_ = file;
-    thread_ = std::thread([this, file] {
-        Result result;
-        try {
-            result.scene = std::make_shared<const Scene>(
-                loadGltf(file.path, sceneReader(assets_, file.bundled, cancelled_)));
-        } catch (const std::exception& error) {
-            result.error = error.what();
-        }
-        const std::lock_guard<std::mutex> lock(mutex_);
-        result_ = std::move(result);
+    loaded_ = std::async(std::launch::async, [this, file] {
+        return std::make_shared<const Scene>(
+            loadGltf(file.path, sceneReader(assets_, file.bundled, cancelled_)));
     });
 }
 
 void Scenes::cancel() {
-    if (!thread_.joinable()) return;
+    if (!loading()) return;
     cancelled_ = true;
-    thread_.join();
+    loaded_.wait();
     cancelled_ = false;
-    result_.reset();
+    loaded_ = {};
 }
 
-std::optional<Scenes::Result> Scenes::take() {
-    std::optional<Result> result;
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        result.swap(result_);
-    }
-    if (result) thread_.join();
-    return result;
+std::shared_ptr<const Scene> Scenes::take() {
+    const bool done = loading() && loaded_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return done ? loaded_.get() : nullptr;
 }
 
 }  // namespace vct::app

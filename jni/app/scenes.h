@@ -3,11 +3,10 @@
 #pragma once
 
 #include <atomic>
+#include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/assets.h"
@@ -30,25 +29,19 @@ class Scenes {
     // Any scene that is being loaded is given up.
     void load(const SceneFile& file);
     void cancel();
-    bool loading() const { return thread_.joinable(); }
+    bool loading() const { return loaded_.valid(); }
     const SceneFile& loaded() const { return file_; }  // the last one that was asked for
 
-    struct Result {
-        std::shared_ptr<const Scene> scene;  // null: `error` says why
-        std::string error;
-    };
-    // Once per load(), when it is done.
-    std::optional<Result> take();
+    // Once per load(), when it is done; null before. Throws what made loading fail.
+    std::shared_ptr<const Scene> take();
 
   private:
     AAssetManager* assets_;
     std::string folder_;
     std::vector<SceneFile> all_;
     SceneFile file_;
-    std::thread thread_;
     std::atomic<bool> cancelled_{false};
-    std::mutex mutex_;
-    std::optional<Result> result_;  // guarded by mutex_
+    std::future<std::shared_ptr<const Scene>> loaded_;
 };
 
 }  // namespace vct::app

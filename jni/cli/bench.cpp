@@ -3,15 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "cli/backend_option.h"
 #include "cli/commands.h"
-#include "cli/grid_option.h"
+#include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "cli/shader_folder.h"
 #include "lab/bench_run.h"
-#include "lab/options.h"
-#include "platform/context.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
@@ -19,43 +15,34 @@ namespace vct::cli {
 namespace {
 
 struct BenchOptions {
+    SceneOptions scene;
     BenchRequest request;
     std::string out, json;
-    GridOption grid;
-    std::string size = "400x400";
-    BackendOption backend;
 };
 
 void bench(BenchOptions& options) {
     BenchRequest& request = options.request;
-    request.size = sizeFromText(options.size);
-    const Backend backend = backendFromName(options.backend.name);
-    for (const std::string& preset : request.presets) {
-        Settings settings = presetSettings(preset);
-        options.grid.applyNumber(settings);
-        validate(settings);
-    }
+    const SceneOptions& given = options.scene;
+    request.scene = given.path;
+    request.size = given.size;
+    request.camera = given.camera;
+    request.light = given.light;
+    for (const std::string& preset : request.presets)
+        validate(given.settings(preset));
     std::optional<OutputFolder> out;
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
     const auto scene = std::make_shared<const Scene>(loadGltf(request.scene));
-    const Context context = openContext(backend, options.backend.device);
-    context.capabilities.requireAll();
-    if (options.grid.given()) {
-        Settings settings = presetSettings(request.presets.front());
-        options.grid.applyNumber(settings);
-        options.grid.applyScene(settings, *scene, context.capabilities.texturesInMainMemory);
+    const Context context = given.backend.open();
+    if (given.grid || given.voxelSize) {
+        Settings settings = given.settings(request.presets.front());
+        given.fitGrid(settings, *scene, context.capabilities);
         request.grid = settings.grid;
     }
-    BenchRun run({request,
-                  scene,
-                  context.capabilities,
-                  gl::shadersFromFolder(shaderFolder()),
-                  options.backend.name,
-                  {},
-                  say},
-                 options.out);
+    BenchRun run(
+        {request, scene, context.capabilities, shaders(), backendName(given.backend.backend), {}, say},
+        options.out);
     while (run.advance()) {
     }
     if (!options.json.empty()) writeJson(options.json, run.report().json);
@@ -77,7 +64,7 @@ void addBench(CLI::App& app, int&) {
         "preset:\n"
         "  vct bench assets/cornell.glb --preset thesis,mobile,quality\n"
         "Use the machine for nothing else meanwhile. docs/timings.md says more.");
-    command->add_option("scene", request.scene, "Scene, .gltf or .glb")->required();
+    options->scene.addTo(*command)->required();
     command->add_option("--out", options->out,
                         "Folder for the tables as JSON and as text, and for the first run's timings and "
                         "pictures; made if missing");
@@ -91,12 +78,7 @@ void addBench(CLI::App& app, int&) {
             "Sets of settings, several with commas: " + presetList() + "; thesis alone gives the tables")
         ->delimiter(',')
         ->capture_default_str();
-    options->grid.addTo(*command);
-    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", request.shadowMap, "Texels along a side")->capture_default_str();
-    command->add_option("--camera", request.camera, "As for render");
-    command->add_option("--light", request.light, "As for render");
-    options->backend.addTo(*command);
     command->callback([options] { bench(*options); });
 }
 

@@ -1,32 +1,25 @@
-// vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what it needs and
-// what that costs.
+// vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what each
+// of its features costs.
 #include <cstdio>
 #include <string>
 
-#include "cli/backend_option.h"
 #include "cli/commands.h"
-#include "cli/grid_option.h"
+#include "cli/options.h"
 #include "cli/progress.h"
-#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
 #include "lab/options.h"
 #include "lab/scene_costs.h"
-#include "platform/context.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
 namespace {
 
 struct InfoOptions {
-    BackendOption backend;
+    SceneOptions scene;
     bool listDevices = false;
-    std::string scene;
     std::string preset = "thesis";
     std::string mode = "gi-cone-shadow";
-    std::string size = "400x400";
-    std::string camera, light;
-    GridOption grid;
     int timedFrames = 0;
 };
 
@@ -38,7 +31,7 @@ constexpr const char* infoFooter =
     "  vct info --list-devices      the indices that --device takes\n"
     "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
     "  vct info assets/courtyard.glb --preset mobile --grid auto\n"
-    "                               what the scene needs, and what each need adds to a frame";
+    "                               what each feature of the scene adds to a frame";
 
 void printDevices() {
     const std::vector<std::string> devices = eglDevices();
@@ -48,12 +41,13 @@ void printDevices() {
 }
 
 bool printCapabilities(const InfoOptions& options) {
-    const Context context = openContext(backendFromName(options.backend.name), options.backend.device);
+    const BackendOption& backend = options.scene.backend;
+    const Context context = openContext(backend.backend, backend.device);
     const gl::Capabilities& capabilities = context.capabilities;
-    std::printf("back end:  %s, %s\n%s", options.backend.name.c_str(),
+    std::printf("back end:  %s, %s\n%s", backendName(backend.backend),
                 context.platform->description().c_str(), gl::describe(capabilities).c_str());
     // A driver library without access to its GPU is a common surprise in containers.
-    if (capabilities.softwareDriver && options.backend.device < 0 && eglDevices().size() > 1)
+    if (capabilities.softwareDriver && backend.device < 0 && eglDevices().size() > 1)
         std::puts("EGL lists more than one device; --list-devices shows whether one of them is a GPU.");
     for (const gl::Requirement& row : capabilities.requirements) {
         if (row.required && !row.met) return false;
@@ -61,34 +55,28 @@ bool printCapabilities(const InfoOptions& options) {
     return true;
 }
 
-// Renders the scene, and the scene without each of its needs.
+// Renders the scene, and the scene without each of its features.
 void printScene(const InfoOptions& options) {
     FrameOptions frame;
-    frame.settings = presetSettings(options.preset);
-    frame.settings.size = sizeFromText(options.size);
+    frame.settings = options.scene.settings(options.preset);
     frame.settings.revoxelize = true;  // what every pass costs
-    options.grid.applyNumber(frame.settings);
     validate(frame.settings);
     const std::vector<Mode> modes = modesFromText(options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
-    const Backend backend = backendFromName(options.backend.name);
-
-    const Scene scene = loadGltf(options.scene);
-    frame.camera = cameraFromText(options.camera, scene);
-    frame.light = lightFromText(options.light, scene);
-    const Context context = openContext(backend, options.backend.device);
-    context.capabilities.requireAll();
-    options.grid.applyScene(frame.settings, scene, context.capabilities.texturesInMainMemory);
-    const Progress progress("rendering " + options.scene + " with and without each of its needs");
-    const SceneCosts costs =
-        sceneCosts(scene, frame, context.capabilities, gl::shadersFromFolder(shaderFolder()));
+    const Scene scene = loadGltf(options.scene.path);
+    frame.camera = cameraFromText(options.scene.camera, scene);
+    frame.light = lightFromText(options.scene.light, scene);
+    const Context context = options.scene.backend.open();
+    options.scene.fitGrid(frame.settings, scene, context.capabilities);
+    const Progress progress("rendering " + scene.path + " with and without each of its features");
+    const SceneCosts costs = sceneCosts(scene, frame, context.capabilities, shaders());
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
     std::printf(
         "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"
         "preset %s, mode %s, %dx%d pixels, %d^3 voxels\n\n%s",
-        options.scene.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
+        scene.path.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
         extent.x, extent.y, extent.z, options.preset.c_str(), modeName(frame.mode), frame.settings.size.x,
         frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
 }
@@ -97,23 +85,19 @@ void printScene(const InfoOptions& options) {
 
 void addInfo(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand(
-        "info", "Show the GL driver and whether it has what the pipeline needs, or what a scene needs");
+        "info",
+        "Show the GL driver and whether it has what the pipeline needs, or what a scene's features cost");
     const auto options = std::make_shared<InfoOptions>();
-    options->backend.addTo(*command);
+    CLI::Option* scene = options->scene.addTo(*command);
     command->add_flag("--list-devices", options->listDevices,
                       "List the EGL devices with their indices, and stop");
-    CLI::Option* scene =
-        command->add_option("scene", options->scene, "Scene, .gltf or .glb; without it, the driver");
     command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
         ->capture_default_str();
     command->add_option("--mode", options->mode, "Of a scene's frame, as for render")->capture_default_str();
-    options->grid.addTo(*command);
-    command->add_option("--size", options->size, "Of a scene's frame, WIDTHxHEIGHT")->capture_default_str();
-    command->add_option("--camera", options->camera, "As for render");
-    command->add_option("--light", options->light, "As for render");
     command
-        ->add_option("--times", options->timedFrames,
-                     "Time so many frames with and without each need, in turn; the difference of the medians")
+        ->add_option(
+            "--times", options->timedFrames,
+            "Time so many frames with and without each feature, in turn; the difference of the medians")
         ->check(CLI::Range(1, 1000));
     for (const char* ofAScene :
          {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
@@ -122,7 +106,7 @@ void addInfo(CLI::App& app, int& exitCode) {
     command->callback([options, &exitCode] {
         if (options->listDevices)
             printDevices();
-        else if (!options->scene.empty())
+        else if (!options->scene.path.empty())
             printScene(*options);
         else if (!printCapabilities(*options))
             exitCode = 1;

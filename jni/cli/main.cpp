@@ -2,9 +2,26 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <utility>
 
 #include "cli/commands.h"
-#include "cli/numbers.h"
+#include "cli/options.h"
+
+namespace {
+
+// By what options to follow the advice of an error: the engine knows no command line.
+std::string optionsOf(const std::string& error) {
+    std::string options;
+    for (const auto& [advice, option] : {std::pair{"make room for", "--active-voxels"},
+                                         {"coarser grid", "--grid"},
+                                         {"smaller picture", "--size"}})
+        if (error.find(advice) != std::string::npos)
+            options += std::string(options.empty() ? "" : ", ") + option;
+    return options.empty() ? "" : " (" + options + ")";
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     // Writing beyond `ulimit -f` shall be an error that is reported and tidied up after, as on a full disk.
@@ -31,7 +48,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "vct: error: %s; see %s\n", error.what(), help.c_str());
         return 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vct: error: %s\n", error.what());
+        std::fprintf(stderr, "vct: error: %s%s\n", error.what(), optionsOf(error.what()).c_str());
         return 1;
     }
     return exitCode;

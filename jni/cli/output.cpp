@@ -1,6 +1,5 @@
 #include "cli/output.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -32,17 +31,12 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
         throw Error("cannot write into the folder '" + path + "': " + cause + "; choose another --out");
     };
     std::error_code error;
-    std::vector<fs::path> missing;
+    if (fs::exists(path, error) && !fs::is_directory(path, error)) fail("it is not a folder");
     for (fs::path folder = fs::path(path).lexically_normal(); !folder.empty() && !fs::exists(folder, error);
          folder = folder.parent_path())
-        if (folder.has_filename()) missing.push_back(folder);
-    std::reverse(missing.begin(), missing.end());
-    for (const fs::path& folder : missing) {
-        fs::create_directory(folder, error);
-        if (error) fail(error.message());
         made_.push_back(folder);
-    }
-    if (!fs::is_directory(path, error)) fail(error ? error.message() : "it is not a folder");
+    fs::create_directories(path, error);
+    if (error) fail(error.message());
     if (const int cause = causeNotWritable(file("vct"))) fail(std::strerror(cause));
 }
 
@@ -52,8 +46,8 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::removeMade() {
     std::error_code ignored;
-    for (; !made_.empty(); made_.pop_back())
-        fs::remove(made_.back(), ignored);
+    for (const fs::path& folder : made_)
+        fs::remove(folder, ignored);
 }
 
 void requireWritableFile(const std::string& path) {

@@ -17,6 +17,7 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
+    const std::string& path() const { return path_; }
     std::string file(const std::string& name) const { return path_ + "/" + name; }
     void keep() { made_.clear(); }
 
@@ -24,7 +25,7 @@ class OutputFolder {
     void removeMade();
 
     std::string path_;
-    std::vector<std::filesystem::path> made_;  // outermost first
+    std::vector<std::filesystem::path> made_;  // innermost first
 };
 
 // Throws vct::Error where a file could not be written at `path`; writes nothing.

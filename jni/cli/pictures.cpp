@@ -1,71 +1,55 @@
 #include "cli/pictures.h"
-#include "lab/debug_view.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <set>
 
 #include "cli/progress.h"
 
 namespace vct::cli {
 
-namespace {
+PictureWriter::PictureWriter(const std::string& folder, float exposure, bool contactSheet)
+    : folder_(folder), exposure_(exposure), contactSheet_(contactSheet) {}
 
-Image exposed(Image image, float exposure) {
-    for (glm::vec3& pixel : image.pixels)
-        pixel *= exposure;
-    return image;
+void PictureWriter::write(const std::string& name, const Image& image) {
+    warnIfCutOff(name, image);
+    writeExr(folder_.file(name + ".exr"), image);
+    Image exposed = image;
+    for (glm::vec3& pixel : exposed.pixels)
+        pixel *= exposure_;
+    writePng(folder_.file(name + ".png"), exposed);
+    folder_.keep();
+    if (contactSheet_) sheet_.emplace_back(name, std::move(exposed));
 }
 
-}  // namespace
-
-void writePicture(const std::string& name, const Image& image, const PictureOptions& options,
-                  const OutputFolder& out) {
-    writeExr(out.file(name + ".exr"), image);
-    writePng(out.file(name + ".png"), exposed(image, options.exposure));
+void PictureWriter::writeContactSheet() {
+    if (sheet_.size() > 1) writePng(folder_.file("contact_sheet.png"), contactSheet(sheet_, 3));
 }
 
-std::set<std::string> write(const Pictures& pictures, const PictureOptions& options, OutputFolder& out) {
-    std::set<std::string> made;
-    std::vector<std::pair<std::string, Image>> sheet;
-    for (const auto* group : {&pictures.modes, &pictures.lightParts})
-        for (const auto& [name, image] : *group) {
-            writePicture(name, image, options, out);
-            made.insert({name + ".exr", name + ".png"});
-            if (group == &pictures.modes) sheet.emplace_back(name, exposed(image, options.exposure));
-        }
-    if (options.contactSheet && sheet.size() > 1) {
-        writePng(out.file("contact_sheet.png"), contactSheet(sheet, 3));
-        made.insert("contact_sheet.png");
+void PictureWriter::writeDebugViews(const std::vector<DebugView>& views) {
+    OutputFolder folder(folder_.file("debug_views"));
+    for (const DebugView& view : views) {
+        writePng(folder.file(view.name + ".png"), view.image);
+        if (view.hasUnits) writeExr(folder.file(view.name + ".exr"), view.image);
+        folder.keep();
     }
-    if (!pictures.debugViews.empty()) {
-        OutputFolder views(out.file("debug_views"));
-        for (const DebugView& view : pictures.debugViews) {
-            writePng(views.file(view.name + ".png"), view.image);
-            if (view.hasUnits) writeExr(views.file(view.name + ".exr"), view.image);
-        }
-        views.keep();
-        made.insert("debug_views");
-    }
-    out.keep();
-    return made;
 }
 
-void nameOlderPictures(const std::set<std::string>& made, const PictureOptions& options) {
+void PictureWriter::nameOlderPictures() const {
     std::set<std::string> older;
-    for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
         const std::filesystem::path& path = entry.path();
         const bool picture = path.extension() == ".png" || path.extension() == ".exr";
-        if ((picture || path.filename() == "debug_views") && made.count(path.filename().string()) == 0)
+        if ((picture || path.filename() == "debug_views") && entry.last_write_time() < start_)
             older.insert(path.filename().string());
     }
     std::string names;
     for (const std::string& name : older)
         names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty()) say("note: not of this run, but in " + options.out + ": " + names);
+    if (!names.empty()) say("note: not of this run, but in " + folder_.path() + ": " + names);
 }
 
-void ExposureCheck::operator()(const std::string& name, const Image& image) {
+void PictureWriter::warnIfCutOff(const std::string& name, const Image& image) {
     constexpr float overWhite = 1.1F;      // a sheet of paper in full light may be white
     constexpr double largeShare = 0.25;    // a window or a lamp may be too bright for the picture
     constexpr double advisedShare = 0.95;  // that the advised exposure keeps below white

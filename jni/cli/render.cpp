@@ -1,24 +1,18 @@
 // vct render: a scene in; pictures, debug views and step timings out.
 #include <cstdio>
 #include <optional>
-#include <set>
 
-#include "cli/backend_option.h"
 #include "cli/commands.h"
-#include "cli/grid_option.h"
-#include "cli/moments.h"
-#include "cli/numbers.h"
+#include "cli/options.h"
 #include "cli/output.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
-#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "core/number_text.h"
 #include "engine/renderer.h"
 #include "lab/debug_view.h"
 #include "lab/options.h"
 #include "lab/timings.h"
-#include "platform/context.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 #include "scene/scene_features.h"
@@ -28,34 +22,28 @@ namespace vct::cli {
 namespace {
 
 struct RenderOptions {
-    std::string scene, timings, animation;
-    PictureOptions pictures;
-    MomentOptions moments;
+    SceneOptions scene;
+    std::string out, timings, animation;
     std::string mode = "gi-cone-shadow";
     std::string preset = "thesis";
-    std::string size = "400x400";
-    std::string camera, light;
     std::string sky = "0,0,0";
     // Over the preset's, where given.
     std::optional<std::string> shadow, specular, voxelization;
-    BackendOption backend;
-    // Over the preset's, where given.
-    GridOption grid;
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
-    std::optional<float> coneAngleDeg, aoDistance;
+    std::optional<float> coneAngleDeg;
+    // Which moments of an animated scene.
+    std::optional<double> timeS, fps;
+    std::optional<int> frames;
+    float exposure = 1.0F;  // of PNGs
     unsigned seedOrder = 0;
-    bool revoxelize = false;
-    bool lightParts = false;
+    bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
 
 Settings settingsFrom(const RenderOptions& options) {
-    Settings settings = presetSettings(options.preset);
-    settings.size = sizeFromText(options.size);
-    options.grid.applyNumber(settings);
+    Settings settings = options.scene.settings(options.preset);
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
-    settings.aoDistance = options.aoDistance.value_or(settings.aoDistance);
     if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     if (options.specular) settings.specular = specularFromText(*options.specular);
@@ -67,10 +55,22 @@ Settings settingsFrom(const RenderOptions& options) {
     return settings;
 }
 
+// Seconds, one per frame. Empty: the scene at rest, one frame.
+std::vector<double> momentsOf(const RenderOptions& options, const Scene& scene) {
+    if (!options.timeS && !options.frames) return {};
+    if (scene.animation.channels.empty())
+        throw Error("the scene " + scene.path +
+                    " has no animation of its nodes, so it looks the same at all times; leave out --time, "
+                    "--frames and --fps");
+    std::vector<double> moments;
+    for (int frame = 0; frame < options.frames.value_or(1); ++frame)
+        moments.push_back(options.timeS.value_or(0.0) + (frame == 0 ? 0.0 : frame / *options.fps));
+    return moments;
+}
+
 // A scene, and a camera and a light as they are at rest, on a renderer.
 struct Placed {
     const RenderOptions& options;
-    const Settings& settings;
     const Scene& scene;
     Camera camera;
     DirectionalLight light;
@@ -85,114 +85,69 @@ struct Placed {
     }
 };
 
-StepTimes timedRun(Renderer& renderer, Mode mode, const Camera& camera) {
-    renderer.renderConverged(mode, camera);
-    for (int i = 0; i < warmUpFrames; ++i)
-        renderer.frame(mode, camera);
-    renderer.timer().startRecording();
-    for (int i = 0; i < timedFrames; ++i)
-        renderer.frame(mode, camera);
-    return renderer.timer().stopRecording();
-}
-
-// Every mode at one moment, or at rest; returns the files that it made.
-std::set<std::string> renderPictures(const Placed& placed, const std::vector<Mode>& modes,
-                                     const std::vector<double>& moment, OutputFolder& out,
-                                     TimingsReport& report) {
+// One mode, seen by a camera that comes to a scene whose light is there. With timings a still picture is
+// drawn several times; of a sequence each frame is one sample. Reading back and writing is not timed.
+void renderMode(const Placed& placed, Mode mode, const std::vector<double>& moments, PictureWriter& pictures,
+                TimingsReport& report) {
     const RenderOptions& options = placed.options;
-    const Settings& settings = placed.settings;
     Renderer& renderer = placed.renderer;
-    const Camera camera = moment.empty() ? placed.camera : placed.moveTo(moment.front());
-    ExposureCheck checkExposure(options.pictures.exposure);
-    Pictures pictures;
-    for (Mode mode : modes) {
-        const Progress progress(std::string("mode ") + modeName(mode) + ", " +
-                                std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
-                                ", " + std::to_string(settings.grid) + "^3");
-        if (options.timings.empty())
-            renderer.renderConverged(mode, camera);
-        else
-            report.modes.emplace_back(mode, timedRun(renderer, mode, camera));
-        report.activeVoxels = renderer.activeVoxels();
-        pictures.modes.emplace_back(modeName(mode), renderer.radiance());
-        checkExposure(modeName(mode), pictures.modes.back().second);
-    }
-    report.resources = renderer.resources();
-    if (options.lightParts) {
-        const Progress progress("light parts");
-        for (DebugView& part : lightParts(renderer, camera))
-            pictures.lightParts.emplace_back(part.name, std::move(part.image));
-    }
-    if (options.pictures.debugViews) {
-        const Progress progress("debug views");
-        pictures.debugViews = debugViews(renderer, camera);
-    }
-    const Progress progress("writing the pictures");
-    return write(pictures, options.pictures, out);
-}
-
-// Every mode at each moment, written frame by frame: a sequence may be longer than the memory. With timings
-// each frame is one sample; reading it back and writing it is not timed.
-std::set<std::string> renderSequence(const Placed& placed, const std::vector<Mode>& modes,
-                                     const std::vector<double>& moments, OutputFolder& out,
-                                     TimingsReport& report) {
-    Renderer& renderer = placed.renderer;
-    const bool timed = !placed.options.timings.empty();
-    std::set<std::string> made;
-    ExposureCheck checkExposure(placed.options.pictures.exposure);
-    for (Mode mode : modes) {
-        // A camera that comes to a scene whose light is there.
-        renderer.renderConverged(mode, placed.moveTo(moments.front()));
-        if (timed) {
+    const std::string name = modeName(mode);
+    const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
+    const auto write = [&](const std::string& file) {
+        report.activeVoxels = renderer.activeVoxels();  // throws where the list overflowed
+        pictures.write(file, renderer.radiance());
+    };
+    {
+        const Settings& settings = renderer.settings();
+        const Progress progress("mode " + name + ", " + std::to_string(settings.size.x) + "x" +
+                                std::to_string(settings.size.y) + ", " + std::to_string(settings.grid) +
+                                "^3");
+        renderer.renderConverged(mode, camera);
+        if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
-                renderer.frame(mode, placed.moveTo(moments.front()));
+                renderer.frame(mode, camera);
             renderer.timer().startRecording();
+            for (int i = 0; i < timedFrames && !options.frames; ++i)
+                renderer.frame(mode, camera);
         }
-        for (std::size_t frame = 0; frame < moments.size(); ++frame) {
-            char line[96];
-            std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", modeName(mode), frame + 1,
-                          moments.size(), moments[frame]);
-            const Progress progress(line);
-            renderer.frame(mode, placed.moveTo(moments[frame]));
-            report.activeVoxels = renderer.activeVoxels();
-            const std::string name = modeName(mode) + frameSuffix(frame);
-            const Image image = renderer.radiance();
-            writePicture(name, image, placed.options.pictures, out);
-            checkExposure(name, image);
-            out.keep();
-            made.insert({name + ".exr", name + ".png"});
-        }
-        if (timed) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+        if (!options.frames) write(name);
     }
-    report.timedFrames = static_cast<int>(moments.size());
-    report.resources = renderer.resources();
-    return made;
+    // Written frame by frame: a sequence may be longer than the memory.
+    for (std::size_t frame = 0; options.frames && frame < moments.size(); ++frame) {
+        char line[96], suffix[32];
+        std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", name.c_str(), frame + 1,
+                      moments.size(), moments[frame]);
+        std::snprintf(suffix, sizeof suffix, "_%04zu", frame);
+        const Progress progress(line);
+        renderer.frame(mode, placed.moveTo(moments[frame]));
+        write(name + suffix);
+    }
+    if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
 }
 
 void render(const RenderOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     Settings settings = settingsFrom(options);
-    const Backend backend = backendFromName(options.backend.name);
-    const bool sequence = options.moments.frames.has_value();
-    if (sequence && (options.pictures.debugViews || options.lightParts || options.pictures.contactSheet))
+    if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
             "--debug-views, --light-parts and --contact-sheet are of one moment; leave out --frames and "
             "--fps, "
             "and choose it by --time");
     // Before anything slow: an output that cannot be written should be known at once.
-    OutputFolder out(options.pictures.out);
+    PictureWriter pictures(options.out, options.exposure, options.contactSheet);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
-    Scene scene = loadGltf(options.scene, readFileFromDisk, options.animation);
+    const std::string& path = options.scene.path;
+    Scene scene = loadGltf(path, readFileFromDisk, options.animation);
     for (const std::string& warning : scene.warnings)
         say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
-    const std::vector<double> moments = momentsOf(options.moments, scene);
-    const Camera camera = cameraFromText(options.camera, scene);
-    const DirectionalLight light = lightFromText(options.light, scene);
-    if (scene.lights.empty() && options.light.find("direction") == std::string::npos)
+    const std::vector<double> moments = momentsOf(options, scene);
+    const Camera camera = cameraFromText(options.scene.camera, scene);
+    const DirectionalLight light = lightFromText(options.scene.light, scene);
+    if (scene.lights.empty() && options.scene.light.find("direction") == std::string::npos)
         say("warning: the scene has no directional light; one from the upper front right is used (--light)");
-    say(options.scene + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
+    say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
         say("note: the scene is animated and shown at rest; --time S shows a moment of its " +
@@ -202,32 +157,40 @@ void render(const RenderOptions& options) {
         say("warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
             "can reflect (--specular cone)");
 
-    const Context context = openContext(backend, options.backend.device);
-    context.capabilities.requireAll();
+    const Context context = options.scene.backend.open();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
-    options.grid.applyScene(settings, scene, context.capabilities.texturesInMainMemory);
-    Renderer renderer(scene, light, settings, context.capabilities, gl::shadersFromFolder(shaderFolder()));
+    options.scene.fitGrid(settings, scene, context.capabilities);
+    Renderer renderer(scene, light, settings, context.capabilities, shaders());
 
     if (settings.voxels == Voxels::directional)
         say("received light: it stands still after " + std::to_string(settings.lightFrames) +
             " frames (--light-frames)");
     TimingsReport report;
-    const Placed placed{options, settings, scene, camera, light, renderer};
-    const std::set<std::string> made =
-        (sequence ? renderSequence : renderPictures)(placed, modes, moments, out, report);
-    nameOlderPictures(made, options.pictures);
-    if (!options.timings.empty()) {
-        report.scene = options.scene;
-        report.triangles = scene.triangleCount();
-        report.backend = options.backend.name;
-        report.preset = options.preset;
-        report.settings = settings;
-        writeJson(options.timings, timingsJson(report, context.capabilities));
-        std::fputs(timingsTable(report.modes).c_str(), stdout);
-        if (!settings.revoxelize && !sequence)
-            say("Nothing moved: shadow map (CS) and voxels (V, M) were made once, before these frames; "
-                "--revoxelize times them too");
+    for (const Mode mode : modes)
+        renderMode({options, scene, camera, light, renderer}, mode, moments, pictures, report);
+    pictures.writeContactSheet();
+    report.resources = renderer.resources();
+    const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
+    if (options.lightParts)
+        for (const DebugView& part : lightParts(renderer, seen))
+            pictures.write(part.name, part.image);
+    if (options.debugViews) {
+        const Progress progress("debug views");
+        pictures.writeDebugViews(debugViews(renderer, seen));
     }
+    pictures.nameOlderPictures();
+    if (options.timings.empty()) return;
+    report.scene = path;
+    report.triangles = scene.triangleCount();
+    report.backend = backendName(options.scene.backend.backend);
+    report.preset = options.preset;
+    report.settings = settings;
+    if (options.frames) report.timedFrames = *options.frames;
+    writeJson(options.timings, timingsJson(report, context.capabilities));
+    std::fputs(timingsTable(report.modes).c_str(), stdout);
+    if (!settings.revoxelize && !options.frames)
+        say("Nothing moved: shadow map (CS) and voxels (V, M) were made once, before these frames; "
+            "--revoxelize times them too");
 }
 
 constexpr const char* renderFooter =
@@ -248,26 +211,21 @@ void addRender(CLI::App& app, int&) {
         app.add_subcommand("render", "Render a glTF scene: pictures, debug views, step timings");
     auto options = std::make_shared<RenderOptions>();
     command->footer(renderFooter);
-    command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
-    command->add_option("--out", options->pictures.out, "Folder for the pictures; made if missing")
-        ->required();
+    options->scene.addTo(*command)->required();
+    command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
     command
         ->add_option("--mode", options->mode,
                      "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
         ->capture_default_str();
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
-    options->grid.addTo(*command);
     command->add_option(
         "--voxelization", options->voxelization,
         "What finds the axis along which a triangle is voxelized: geometry-shader, or "
         "sorted-axes (when the scene is loaded, and again for what moves); default: the preset's");
-    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,
                         "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");
-    command->add_option("--ao-distance", options->aoDistance,
-                        "Reach of ambient occlusion, of the volume's side (default: the preset's)");
     command->add_option("--shadow", options->shadow,
                         "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
                         "filtered as wide as the penumbra); default: the preset's");
@@ -279,27 +237,34 @@ void addRender(CLI::App& app, int&) {
         "--light-frames", options->lightFrames,
         "Frames after a change, until what surfaces receive stands still, as a still picture shows "
         "it (default: the preset's)");
-    command->add_option("--camera", options->camera,
-                        "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
-                        "(default: its first)");
-    command->add_option(
-        "--light", options->light,
-        "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
-        "each part may be left out");
-    options->moments.addTo(*command);
+    command
+        ->add_option("--time", options->timeS,
+                     "The moment of the scene's animation, in seconds; before its first key and after its "
+                     "last it stands still (default: at rest, as the file puts the nodes)")
+        ->check(CLI::Range(0.0, 1e6));
+    CLI::Option* const frames =
+        command
+            ->add_option("--frames", options->frames,
+                         "A sequence of so many pictures, from --time (default 0) on, --fps of them a second")
+            ->check(CLI::Range(1, 10000));  // as many as four digits count
+    CLI::Option* const fps =
+        command->add_option("--fps", options->fps, "Pictures for each second of the animation")
+            ->check(positive);
+    frames->needs(fps);
+    fps->needs(frames);
     command->add_option("--animation", options->animation,
                         "Which of the scene's animations to play, by name or index (default: its first)");
     command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
         ->capture_default_str();
-    command->add_option("--exposure", options->pictures.exposure, "Scales the PNGs, never the EXRs")
+    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")
         ->check(positive)
         ->capture_default_str();
-    command->add_flag("--debug-views", options->pictures.debugViews,
+    command->add_flag("--debug-views", options->debugViews,
                       "Also write every intermediate into DIR/debug_views/");
     command->add_flag(
         "--light-parts", options->lightParts,
         "Also write indirect_light, ambient_occlusion and cone_shadow, each alone, as PNG and EXR");
-    command->add_flag("--contact-sheet", options->pictures.contactSheet,
+    command->add_flag("--contact-sheet", options->contactSheet,
                       "Also write DIR/contact_sheet.png, the modes side by side");
     command->add_option("--timings", options->timings,
                         "Time each step over 5 frames (docs/timings.md) and write FILE.json; "
@@ -307,7 +272,6 @@ void addRender(CLI::App& app, int&) {
     command->add_flag("--revoxelize", options->revoxelize,
                       "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
                       "changed: to measure what that takes");
-    options->backend.addTo(*command);
     command
         ->add_option("--active-voxels", options->activeVoxels,
                      "Room in the active-voxel list (default: 16 grid^2)")

@@ -5,19 +5,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/backend_option.h"
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "cli/shader_folder.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
-#include "lab/options.h"
 #include "lab/program_list.h"
 #include "lab/shader_counters.h"
 #include "lab/timings.h"
-#include "platform/context.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 
@@ -29,7 +26,7 @@ using nlohmann::ordered_json;
 
 struct ShadersOptions {
     std::string scene, out;
-    std::string size = "400x400";
+    glm::ivec2 size{400, 400};
     BackendOption backend;
     std::vector<std::string> presets;
 };
@@ -45,7 +42,7 @@ bool same(const gl::ProgramDescription& a, const gl::ProgramDescription& b) {
     return a.name == b.name && a.defines == b.defines;
 }
 
-std::vector<Variant> variants(const Settings& settings, const SceneFeatures& sceneNeeds) {
+std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofScene) {
     std::vector<Variant> found;
     const auto add = [&](const FrameProgram& use) -> Variant& {
         for (Variant& known : found)
@@ -57,14 +54,15 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& sce
     for (Mode mode : allModes()) {
         for (const bool emissive : {false, true})
             for (const bool glossy : {false, true}) {
-                SceneFeatures needs;
+                SceneFeatures possible;
                 for (const unsigned features : allFeatures())
-                    if (emissive || !(features & featureEmissive)) needs.materialFeatures.push_back(features);
-                needs.glossy = glossy;
-                for (const FrameProgram& use : framePrograms(settings, mode, needs))
+                    if (emissive || !(features & featureEmissive))
+                        possible.materialFeatures.push_back(features);
+                possible.glossy = glossy;
+                for (const FrameProgram& use : framePrograms(settings, mode, possible))
                     add(use);
             }
-        for (const FrameProgram& use : framePrograms(settings, mode, sceneNeeds))
+        for (const FrameProgram& use : framePrograms(settings, mode, ofScene))
             add(use).modes.emplace_back(modeName(mode));
     }
     return found;
@@ -75,7 +73,7 @@ gl::ShaderLibrary phoneLibrary(const Settings& settings) {
     gl::Capabilities phone;
     phone.softwareDriver = false;
     phone.essl320 = false;
-    return shaderLibrary(settings, phone, gl::shadersFromFolder(shaderFolder()));
+    return shaderLibrary(settings, phone, shaders());
 }
 
 const char* stageName(const std::string& shader) {
@@ -99,10 +97,9 @@ ordered_json writeSources(const std::vector<Variant>& programs, const Settings& 
         OutputFolder programFolder(out.file(folder));
         ordered_json stages = ordered_json::array();
         for (const std::string& shader : variant.program.shaders) {
-            const std::string text =
-                gl::assembleShader(library.read, shader, defines, gl::Language::essl310).text;
             const std::string file = shader.substr(shader.rfind('/') + 1);
-            replaceFile(programFolder.file(file), Bytes(text.begin(), text.end()));
+            replaceFile(programFolder.file(file),
+                        gl::assembleShader(library.read, shader, defines, gl::Language::essl310).text);
             stages.push_back(
                 {{"stage", stageName(shader)}, {"shader", shader}, {"file", folder + "/" + file}});
         }
@@ -124,7 +121,7 @@ ordered_json countsJson(const std::vector<StageCount>& counts) {
             loops.push_back({{"name", loop.name},
                              {"depth", loop.depth},
                              {"constant", loop.constant},
-                             {"trips", loop.iterations}});
+                             {"iterations", loop.iterations}});
         json[stage.shader] = {{"invocations", stage.invocations}, {"loops", loops}};
     }
     return json;
@@ -134,32 +131,28 @@ void writeShaders(const ShadersOptions& options) {
     const std::vector<std::string>& presets = options.presets.empty() ? presetNames() : options.presets;
     for (const std::string& preset : presets)
         presetSettings(preset);
-    const glm::ivec2 size = sizeFromText(options.size);
-    const Backend backend = backendFromName(options.backend.name);
     OutputFolder out(options.out);
     const Scene scene = loadGltf(options.scene);
     const Camera camera = chooseCamera(scene, "");
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
         vertices += scene.meshes[static_cast<std::size_t>(instance.mesh)].vertices.size();
-    const Context context = openContext(backend, options.backend.device);
-    context.capabilities.requireAll();
+    const Context context = options.backend.open();
 
     ordered_json manifest{{"scene", options.scene.substr(options.scene.rfind('/') + 1)},
-                          {"width", size.x},
-                          {"height", size.y},
+                          {"width", options.size.x},
+                          {"height", options.size.y},
                           {"vertices", vertices},
                           {"presets", ordered_json::array()}};
     for (const std::string& preset : presets) {
         const Progress progress(preset);
         Settings settings = presetSettings(preset);
-        settings.size = size;
+        settings.size = options.size;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
         entry["programs"] = writeSources(variants(settings, featuresOf(scene)), settings, preset, out);
         settings.countInvocations = true;
         settings.revoxelize = true;
-        Renderer renderer(scene, chooseLight(scene), settings, context.capabilities,
-                          gl::shadersFromFolder(shaderFolder()));
+        Renderer renderer(scene, chooseLight(scene), settings, context.capabilities, shaders());
         for (Mode mode : allModes())
             entry["counts"][modeName(mode)] = countsJson(countInvocations(renderer, mode, camera));
         manifest["presets"].push_back(std::move(entry));
@@ -184,7 +177,7 @@ void addShaders(CLI::App& app, int&) {
     command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
         ->delimiter(',');
-    command->add_option("--size", options->size, "Picture, WIDTHxHEIGHT")->capture_default_str();
+    addSize(*command, options->size);
     options->backend.addTo(*command);
     command->callback([options] { writeShaders(*options); });
 }

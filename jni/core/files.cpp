@@ -8,7 +8,7 @@
 
 namespace vct {
 
-void replaceFile(const std::string& path, const Bytes& bytes) {
+void replaceFile(const std::string& path, const std::string& bytes) {
     const std::string temporary = path + ".tmp";
     const auto fail = [&](int cause) {
         throw Error("cannot write '" + path + "': " + std::strerror(cause) +

@@ -2,14 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace vct {
 
 // Up to six digits, and no zeros at the end: "2", "0.25", "1e-07".
-std::string numberText(double value);
+inline std::string numberText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
 
 // Rounded up: "1 MB" for one byte.
-std::string megabytesText(std::size_t bytes);
+inline std::string megabytesText(std::size_t bytes) {
+    return std::to_string((bytes + 999999) / 1000000) + " MB";
+}
 
 }  // namespace vct

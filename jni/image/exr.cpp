@@ -38,8 +38,7 @@ void writeExr(const std::string& path, const Image& image) {
         throw Error("cannot write picture '" + path + "': EXR encoding failed (" + error.what() +
                     "); choose a smaller size");
     }
-    const std::string bytes = stream.str();
-    replaceFile(path, Bytes(bytes.begin(), bytes.end()));
+    replaceFile(path, stream.str());
 }
 
 Image decodeExr(const std::string& path, const Bytes& bytes) {

@@ -7,8 +7,7 @@ namespace vct {
 namespace {
 
 void append(void* bytes, void* data, int size) {
-    const auto* first = static_cast<const unsigned char*>(data);
-    static_cast<Bytes*>(bytes)->insert(static_cast<Bytes*>(bytes)->end(), first, first + size);
+    static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
 }  // namespace
@@ -36,7 +35,7 @@ void writePng(const std::string& path, const Image& image) {
             rgb.push_back(static_cast<unsigned char>(srgbEncode(pixel[c]) * 255.0F + 0.5F));
         }
     }
-    Bytes file;
+    std::string file;
     if (stbi_write_png_to_func(append, &file, image.width, image.height, 3, rgb.data(), image.width * 3) ==
         0) {
         throw Error("cannot write picture '" + path +

@@ -36,44 +36,25 @@ std::vector<std::string> separated(const std::string& text) {
     return parts.empty() ? std::vector<std::string>{text} : parts;
 }
 
-void writeText(const std::string& path, const std::string& text) {
-    replaceFile(path, Bytes(text.begin(), text.end()));
-}
-
 }  // namespace
 
 BenchRequest benchRequestFromText(const std::string& text) {
-    std::istringstream words(text);
-    std::string word;
-    words >> word;
-    if (word != "bench") throw Error("'" + text + "' begins with '" + word + "'; the one command is bench");
+    const std::string command = text.substr(0, text.find(' '));
+    if (command != "bench")
+        throw Error("'" + text + "' begins with '" + command + "'; the one command is bench");
     BenchRequest request;
-    while (words >> word) {
-        const std::size_t equals = word.find('=');
-        const std::string key = word.substr(0, equals);
-        const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
-        if (key == "scene")
-            request.scene = value;
-        else if (key == "preset")
-            request.presets = separated(value);
-        else if (key == "grid")
-            request.grid = wholeNumberFromText("bench: " + key, value, 100000);
-        else if (key == "size")
-            request.size = sizeFromText(value);
-        else if (key == "shadow-map")
-            request.shadowMap = wholeNumberFromText("bench: " + key, value, 100000);
-        else if (key == "repeat")
-            request.repeat = wholeNumberFromText("bench: " + key, value, 100000);
-        else if (key == "camera")
-            request.camera = value;
-        else if (key == "light")
-            request.light = value;
-        else
-            throw Error(
-                "bench: unknown '" + word +
-                "'; there are scene, preset, grid, size, shadow-map, repeat, camera and light, each as "
-                "name=value");
-    }
+    const auto number = [](const std::string& name, const std::string& value) {
+        return wholeNumberFromText("bench: " + name, value, 100000);
+    };
+    setFromWords(text,
+                 {{"scene", [&](const auto& value) { request.scene = value; }},
+                  {"preset", [&](const auto& value) { request.presets = separated(value); }},
+                  {"grid", [&](const auto& value) { request.grid = number("grid", value); }},
+                  {"size", [&](const auto& value) { request.size = sizeFromText(value); }},
+                  {"shadow-map", [&](const auto& value) { request.shadowMap = number("shadow-map", value); }},
+                  {"repeat", [&](const auto& value) { request.repeat = number("repeat", value); }},
+                  {"camera", [&](const auto& value) { request.camera = value; }},
+                  {"light", [&](const auto& value) { request.light = value; }}});
     for (const std::string& preset : request.presets)
         presetSettings(preset);  // throws where there is none of that name
     return request;
@@ -99,7 +80,7 @@ ResultsFolder::~ResultsFolder() {
 void ResultsFolder::say(const char* name, const std::string& text) {
     if (said_) return;
     said_ = true;
-    writeText(path_ + "/" + name, text + "\n");
+    replaceFile(path_ + "/" + name, text + "\n");
 }
 
 BenchRun::BenchRun(Input input, std::string folder)
@@ -198,7 +179,7 @@ void BenchRun::writeReport() {
     if (folder_.empty()) return;
     const std::string name = folder_ + (thesis ? "/bench" : "/presets");
     writeJson(name + ".json", report_.json);
-    writeText(name + ".txt", report_.text);
+    replaceFile(name + ".txt", report_.text);
 }
 
 }  // namespace vct

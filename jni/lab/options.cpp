@@ -14,14 +14,6 @@ namespace vct {
 
 namespace {
 
-double numberFromText(const std::string& option, const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value))
-        throw Error(option + ": '" + text + "' is not a number");
-    return value;
-}
-
 // "a=1,2,3,b=4" -> {a: {1, 2, 3}, b: {4}}.
 std::map<std::string, std::vector<double>> keyedNumbers(const std::string& option, const std::string& text) {
     std::map<std::string, std::vector<double>> values;
@@ -50,6 +42,33 @@ double one(const std::string& option, const std::string& key, const std::vector<
 }
 
 }  // namespace
+
+void setFromWords(const std::string& text, const NamedSetters& setters) {
+    std::istringstream words(text);
+    std::string command, word;
+    words >> command;
+    while (words >> word) {
+        const std::size_t equals = word.find('=');
+        const auto setter = std::find_if(setters.begin(), setters.end(), [&](const auto& candidate) {
+            return candidate.first == word.substr(0, equals);
+        });
+        if (setter == setters.end() || equals == std::string::npos) {
+            std::string names;
+            for (const auto& [name, unused] : setters)
+                names += (names.empty() ? "" : ", ") + name;
+            throw Error(command + ": unknown '" + word + "'; there are " + names + ", each as name=value");
+        }
+        setter->second(word.substr(equals + 1));
+    }
+}
+
+double numberFromText(const std::string& option, const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value))
+        throw Error(option + ": '" + text + "' is not a number");
+    return value;
+}
 
 int wholeNumberFromText(const std::string& option, const std::string& text, int most) {
     const double value = numberFromText(option, text);

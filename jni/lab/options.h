@@ -1,12 +1,22 @@
 // Values that several commands parse from text.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/scene.h"
 
 namespace vct {
+
+// Of "command a=1 b=2": hands each value to the function of its name. Throws vct::Error listing the names
+// where there is none.
+using NamedSetters = std::vector<std::pair<std::string, std::function<void(const std::string& value)>>>;
+void setFromWords(const std::string& text, const NamedSetters& setters);
+
+double numberFromText(const std::string& option, const std::string& text);
 
 // A number from 1 to `most`; `option` is its name in the error.
 int wholeNumberFromText(const std::string& option, const std::string& text, int most);

@@ -88,28 +88,28 @@ std::vector<std::string> cellsOf(const SceneCosts& costs, const SceneCosts::Row&
 
 const std::vector<SceneFeature>& allSceneFeatures() {
     static const std::vector<SceneFeature> features{
-        {"base-colour textures", [](const SceneFeatures& n) { return n.has(featureBaseColorTexture); },
+        {"base-colour textures", [](const SceneFeatures& f) { return f.has(featureBaseColorTexture); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.baseColorTexture = -1; }); }},
-        {"alpha masks", [](const SceneFeatures& n) { return n.has(featureAlphaMask); },
+        {"alpha masks", [](const SceneFeatures& f) { return f.has(featureAlphaMask); },
          [](Scene& scene) {
              forEachMaterial(scene, [](Material& m) { m.alphaMode = Material::AlphaMode::opaque; });
          }},
-        {"emission", [](const SceneFeatures& n) { return n.has(featureEmissive); },
+        {"emission", [](const SceneFeatures& f) { return f.has(featureEmissive); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.emissive = glm::vec3(0.0F); }); }},
-        {"emissive textures", [](const SceneFeatures& n) { return n.has(featureEmissiveTexture); },
+        {"emissive textures", [](const SceneFeatures& f) { return f.has(featureEmissiveTexture); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.emissiveTexture = -1; }); }},
-        {"glossy materials", [](const SceneFeatures& n) { return n.glossy; },
+        {"glossy materials", [](const SceneFeatures& f) { return f.glossy; },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.roughness = 1.0F; }); }},
-        {"double-sided materials", [](const SceneFeatures& n) { return n.has(featureDoubleSided); },
+        {"double-sided materials", [](const SceneFeatures& f) { return f.has(featureDoubleSided); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.doubleSided = false; }); }},
-        {"several materials and their features", [](const SceneFeatures& n) { return n.materials > 1; },
+        {"several materials and their features", [](const SceneFeatures& f) { return f.materials > 1; },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m = Material(); }); }},
-        {"moving objects", [](const SceneFeatures& n) { return n.movingObjects; },
+        {"moving objects", [](const SceneFeatures& f) { return f.movingObjects; },
          [](Scene& scene) {
              for (Instance& instance : scene.instances)
                  instance.node = -1;
          }},
-        {"moving light", [](const SceneFeatures& n) { return n.movingLight; },
+        {"moving light", [](const SceneFeatures& f) { return f.movingLight; },
          [](Scene& scene) { scene.lights.front().node = -1; }, false},
     };
     return features;
@@ -126,11 +126,11 @@ SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl:
                       const gl::ReadShader& readShader) {
     Player with(scene, options, capabilities, readShader);
     SceneCosts costs{with.cost(), {}};
-    const SceneFeatures needs = featuresOf(scene);
+    const SceneFeatures found = featuresOf(scene);
     for (const SceneFeature& feature : allSceneFeatures()) {
         SceneCosts::Row& row = costs.rows.emplace_back();
         row.name = feature.name;
-        row.occurs = feature.occurs(needs);
+        row.occurs = feature.occurs(found);
         if (!row.occurs) continue;
         Scene stripped = scene;
         feature.remove(stripped);
@@ -148,14 +148,14 @@ std::string sceneCostsText(const SceneCosts& costs, bool timed) {
     for (const auto& [group, calls] : frame.calls.byGroup)
         passes.push_back({group.empty() ? "between them" : group, std::to_string(calls)});
     passes.push_back({"the frame", std::to_string(frame.calls.calls)});
-    TableRows needs{{"what it needs, and what that adds", "passes", "programs", "GL calls", "kB"}};
-    if (timed) needs[0].emplace_back("ms");
+    TableRows features{{"what occurs in it, and what that adds", "passes", "programs", "GL calls", "kB"}};
+    if (timed) features[0].emplace_back("ms");
     for (const SceneCosts::Row& row : costs.rows)
-        needs.push_back(cellsOf(costs, row, timed));
+        features.push_back(cellsOf(costs, row, timed));
     return markdownTable(passes) + "\nthe frame: " + std::to_string(frame.calls.draws) + " draws, " +
            std::to_string(frame.calls.dispatches) + " dispatches, " + std::to_string(frame.programs()) +
            " programs, " + cellText("%.1f kB", static_cast<double>(frame.bytes()) / 1e3) + "\n\n" +
-           markdownTable(needs);
+           markdownTable(features);
 }
 
 }  // namespace vct

@@ -1,5 +1,5 @@
-// What a scene needs and what each need costs: the frame of the scene beside that of the same scene without
-// it, both rendered.
+// What each feature of a scene costs: the frame of the scene beside that of the same scene without it, both
+// rendered.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace vct {
 
-// Something that a scene may need, and how to do without.
+// Something that may occur in a scene, and how to remove it.
 struct SceneFeature {
     const char* name;
-    bool (*occurs)(const SceneFeatures& needs);
+    bool (*occurs)(const SceneFeatures& found);
     void (*remove)(Scene& scene);
     // Whether a frame that makes everything anew, as those that are timed do, takes longer for it.
     bool takesTime = true;
@@ -53,7 +53,7 @@ struct SceneCosts {
 SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl::Capabilities& capabilities,
                       const gl::ReadShader& readShader);
 
-// Markdown: the frame pass by pass, and what each need adds to it.
+// Markdown: the frame pass by pass, and what each feature adds to it.
 std::string sceneCostsText(const SceneCosts& costs, bool timed);
 
 }  // namespace vct

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "gl/capabilities.h"
+
 namespace vct {
 
 enum class Backend {
@@ -34,6 +36,16 @@ struct PlatformOptions {
 
 // Creates a context and makes it current on the calling thread; throws vct::Error with cause and remedy.
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options);
+
+// A context that is ready to be rendered with: created, entry points loaded, debug callback on, capabilities
+// asked.
+struct Context {
+    std::unique_ptr<Platform> platform;
+    gl::Capabilities capabilities;
+};
+
+// Throws vct::Error where there is no context; what the driver lacks is in the capabilities.
+Context openContext(Backend backend, int device = -1);
 
 // Names of the EGL devices, in the order of their indices; empty where EGL cannot enumerate.
 std::vector<std::string> eglDevices();

@@ -1,6 +1,7 @@
 #include "scene/gltf_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
@@ -136,6 +137,23 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
+// RFC 3986 section 2.1; a '%' without two digits stays as it is.
+std::string percentDecoded(const std::string& text) {
+    const auto isHexDigit = [&](std::size_t i) {
+        return i < text.size() && std::isxdigit(static_cast<unsigned char>(text[i])) != 0;
+    };
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && isHexDigit(i + 1) && isHexDigit(i + 2)) {
+            result += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+            i += 2;
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
 void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const json& source = buffers[i];
@@ -202,6 +220,26 @@ void GltfFile::reserveTexture(std::size_t bytes) {
 bool GltfFile::uses(const std::string& extension) const {
     return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) !=
            model.extensionsUsed.end();
+}
+
+std::vector<unsigned char> readUri(const GltfFile& file, const std::string& uri, const std::string& what) {
+    if (uri.compare(0, 5, "data:") == 0) {
+        Bytes bytes;
+        std::string mediaType;
+        if (!tinygltf::DecodeDataURI(&bytes, mediaType, uri, 0, false))
+            file.fail(what + " has a data URI that is not base64 of a media type of glTF");
+        return bytes;
+    }
+
+    const std::size_t slash = file.path.find_last_of("/\\");
+    const std::string folder = slash == std::string::npos ? std::string() : file.path.substr(0, slash + 1);
+    const std::string path = folder + percentDecoded(uri);
+    try {
+        return file.readFile(path);
+    } catch (const Error& error) {
+        file.fail(what + " is in a file of its own, which fails (" + oneLine(error.what()) + ")",
+                  "put " + oneLine(path) + " there, or export the scene as one .glb");
+    }
 }
 
 std::string textAt(const json& object, const char* key) {

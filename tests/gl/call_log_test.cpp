@@ -4,7 +4,7 @@
 
 #include "gl/debug.h"
 #include "gl/objects.h"
-#include "platform/context.h"
+#include "platform/platform.h"
 
 namespace vct::test {
 namespace {

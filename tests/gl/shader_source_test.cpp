@@ -14,7 +14,7 @@
 #include "engine/programs.h"
 #include "gl/program.h"
 #include "lab/program_list.h"
-#include "platform/context.h"
+#include "platform/platform.h"
 #include "support/errors.h"
 #include "support/renderers.h"
 

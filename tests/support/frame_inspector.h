@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/renderer.h"
-#include "platform/context.h"
+#include "platform/platform.h"
 #include "shared/layout.h"
 #include "support/faces.h"
 #include "support/received.h"

@@ -5,7 +5,7 @@
 
 #include "engine/renderer.h"
 #include "gl/shader_source.h"
-#include "platform/context.h"
+#include "platform/platform.h"
 #include "scene/gltf.h"
 
 namespace vct::test {

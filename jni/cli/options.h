@@ -1,0 +1,49 @@
+// Options that several commands take.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/settings.h"
+#include "gl/shader_source.h"
+#include "platform/platform.h"
+#include "scene/scene.h"
+
+namespace vct::cli {
+
+// Checks of options whose value is a number. They return what is wrong, or nothing. CLI11 takes NaN and
+// infinity for numbers, and knows no float's limits.
+std::string finite(const std::string& text);
+std::string positive(const std::string& text);  // and above 0
+
+// Of the folder VCT_SHADER_DIR from the environment, or of the source tree that built the program.
+gl::ReadShader shaders();
+
+void addSize(CLI::App& command, glm::ivec2& size);
+
+struct BackendOption {
+    Backend backend = Backend::egl;
+    int device = -1;  // the driver's choice
+
+    void addTo(CLI::App& command);
+    // Throws vct::Error where the driver lacks what the pipeline requires.
+    Context open() const;
+};
+
+// A scene, how it is seen, and in which voxels.
+struct SceneOptions {
+    std::string path, camera, light;
+    glm::ivec2 size{400, 400};
+    std::optional<std::string> grid;  // a number or "auto"
+    std::optional<double> voxelSize;  // metres
+    BackendOption backend;
+
+    CLI::Option* addTo(CLI::App& command);  // returns the scene's
+    // The preset's, with the size and a grid that is given as a number.
+    Settings settings(const std::string& preset) const;
+    // Sets a grid that follows from the scene. Prints how large the voxels are, and why.
+    void fitGrid(Settings& settings, const Scene& loaded, const gl::Capabilities& capabilities) const;
+};
+
+}  // namespace vct::cli
