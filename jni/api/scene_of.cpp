@@ -112,7 +112,7 @@ glm::dmat4 affine(const Matrix& matrix, const std::string& what) {
     glm::dmat4 result;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
-            result[column][row] = matrix.columns[static_cast<std::size_t>(4 * column + row)];
+            result[column][row] = matrix.columns[4 * column + row];
     require(within(matrix.columns, -maxCoordinate, maxCoordinate),
             what + " has a number that is not finite or beyond 1e18");
     require(result[0][3] == 0.0 && result[1][3] == 0.0 && result[2][3] == 0.0 && result[3][3] == 1.0,

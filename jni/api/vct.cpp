@@ -22,7 +22,7 @@ Settings settingsOf(const Options& options, const SceneDescription& scene,
     settings.size = {options.width, options.height};
     settings.shadowConeAngleDeg = scene.sun.diameterDegrees;
     for (int i = 0; i < 3; ++i) {
-        const float sky = scene.skyRadiance[static_cast<std::size_t>(i)];
+        const float sky = scene.skyRadiance[i];
         if (!(sky >= 0.0F && sky <= 1e30F))
             throw Error("the sky's radiance: give numbers from 0 on, below 1e30");
         settings.skyRadiance[i] = sky;
@@ -67,7 +67,7 @@ Camera cameraOf(const View& view) {
                 "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirror");
     glm::dmat4 clipFromCamera;
     for (int i = 0; i < 16; ++i)
-        clipFromCamera[i / 4][i % 4] = view.clipFromCamera.columns[static_cast<std::size_t>(i)];
+        clipFromCamera[i / 4][i % 4] = view.clipFromCamera.columns[i];
     const double volume = glm::determinant(clipFromCamera);
     if (volume == 0.0 || !std::isfinite(volume))
         throw Error("View::clipFromCamera has no inverse; give a projection");
@@ -158,7 +158,7 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
                     " instances");
     if (nodes[instance] < 0)
         throw Error("setTransform: " + name + " was not declared to move (InstanceDescription::moves)");
-    implementation_->pose.worldFromNode[static_cast<std::size_t>(nodes[instance])] =
+    implementation_->pose.worldFromNode[nodes[instance]] =
         affine(worldFromObject, "setTransform: the transform of " + name);
     implementation_->renderer->setPose(implementation_->pose);
 }

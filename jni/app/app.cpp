@@ -39,7 +39,7 @@ App::App(android_app& glue, const std::string& command)
         }
     }
     const int first = std::max(scenes_.find(scene), 0);
-    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[static_cast<std::size_t>(first)]);
+    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[first]);
     if (!command.empty() && command.rfind("show", 0) != 0) startMeasuring(command);
 }
 
@@ -181,7 +181,7 @@ void App::drawHud(double passedS) {
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("display");
 
-    if (scene != sceneBefore) scenes_.load(scenes_.all()[static_cast<std::size_t>(scene)]);
+    if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
     if (actions.rescan) scenes_.rescan();
     if (actions.resetView && scene_) view_.emplace(*scene_);
     if (actions.dismiss) message_.clear();

@@ -27,7 +27,7 @@ void App::startMeasuring(const std::string& command) {
         scenes_.rescan();
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
         if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + folder_);
-        const SceneFile& found = scenes_.all()[static_cast<std::size_t>(index)];
+        const SceneFile& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
         request_ = request;

@@ -35,16 +35,13 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
                                  glm::ivec2 window) {
     const Settings settings = forDriver(settingsFor(choices, window), capabilities_);
     const DirectionalLight light = lightFor(choices, *scene);
-    if (!renderer_ || scene != scene_ || choices.preset != preset_ || settings.grid != grid_ ||
-        settings.size != size_) {
+    if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
+        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
-
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
         scene_ = scene;
         preset_ = choices.preset;
-        grid_ = settings.grid;
-        size_ = settings.size;
     }
     renderer_->setLightDirection(light.towardsLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);

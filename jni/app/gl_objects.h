@@ -41,8 +41,6 @@ class GlObjects {
     // What renderer_ was made for.
     std::shared_ptr<const Scene> scene_;
     std::string preset_;
-    int grid_ = 0;
-    glm::ivec2 size_{0};
 };
 
 }  // namespace vct::app

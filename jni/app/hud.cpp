@@ -67,8 +67,10 @@ Hud::~Hud() {
 }
 
 bool Hud::covers(const glm::vec2& position) const {
-    return std::any_of(covered_.begin(), covered_.end(), [&](const glm::vec4& r) {
-        return position.x >= r.x && position.y >= r.y && position.x < r.z && position.y < r.w;
+    const ImVector<ImGuiWindow*>& windows = context_->Windows;
+    return std::any_of(windows.begin(), windows.end(), [&](const ImGuiWindow* window) {
+        return window->WasActive && !(window->Flags & ImGuiWindowFlags_ChildWindow) &&
+               !window->IsFallbackWindow && window->Rect().Contains(ImVec2(position.x, position.y));
     });
 }
 
@@ -99,13 +101,6 @@ void Hud::endFrame() {
     ImGui::Render();
     // A finger that was lifted points at nothing, or what it touched last would stay highlighted.
     if (!touchDown_ && touches_.empty()) ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-    covered_.clear();
-    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-        if (window->WasActive && !(window->Flags & ImGuiWindowFlags_ChildWindow) &&
-            !window->IsFallbackWindow) {
-            const ImRect r = window->Rect();
-            covered_.emplace_back(r.Min.x, r.Min.y, r.Max.x, r.Max.y);
-        }
 }
 
 const ImDrawData& Hud::drawData() const {
@@ -186,8 +181,8 @@ void Hud::buildTimes(const HudContent& content) const {
     for (int i = 0; i < stepCount; ++i) {
         std::string title = stepName(static_cast<Step>(i));
         std::replace(title.begin(), title.end(), '_', ' ');
-        cell(title.c_str(), (*content.stepMs)[static_cast<std::size_t>(i)]);
-        total += (*content.stepMs)[static_cast<std::size_t>(i)];
+        cell(title.c_str(), (*content.stepMs)[i]);
+        total += (*content.stepMs)[i];
     }
     cell("all", total);
     ImGui::EndTable();
@@ -197,8 +192,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     Choices& choices = *content.choices;
     const std::vector<SceneFile>& scenes = *content.scenes;
     ImGui::PushItemWidth(-11.0F * 0.54F * ImGui::GetFontSize());
-    const std::string scene =
-        *content.scene >= 0 ? titleOf(scenes[static_cast<std::size_t>(*content.scene)]) : "none";
+    const std::string scene = *content.scene >= 0 ? titleOf(scenes[*content.scene]) : "none";
     if (const SceneFile* chosen = choose("scene", scenes, scene, titleOf))
         *content.scene = static_cast<int>(chosen - scenes.data());
     if (ImGui::IsItemClicked()) actions.rescan = true;
@@ -210,9 +204,8 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     const auto gridName = [](int grid) { return std::to_string(grid) + "^3"; };
     if (const int* chosen = choose("grid", grids, gridName(choices.grid), gridName)) choices.grid = *chosen;
     const std::vector<Resolution>& all = resolutions();
-    if (const Resolution* chosen =
-            choose("pixels", all, all[static_cast<std::size_t>(choices.resolution)].name,
-                   [](const Resolution& resolution) { return resolution.name; }))
+    if (const Resolution* chosen = choose("pixels", all, all[choices.resolution].name,
+                                          [](const Resolution& resolution) { return resolution.name; }))
         choices.resolution = static_cast<int>(chosen - all.data());
     ImGui::SliderFloat("cone", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
                        ImGuiSliderFlags_AlwaysClamp);

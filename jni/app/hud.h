@@ -81,7 +81,6 @@ class Hud {
     };
     std::deque<TouchEvent> touches_;
     bool touchDown_ = false;
-    std::vector<glm::vec4> covered_;  // left, top, right, bottom of each window of the last frame
 };
 
 }  // namespace vct::app

@@ -1,6 +1,5 @@
 #include "app/hud_renderer.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "app/app_programs.h"

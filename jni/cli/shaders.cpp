@@ -1,6 +1,5 @@
 // vct shaders: every program of every preset as the ESSL that a phone's driver compiles, and how often each
 // stage and loop runs in a frame. tools/mali.py makes bounds of both.
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -136,7 +135,7 @@ void writeShaders(const ShadersOptions& options) {
     const Camera camera = chooseCamera(scene, "");
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
-        vertices += scene.meshes[static_cast<std::size_t>(instance.mesh)].vertices.size();
+        vertices += scene.meshes[instance.mesh].vertices.size();
     const Context context = options.backend.open();
 
     ordered_json manifest{{"scene", options.scene.substr(options.scene.rfind('/') + 1)},

@@ -1,7 +1,6 @@
 #include "gl/call_log.h"
 
 #include <cassert>
-#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 

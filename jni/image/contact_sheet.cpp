@@ -38,7 +38,7 @@ void drawText(Image& sheet, int left, int top, std::string text) {
     const int count = stb_easy_font_print(0.0F, 0.0F, text.data(), nullptr, quads.data(),
                                           static_cast<int>(quads.size() * sizeof(Quad)));
     for (int i = 0; i < count; ++i) {
-        const Quad& quad = quads[static_cast<std::size_t>(i)];
+        const Quad& quad = quads[i];
         const auto pixel = [](float v) { return textScale * static_cast<int>(std::lround(v)); };
         const int endX = std::min(left + pixel(quad[2].x), sheet.width);
         const int endY = std::min(top + pixel(quad[2].y), sheet.height);
@@ -69,7 +69,7 @@ Image contactSheet(const std::vector<std::pair<std::string, Image>>& pictures, i
 
     Image sheet(columns * (cellWidth + gap) + gap, rows * (cellHeight + gap) + gap, paper);
     for (int i = 0; i < count; ++i) {
-        const auto& [label, picture] = pictures[static_cast<std::size_t>(i)];
+        const auto& [label, picture] = pictures[i];
         const int left = gap + i % columns * (cellWidth + gap);
         const int top = gap + i / columns * (cellHeight + gap);
         for (int y = 0; y < picture.height; ++y) {

@@ -1,6 +1,5 @@
 #include "lab/scene_costs.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "gl/api.h"

@@ -96,8 +96,7 @@ Words expectedBase() {
         int& v = voxel[(sheet.axis + 2) % 3];
         for (u = static_cast<int>(sheet.low.x); u < static_cast<int>(sheet.high.x); ++u)
             for (v = static_cast<int>(sheet.low.y); v < static_cast<int>(sheet.high.y); ++v) {
-                std::uint32_t& known =
-                    words[static_cast<std::size_t>((voxel.z * testGrid + voxel.y) * testGrid + voxel.x)];
+                std::uint32_t& known = words[(voxel.z * testGrid + voxel.y) * testGrid + voxel.x];
                 known = std::max(known, word);
             }
     }
@@ -132,7 +131,7 @@ std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels)
             !wrong.empty())
             return wrong;
         const std::vector<std::uint32_t> entries = entriesOnCpu(expected, side);
-        const std::uint32_t count = counts[static_cast<std::size_t>(level)];
+        const std::uint32_t count = counts[level];
         std::vector<std::uint32_t> listed = readEntries(pyramid, level, count);
         std::sort(listed.begin(), listed.end());
         if (listed != entries)

@@ -1,7 +1,5 @@
 #include "lab/voxel_view.h"
 
-#include <cstddef>
-
 #include "engine/programs.h"
 #include "gl/debug.h"
 

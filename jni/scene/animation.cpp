@@ -88,15 +88,14 @@ Pose poseAt(const Animation& animation, double seconds) {
     for (const MovingNode& node : animation.nodes)
         transforms.push_back(node.rest);
     for (const AnimationChannel& channel : animation.channels)
-        apply(channel, seconds, transforms[static_cast<std::size_t>(channel.node)]);
+        apply(channel, seconds, transforms[channel.node]);
 
     Pose pose;
     pose.worldFromNode.reserve(animation.nodes.size());
     for (std::size_t i = 0; i < animation.nodes.size(); ++i) {
         const MovingNode& node = animation.nodes[i];
-        const glm::dmat4& worldFromParent = node.parent < 0
-                                                ? node.worldFromParent
-                                                : pose.worldFromNode[static_cast<std::size_t>(node.parent)];
+        const glm::dmat4& worldFromParent =
+            node.parent < 0 ? node.worldFromParent : pose.worldFromNode[node.parent];
         pose.worldFromNode.push_back(worldFromParent * transforms[i].parentFromNode());
     }
     return pose;

@@ -1,7 +1,6 @@
 // Node animation as plain data, and what it does at a time. glTF 2.0, section 3.11 and appendix C.
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>

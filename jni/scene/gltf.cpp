@@ -7,11 +7,9 @@
 #include <new>
 
 #include "core/error.h"
-#include "scene/gltf_animations.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
-#include "scene/gltf_primitive.h"
 
 namespace vct {
 namespace {
@@ -74,7 +72,7 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
         }
         for (const int mesh : parts) {
             scene.instances.push_back({mesh, placed.worldFromNode, placed.moving});
-            triangles += scene.meshes[static_cast<std::size_t>(mesh)].indices.size() / 3;
+            triangles += scene.meshes[mesh].indices.size() / 3;
             if (triangles > maxTriangles || scene.instances.size() > maxInstances)
                 file.fail("it places more triangles than this program can draw", "simplify the scene");
         }

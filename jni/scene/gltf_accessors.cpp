@@ -99,8 +99,7 @@ std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Access
     std::size_t stride = elementSize;
     if (accessor.bufferView >= 0) {
         const ByteRange view = viewBytes(file, accessor.bufferView);
-        const std::size_t declared =
-            file.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+        const std::size_t declared = file.model.bufferViews[accessor.bufferView].byteStride;
         if (declared != 0) stride = declared;
         if (stride < elementSize)
             file.fail(name + " has a stride of " + std::to_string(stride) + " bytes for elements of " +

@@ -1,11 +1,10 @@
-#include "scene/gltf_animations.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/number_text.h"
 #include "scene/gltf_accessors.h"
+#include "scene/gltf_nodes.h"
 
 namespace vct {
 
@@ -202,15 +201,14 @@ Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vec
         if (!targets.insert({channel->node, channel->path}).second)
             file.fail(which + " moves the " + textAt(element["target"], "path") + " of node " +
                       std::to_string(channel->node) + ", which another channel moves already");
-        isMoved[static_cast<std::size_t>(channel->node)] = true;
+        isMoved[channel->node] = true;
         channels.push_back(std::move(*channel));
     }
 
     std::vector<int> movingOf(file.model.nodes.size(), -1);  // stays -1 outside the scene
     for (PlacedNode& node : placed) {
         const auto inFile = static_cast<std::size_t>(node.node - file.model.nodes.data());
-        const PlacedNode* const parent =
-            node.parent < 0 ? nullptr : &placed[static_cast<std::size_t>(node.parent)];
+        const PlacedNode* const parent = node.parent < 0 ? nullptr : &placed[node.parent];
         const int movingParent = parent == nullptr ? -1 : parent->moving;
         if (!isMoved[inFile] && movingParent < 0) continue;
         node.moving = movingOf[inFile] = static_cast<int>(animation.nodes.size());
@@ -218,7 +216,7 @@ Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vec
             {movingParent, parent == nullptr ? glm::dmat4(1.0) : parent->worldFromNode, node.transform});
     }
     for (AnimationChannel& channel : channels) {
-        channel.node = movingOf[static_cast<std::size_t>(channel.node)];
+        channel.node = movingOf[channel.node];
         if (channel.node < 0) continue;
         animation.durationS = std::max(animation.durationS, static_cast<double>(channel.times.back()));
         animation.channels.push_back(std::move(channel));

@@ -46,7 +46,7 @@ struct GltfFile {
         if (index < 0 || static_cast<std::size_t>(index) >= array.size())
             fail("it refers to " + kind + " " + std::to_string(index) + " of " +
                  std::to_string(array.size()));
-        return array[static_cast<std::size_t>(index)];
+        return array[index];
     }
 };
 

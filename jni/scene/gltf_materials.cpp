@@ -64,8 +64,7 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
 
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     for (int i = 0; i < 4 && i < static_cast<int>(pbr.baseColorFactor.size()); ++i)
-        material.baseColor[i] =
-            static_cast<float>(std::clamp(pbr.baseColorFactor[static_cast<std::size_t>(i)], 0.0, 1.0));
+        material.baseColor[i] = static_cast<float>(std::clamp(pbr.baseColorFactor[i], 0.0, 1.0));
     material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
 
     material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
@@ -76,7 +75,7 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     if (extension != source.extensions.end())
         strength = std::max(number(extension->second, "emissiveStrength", 1.0), 0.0);
     for (int i = 0; i < 3 && i < static_cast<int>(source.emissiveFactor.size()); ++i) {
-        const double factor = std::clamp(source.emissiveFactor[static_cast<std::size_t>(i)], 0.0, 1.0);
+        const double factor = std::clamp(source.emissiveFactor[i], 0.0, 1.0);
         material.emissive[i] = inFloatRange(file_, factor * strength, "emission");
     }
     material.emissiveTexture = texture(source.emissiveTexture, use.emissive);

@@ -1,8 +1,8 @@
-// Materials and textures of a glTF file. Only those that a mesh uses are made, and each once.
+// Meshes, materials and textures of a glTF file. Only those that are used are made, and each once.
 #pragma once
 
 #include <map>
-#include <string>
+#include <optional>
 
 #include "scene/gltf_file.h"
 
@@ -43,6 +43,11 @@ class MaterialLoader {
     std::map<int, MaterialUse> materials_;  // by index in the file
     std::map<int, int> textures_;           // index in the file to index in the scene
 };
+
+// One primitive as a Mesh. `meshIndex`: of the mesh that the primitive is of, which must exist. Nothing where
+// the primitive has no triangles (points and lines are left out with a warning).
+std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
+                                  MaterialLoader& materials, std::size_t meshIndex);
 
 // Decodes the texture `index` of the file: 8-bit RGBA from PNG or JPEG.
 Texture loadTexture(GltfFile& file, int index);

@@ -1,4 +1,4 @@
-// The node hierarchy of a glTF file, flattened.
+// The node hierarchy of a glTF file, flattened, and what moves it.
 #pragma once
 
 #include <vector>
@@ -21,5 +21,10 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file);
 // The camera or the directional light of a node, added to the scene; what is not supported is warned of.
 void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene);
 void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene);
+
+// The animation `nameOrIndex` ("" takes the first; where the file has none, there is none), and in `placed`
+// which nodes it moves. Throws where there is no such animation, or where it is not valid; warns of those
+// that are not played.
+Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed);
 
 }  // namespace vct

@@ -1,10 +1,9 @@
-#include "scene/gltf_primitive.h"
-
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "scene/gltf_accessors.h"
+#include "scene/gltf_materials.h"
 
 namespace vct {
 namespace {

@@ -102,7 +102,7 @@ std::vector<Part> connectedParts(const Scene& scene) {
     std::vector<glm::dvec3> corners;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const Mesh& mesh = scene.meshes[instance.mesh];
         const auto [pieces, isNew] = piecesOf.try_emplace(instance.mesh);
         if (isNew) pieces->second = connectedTriangles(mesh);
         const glm::dmat3 linear(instance.worldFromObject);

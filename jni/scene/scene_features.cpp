@@ -26,7 +26,7 @@ SceneFeatures featuresOf(const Scene& scene) {
     std::set<int> materials;
     SceneFeatures found;
     for (const Instance& instance : scene.instances) {
-        materials.insert(scene.meshes[static_cast<std::size_t>(instance.mesh)].material);
+        materials.insert(scene.meshes[instance.mesh].material);
         found.movingObjects |= instance.moves();
     }
     found.movingLight = !scene.lights.empty() && scene.lights.front().node >= 0;
@@ -34,14 +34,12 @@ SceneFeatures featuresOf(const Scene& scene) {
     found.materials = static_cast<int>(materials.size());
     std::set<unsigned> combinations;
     for (const int index : materials) {
-        const Material& material = scene.materials[static_cast<std::size_t>(index)];
+        const Material& material = scene.materials[index];
         const unsigned features = materialFeatures(material);
         combinations.insert(features);
         found.glossy |= material.roughness < 1.0F;
-        if (features & featureBaseColorTexture)
-            found.textures[static_cast<std::size_t>(material.baseColorTexture)] = true;
-        if (features & featureEmissiveTexture)
-            found.textures[static_cast<std::size_t>(material.emissiveTexture)] = true;
+        if (features & featureBaseColorTexture) found.textures[material.baseColorTexture] = true;
+        if (features & featureEmissiveTexture) found.textures[material.emissiveTexture] = true;
     }
     found.materialFeatures.assign(combinations.begin(), combinations.end());
     return found;

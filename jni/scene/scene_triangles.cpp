@@ -73,7 +73,7 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
     for (const Instance& instance : scene.instances) {
         if (!instance.moves()) continue;
         const auto [found, added] = positionsOf.try_emplace(instance.mesh);
-        if (added) found->second = usedPositions(scene.meshes[static_cast<std::size_t>(instance.mesh)]);
+        if (added) found->second = usedPositions(scene.meshes[instance.mesh]);
         moving.push_back(
             {instance.node, &found->second, cornersOf(boundsOf(found->second, glm::dmat4(1.0)))});
         work += found->second.size();
@@ -90,7 +90,7 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
     for (const double seconds : poseTimes(scene.animation, most)) {
         const Pose pose = poseAt(scene.animation, seconds);
         for (const Moving& m : moving) {
-            const glm::dmat4& worldFromObject = pose.worldFromNode[static_cast<std::size_t>(m.node)];
+            const glm::dmat4& worldFromObject = pose.worldFromNode[m.node];
             for (const glm::dvec3& corner : m.corners)
                 if (!isUsable(glm::dvec3(worldFromObject * glm::dvec4(corner, 1.0))))
                     throw Error("cannot use the scene " + scene.path + ": at " + numberText(seconds) +
@@ -113,7 +113,7 @@ void computeBounds(Scene& scene) {
 
     std::vector<std::vector<const Instance*>> instancesOf(scene.meshes.size());
     for (const Instance& instance : scene.instances)
-        instancesOf[static_cast<std::size_t>(instance.mesh)].push_back(&instance);
+        instancesOf[instance.mesh].push_back(&instance);
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         if (instancesOf[mesh].empty()) continue;
         for (const glm::dvec3& position : usedPositions(scene.meshes[mesh])) {
