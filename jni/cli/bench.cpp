@@ -64,7 +64,6 @@ void addBench(CLI::App& app, int&) {
         "preset:\n"
         "  vct bench assets/cornell.glb --preset thesis,mobile,quality\n"
         "Use the machine for nothing else meanwhile. docs/timings.md says more.");
-    options->scene.addTo(*command)->required();
     command->add_option("--out", options->out,
                         "Folder for the tables as JSON and as text, and for the first run's timings and "
                         "pictures; made if missing");
@@ -78,6 +77,7 @@ void addBench(CLI::App& app, int&) {
             "Sets of settings, several with commas: " + presetList() + "; thesis alone gives the tables")
         ->delimiter(',')
         ->capture_default_str();
+    options->scene.addTo(*command)->required();
     command->add_option("--shadow-map", request.shadowMap, "Texels along a side")->capture_default_str();
     command->callback([options] { bench(*options); });
 }

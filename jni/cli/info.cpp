@@ -88,7 +88,6 @@ void addInfo(CLI::App& app, int& exitCode) {
         "info",
         "Show the GL driver and whether it has what the pipeline needs, or what a scene's features cost");
     const auto options = std::make_shared<InfoOptions>();
-    CLI::Option* scene = options->scene.addTo(*command);
     command->add_flag("--list-devices", options->listDevices,
                       "List the EGL devices with their indices, and stop");
     command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
@@ -99,6 +98,7 @@ void addInfo(CLI::App& app, int& exitCode) {
             "--times", options->timedFrames,
             "Time so many frames with and without each feature, in turn; the difference of the medians")
         ->check(CLI::Range(1, 1000));
+    CLI::Option* scene = options->scene.addTo(*command);
     for (const char* ofAScene :
          {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
         command->get_option(ofAScene)->needs(scene);

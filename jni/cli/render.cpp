@@ -211,7 +211,6 @@ void addRender(CLI::App& app, int&) {
         app.add_subcommand("render", "Render a glTF scene: pictures, debug views, step timings");
     auto options = std::make_shared<RenderOptions>();
     command->footer(renderFooter);
-    options->scene.addTo(*command)->required();
     command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
     command
         ->add_option("--mode", options->mode,
@@ -219,6 +218,7 @@ void addRender(CLI::App& app, int&) {
         ->capture_default_str();
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
+    options->scene.addTo(*command)->required();
     command->add_option(
         "--voxelization", options->voxelization,
         "What finds the axis along which a triangle is voxelized: geometry-shader, or "

@@ -156,20 +156,15 @@ void Framebuffer::check(const std::string& label) const {
 Framebuffer::Framebuffer(const std::string& label, const std::vector<const Texture*>& colors,
                          const Texture* depth, int level) {
     create(label);
-    GLenum drawBuffers[8];
-    GLsizei count = 0;
+    std::vector<GLenum> drawBuffers;
     for (const Texture* color : colors) {
-        drawBuffers[count] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(count);
-        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers[count], GL_TEXTURE_2D, color->name(), level);
-        ++count;
+        drawBuffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(drawBuffers.size()));
+        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers.back(), GL_TEXTURE_2D, color->name(), level);
     }
     if (depth != nullptr)
         FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), level);
-    if (count == 0) {
-        drawBuffers[0] = GL_NONE;
-        count = 1;
-    }
-    DrawBuffers(count, drawBuffers);
+    if (drawBuffers.empty()) drawBuffers.push_back(GL_NONE);
+    DrawBuffers(static_cast<GLsizei>(drawBuffers.size()), drawBuffers.data());
     const Texture& any = depth != nullptr ? *depth : *colors.front();
     width_ = std::max(any.width() >> level, 1);
     height_ = std::max(any.height() >> level, 1);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
+#include <optional>
+#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -14,31 +15,20 @@ namespace vct {
 
 namespace {
 
-// "a=1,2,3,b=4" -> {a: {1, 2, 3}, b: {4}}.
-std::map<std::string, std::vector<double>> keyedNumbers(const std::string& option, const std::string& text) {
-    std::map<std::string, std::vector<double>> values;
-    std::istringstream parts(text);
-    std::string part, key;
-    while (std::getline(parts, part, ',')) {
-        const std::size_t equals = part.find('=');
-        if (equals != std::string::npos) {
-            key = part.substr(0, equals);
-            part = part.substr(equals + 1);
-        }
-        if (key.empty()) throw Error(option + " '" + text + "': expected name=value, see --help");
-        values[key].push_back(numberFromText(option, part));
-    }
-    return values;
+glm::dvec3 threeFromText(const std::string& option, const std::string& text) {
+    std::istringstream numbers(text);
+    std::vector<double> found;
+    for (std::string number; std::getline(numbers, number, ',');)
+        found.push_back(numberFromText(option, number));
+    if (found.size() != 3) throw Error(option + ": '" + text + "' is not three numbers, such as 1,2,3");
+    return {found[0], found[1], found[2]};
 }
 
-glm::dvec3 three(const std::string& option, const std::string& key, const std::vector<double>& values) {
-    if (values.size() != 3) throw Error(option + ": " + key + " takes three numbers, X,Y,Z");
-    return {values[0], values[1], values[2]};
-}
-
-double one(const std::string& option, const std::string& key, const std::vector<double>& values) {
-    if (values.size() != 1) throw Error(option + ": " + key + " takes one number");
-    return values[0];
+// Of "a=1,2,3,b=4": as setFromWords().
+void setFromParts(const std::string& option, std::string text, const NamedSetters& setters) {
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    static const std::regex commaBeforeName(",(?=[^,]*=)");
+    setFromWords(option + " " + std::regex_replace(text, commaBeforeName, " "), setters);
 }
 
 }  // namespace
@@ -86,43 +76,32 @@ glm::ivec2 sizeFromText(const std::string& text) {
 
 Camera cameraFromText(const std::string& text, const Scene& scene) {
     if (text.find('=') == std::string::npos) return chooseCamera(scene, text);
-    glm::dvec3 eye(0.0);
+    std::optional<glm::dvec3> eye;
     glm::dvec3 target(0.0);
     double fovDeg = 45.0;
-    bool hasEye = false;
-    for (const auto& [key, values] : keyedNumbers("--camera", text)) {
-        if (key == "eye") {
-            eye = three("--camera", key, values);
-            hasEye = true;
-        } else if (key == "target") {
-            target = three("--camera", key, values);
-        } else if (key == "fov") {
-            fovDeg = one("--camera", key, values);
-        } else {
-            throw Error("--camera: unknown part '" + key + "'; there are eye, target, fov");
-        }
-    }
-    if (!hasEye) throw Error("--camera '" + text + "' has no eye=X,Y,Z");
-    return lookAt(eye, target, fovDeg);
+    setFromParts("--camera", text,
+                 {{"eye", [&](const auto& value) { eye = threeFromText("--camera: eye", value); }},
+                  {"target", [&](const auto& value) { target = threeFromText("--camera: target", value); }},
+                  {"fov", [&](const auto& value) { fovDeg = numberFromText("--camera: fov", value); }}});
+    if (!eye) throw Error("--camera '" + text + "' has no eye=X,Y,Z");
+    return lookAt(*eye, target, fovDeg);
 }
 
 DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
     DirectionalLight light = chooseLight(scene);
     if (text.empty()) return light;
-    for (const auto& [key, values] : keyedNumbers("--light", text)) {
-        if (key == "direction") {
-            const glm::dvec3 direction = three("--light", key, values);
-            if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");
-            light.towardsLight = -glm::normalize(direction);
-            light.node = -1;  // stays there
-        } else if (key == "color") {
-            light.color = glm::vec3(three("--light", key, values));
-        } else if (key == "intensity") {
-            light.intensity = static_cast<float>(one("--light", key, values));
-        } else {
-            throw Error("--light: unknown part '" + key + "'; there are direction, color, intensity");
-        }
-    }
+    const auto setDirection = [&](const std::string& value) {
+        const glm::dvec3 direction = threeFromText("--light: direction", value);
+        if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");
+        light.towardsLight = -glm::normalize(direction);
+        light.node = -1;  // stays there
+    };
+    setFromParts("--light", text,
+                 {{"direction", setDirection},
+                  {"color", [&](const auto& value) { light.color = threeFromText("--light: color", value); }},
+                  {"intensity", [&](const auto& value) {
+                       light.intensity = static_cast<float>(numberFromText("--light: intensity", value));
+                   }}});
     // The largest component of the colour is 1: the rest is intensity.
     const float largest = std::max({light.color.r, light.color.g, light.color.b});
     if (std::min({light.color.r, light.color.g, light.color.b}) < 0.0F || light.intensity < 0.0F)
@@ -134,8 +113,7 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
 }
 
 glm::vec3 colorFromText(const std::string& option, const std::string& text) {
-    const auto values = keyedNumbers(option, "color=" + text);
-    const glm::vec3 color(three(option, "color", values.at("color")));
+    const glm::vec3 color(threeFromText(option, text));
     if (glm::min(color.r, glm::min(color.g, color.b)) < 0.0F)
         throw Error(option + " " + text + ": radiance must not be negative");
     return color;

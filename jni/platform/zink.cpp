@@ -43,24 +43,20 @@ class ScopedEnvironment {
     std::vector<std::pair<std::string, std::optional<std::string>>> saved_;
 };
 
-// The Vulkan loader's description of lavapipe, Mesa's Vulkan on the CPU; empty where it is not installed.
-std::string lavapipeIcd() {
-    for (const char* folder :
-         {"/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d"}) {
-        std::error_code error;
-        for (const auto& entry : fs::directory_iterator(folder, error)) {
-            if (entry.path().filename().string().compare(0, 8, "lvp_icd.") == 0) return entry.path().string();
-        }
-    }
+// A file of the folder whose name begins so; empty where there is none.
+std::string fileThatBegins(const char* folder, const std::string& start) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.path().filename().string().rfind(start, 0) == 0) return entry.path().string();
     return "";
 }
 
-bool hasRenderNode() {
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator("/dev/dri", error)) {
-        if (entry.path().filename().string().compare(0, 7, "renderD") == 0) return true;
-    }
-    return false;
+// The Vulkan loader's description of lavapipe, Mesa's Vulkan on the CPU; empty where it is not installed.
+std::string lavapipeIcd() {
+    for (const char* folder :
+         {"/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d"})
+        if (const std::string icd = fileThatBegins(folder, "lvp_icd."); !icd.empty()) return icd;
+    return "";
 }
 
 // GL_RENDERER of the current context, whose entry points are not loaded yet.
@@ -109,9 +105,8 @@ std::unique_ptr<Platform> createZink(const PlatformOptions& options) {
         throw Error(
             "zink is chosen when EGL starts, and an EGL context exists already; destroy that one first");
     std::string failures;
-    if (hasRenderNode()) {
+    if (!fileThatBegins("/dev/dri", "renderD").empty())
         if (auto platform = tryZink(options, false, failures)) return platform;
-    }
     if (auto platform = tryZink(options, true, failures)) return platform;
     throw Error("no zink (" + failures +
                 "); install mesa-vulkan-drivers and libvulkan1, or use --backend egl");
