@@ -8,6 +8,7 @@
 #include "cli/program_run.h"
 #include "image/image.h"
 #include "stand_in/stand_in.h"
+#include "support/errors.h"
 #include "support/moving_scenes.h"
 #include "support/temporary_folder.h"
 
@@ -51,11 +52,8 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     const std::string mode = GetParam();
     const Image screen = screenOf("scene=courtyard.glb pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
-    ASSERT_EQ(program.run("render " VCT_SOURCE_DIR
-                          "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " +
-                          mode),
-              0)
-        << program.err;
+    program.expectSuccess(
+        "render " VCT_SOURCE_DIR "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " + mode);
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
@@ -63,11 +61,9 @@ TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     // The light of the other presets comes to a still picture's by and by.
     const Image screen = screenOf("scene=moving.glb preset=thesis pixels=1 mode=gi time=1.5", 96, 72);
     ProgramRun program;
-    ASSERT_EQ(
-        program.run("render " VCT_SOURCE_DIR "/assets/moving.glb --preset thesis --size 96x72 --out out "
-                    "--mode gi --time 1.5"),
-        0)
-        << program.err;
+    program.expectSuccess("render " VCT_SOURCE_DIR
+                          "/assets/moving.glb --preset thesis --size 96x72 --out out "
+                          "--mode gi --time 1.5");
     EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
@@ -96,9 +92,8 @@ TEST(Animated, TheViewGoesWithTheScenesCamera) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     builder.animate(2, "translation", {0, 1}, {0, 2.6F, 5.2F, 2, 2.6F, 5.2F});
-    const Bytes file = builder.glb();
     const TemporaryFolder scenes;
-    writeBytes(scenes.file("camera.glb"), std::string(file.begin(), file.end()));
+    writeBytes(scenes.file("camera.glb"), builder.glb());
     const auto screenAt = [&](const std::string& time) {
         return screenOf("scene=camera.glb preset=mobile pixels=1 mode=phong time=" + time, 96, 72,
                         scenes.path());
@@ -190,7 +185,7 @@ TEST(Display, SaysWhichExtensionIsMissing) {
         android.frames(1);
         android.run();
         EXPECT_EQ(android.misuse, std::vector<std::string>{});
-        EXPECT_NE(android.errors().find("GL_OES_shader_image_atomic"), std::string::npos) << android.errors();
+        expectMentions(android.errors(), {"GL_OES_shader_image_atomic"});
         EXPECT_GE(android.shown, 4);
         keep(android.screen, (std::string("missing-") + version + ".png").c_str());
         expectText(android.screen, 0, 0, 1080, 500);

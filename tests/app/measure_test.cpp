@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "lab/bench_run.h"
 #include "stand_in/stand_in.h"
+#include "support/errors.h"
 #include "support/temporary_folder.h"
 
 namespace vct::test {
@@ -52,10 +53,8 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
     EXPECT_EQ(android.windowFlags, 0U) << "the screen may go dark again";
 
     ProgramRun program;
-    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell +
-                          " --mode all --grid 64 --size 32x32 --shadow-map 64 --out out --timings t.json"),
-              0)
-        << program.err;
+    program.expectSuccess(std::string("render ") + ProgramRun::cornell +
+                          " --mode all --grid 64 --size 32x32 --shadow-map 64 --out out --timings t.json");
     const json ours = readJson(files, "timings.json");
     ASSERT_FALSE(ours.is_discarded());
     json theirs = program.json("t.json");
@@ -94,7 +93,7 @@ TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
     EXPECT_EQ(bench.at("measurements").size(), 11U);
     EXPECT_EQ(bench.at("tables").size(), 4U);
     EXPECT_EQ(bench.at("method").at("fresh"), "renderers");
-    EXPECT_NE(readBytes(files.file("results/bench.txt")).find("Table 5.5"), std::string::npos);
+    expectMentions(readBytes(files.file("results/bench.txt")), {"Table 5.5"});
     EXPECT_TRUE(android.logged("run 1 of 1"));
     EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
 }
@@ -127,7 +126,7 @@ TEST_P(MeasureFails, AndSaysWhyInTheFileFailed) {
     android.frames(2);
     android.run();
     const std::string failed = readBytes(files.file("results/failed"));
-    EXPECT_NE(failed.find(GetParam().says), std::string::npos) << failed;
+    expectMentions(failed, {GetParam().says});
     EXPECT_FALSE(std::filesystem::exists(files.file("results/done")));
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
@@ -138,7 +137,7 @@ TEST(MeasureInTheApp, QuittingInTheMiddleSaysFailed) {
     android.framesUntilLogged("bench: 1 of");
     android.frames(4);
     android.run();
-    EXPECT_NE(readBytes(files.file("results/failed")).find("ended before"), std::string::npos);
+    expectMentions(readBytes(files.file("results/failed")), {"ended before"});
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
@@ -164,7 +163,7 @@ TEST(MeasureInTheApp, ALostContextFailsIt) {
     android.then([&] { android.loseContextAtGlError(3); });
     android.frames(10);
     android.run();
-    EXPECT_NE(readBytes(files.file("results/failed")).find("context was lost"), std::string::npos);
+    expectMentions(readBytes(files.file("results/failed")), {"context was lost"});
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 

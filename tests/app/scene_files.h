@@ -14,8 +14,7 @@ class TinyScene {
     TinyScene() {
         GltfBuilder builder;
         builder.triangle();
-        const Bytes file = builder.glb();
-        writeBytes(folder_.file("tiny.glb"), std::string(file.begin(), file.end()));
+        writeBytes(folder_.file("tiny.glb"), builder.glb());
     }
     std::string folder() const { return folder_.path(); }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cli/program_run.h"
+#include "support/errors.h"
 
 namespace vct::test {
 namespace {
@@ -24,10 +25,8 @@ double value(const json& table, const std::string& platform, std::size_t column)
 
 TEST(Bench, MeasuresEveryTableBesideTheThesis) {
     ProgramRun program;
-    ASSERT_EQ(program.run(std::string("bench ") + ProgramRun::cornell +
-                          " --repeat 1 --size 16x16 --shadow-map 64 --out out"),
-              0)
-        << program.err;
+    program.expectSuccess(std::string("bench ") + ProgramRun::cornell +
+                          " --repeat 1 --size 16x16 --shadow-map 64 --out out");
     const json bench = program.json("out/bench.json");
     EXPECT_EQ(bench.at("version"), 1);
     for (const char* key : {"program", "scene", "triangles", "driver", "machine", "settings", "method"})
@@ -70,15 +69,13 @@ TEST(Bench, MeasuresEveryTableBesideTheThesis) {
 
     EXPECT_EQ(readBytes(program.folder.file("out/bench.txt")), program.out);
     for (const char* text : {"Table 5.2", "Table 5.3", "Table 5.4", "Table 5.5", "Here(*)", "1076.49"})
-        EXPECT_NE(program.out.find(text), std::string::npos) << text;
+        expectMentions(program.out, {text});
 }
 
 TEST(Bench, ComparesPresetsAtTheirOwnGrids) {
     ProgramRun program;
-    ASSERT_EQ(program.run(std::string("bench ") + ProgramRun::cornell +
-                          " --preset thesis,mobile --repeat 2 --size 16x16 --shadow-map 64 --out out"),
-              0)
-        << program.err;
+    program.expectSuccess(std::string("bench ") + ProgramRun::cornell +
+                          " --preset thesis,mobile --repeat 2 --size 16x16 --shadow-map 64 --out out");
     const json comparison = program.json("out/presets.json");
     EXPECT_EQ(comparison.at("version"), 1);
     EXPECT_EQ(comparison.at("method").at("processes"), 2);
@@ -124,28 +121,24 @@ TEST(Bench, ComparesPresetsAtTheirOwnGrids) {
     EXPECT_EQ(readBytes(program.folder.file("out/presets.txt")), program.out);
     for (const char* text :
          {"| trace, mode 4 |", "| trace, mode 5 |", "| thesis, 256^3 ", "| thesis / mobile ", "|--"})
-        EXPECT_NE(program.out.find(text), std::string::npos) << text;
+        expectMentions(program.out, {text});
 }
 
 TEST(Bench, AGridThatIsAskedForIsEveryPresets) {
     ProgramRun program;
-    ASSERT_EQ(
-        program.run(std::string("bench ") + ProgramRun::cornell +
-                    " --preset quality --grid 64 --repeat 1 --size 16x16 --shadow-map 64 --json b.json"),
-        0)
-        << program.err;
+    program.expectSuccess(
+        std::string("bench ") + ProgramRun::cornell +
+        " --preset quality --grid 64 --repeat 1 --size 16x16 --shadow-map 64 --json b.json");
     const json comparison = program.json("b.json");
     EXPECT_EQ(comparison.at("presets").at(0).at("settings").at("grid"), 64);
     EXPECT_EQ(comparison.at("ratios").size(), 0U);
-    ASSERT_EQ(
-        program.run(std::string("bench ") + ProgramRun::cornell +
-                    " --preset mobile --grid auto --repeat 1 --size 16x16 --shadow-map 64 --json b.json"),
-        0)
-        << program.err;
+    program.expectSuccess(
+        std::string("bench ") + ProgramRun::cornell +
+        " --preset mobile --grid auto --repeat 1 --size 16x16 --shadow-map 64 --json b.json");
     EXPECT_EQ(program.json("b.json").at("presets").at(0).at("settings").at("grid"), 64);
-    EXPECT_NE(program.err.find("mobile, scenes 1 to 5, 64^3"), std::string::npos) << program.err;
+    expectMentions(program.err, {"mobile, scenes 1 to 5, 64^3"});
     EXPECT_EQ(program.run(std::string("bench ") + ProgramRun::cornell + " --preset thesis,none"), 1);
-    EXPECT_NE(program.err.find("preset 'none' does not exist"), std::string::npos) << program.err;
+    expectMentions(program.err, {"preset 'none' does not exist"});
 }
 
 }  // namespace

@@ -89,8 +89,7 @@ TEST(Info, CostsOfWhatMoves) {
     builder.animate(1, "rotation", {0, 1}, {-0.5F, 0, 0, 0.8660254F, -0.258819F, 0, 0, 0.9659258F});
     builder.animate(box, "translation", {0, 1}, {0, 0.5F, 0, 0.5F, 0.5F, 0});
     const TemporaryFolder folder;
-    const Bytes file = builder.glb();
-    writeBytes(folder.file("sun.glb"), std::string(file.begin(), file.end()));
+    writeBytes(folder.file("sun.glb"), builder.glb());
     for (const char* preset : {"thesis", "mobile"}) {
         const Outcome outcome =
             info("", folder.file("sun.glb") + " --size 32x32 --grid 64 --times 1 --preset " + preset);

@@ -1,6 +1,7 @@
 // One run of `vct` in an empty folder of its own: what it said, what it left.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -27,6 +28,9 @@ class ProgramRun {
         err = readBytes(said.file("err"));
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
+
+    // Runs it, and expects that it ends well.
+    void expectSuccess(const std::string& arguments) { EXPECT_EQ(run(arguments), 0) << arguments << err; }
 
     nlohmann::json json(const std::string& name) const {
         return nlohmann::json::parse(readBytes(folder.file(name)), nullptr, false);

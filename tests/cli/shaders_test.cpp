@@ -1,7 +1,6 @@
 // vct shaders: every source of the manifest is there and is what glslang takes for a phone.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -12,8 +11,7 @@ namespace {
 
 TEST(Shaders, OfEveryPresetAreWrittenAndCounted) {
     ProgramRun program;
-    ASSERT_EQ(program.run(std::string("shaders ") + ProgramRun::cornell + " --out out --size 32x32"), 0)
-        << program.err;
+    program.expectSuccess(std::string("shaders ") + ProgramRun::cornell + " --out out --size 32x32");
     const std::filesystem::path out = program.folder.file("out");
     const auto manifest = nlohmann::json::parse(readBytes((out / "manifest.json").string()));
     EXPECT_EQ(manifest.at("width"), 32);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cli/program_run.h"
+#include "support/errors.h"
 
 namespace vct::test {
 namespace {
@@ -76,7 +77,7 @@ void expectCommonFields(const json& timings) {
 
 TEST(Timings, OfOneMode) {
     ProgramRun program;
-    ASSERT_EQ(program.run(renderSmall("--mode gi-cone-shadow")), 0) << program.err;
+    program.expectSuccess(renderSmall("--mode gi-cone-shadow"));
     const json timings = program.json("t.json");
     expectCommonFields(timings);
     ASSERT_EQ(timings.at("modes").size(), 1U);
@@ -99,13 +100,11 @@ TEST(Timings, OfOneMode) {
 
 TEST(Timings, WhatAFrameNeedNotMakeAgainTakesNoTime) {
     ProgramRun program;
-    ASSERT_EQ(program.run(std::string("render ") + ProgramRun::cornell +
-                          " --preset mobile --size 64x64 --out out --timings t.json"),
-              0)
-        << program.err;
+    program.expectSuccess(std::string("render ") + ProgramRun::cornell +
+                          " --preset mobile --size 64x64 --out out --timings t.json");
     const json timings = program.json("t.json");
     EXPECT_EQ(timings.at("method").at("revoxelized_every_frame"), false);
-    EXPECT_NE(program.err.find("--revoxelize times them too"), std::string::npos) << program.err;
+    expectMentions(program.err, {"--revoxelize times them too"});
     const json& steps = timings.at("modes").at("gi-cone-shadow").at("steps");
     expectSteps(steps);
     for (const std::string step : stepNames) {
@@ -116,7 +115,7 @@ TEST(Timings, WhatAFrameNeedNotMakeAgainTakesNoTime) {
 
 TEST(Timings, SeveralModesHaveOneObjectEach) {
     ProgramRun program;
-    ASSERT_EQ(program.run(renderSmall("--mode phong,ao --contact-sheet")), 0) << program.err;
+    program.expectSuccess(renderSmall("--mode phong,ao --contact-sheet"));
     const json timings = program.json("t.json");
     expectCommonFields(timings);
     ASSERT_EQ(timings.at("modes").size(), 2U);
@@ -126,11 +125,7 @@ TEST(Timings, SeveralModesHaveOneObjectEach) {
     // The table for people has a line for each mode and two for the head.
     EXPECT_EQ(lineCount(program.out), 4) << program.out;
 
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(program.folder.file("out")))
-        names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    EXPECT_EQ(names,
+    EXPECT_EQ(program.folder.list("out"),
               (std::vector<std::string>{"ao.exr", "ao.png", "contact_sheet.png", "phong.exr", "phong.png"}));
 }
 

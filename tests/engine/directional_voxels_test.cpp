@@ -1,16 +1,14 @@
-// Directional coverage voxels: what a face must hold has closed forms; orders, frames and drivers must not
-// matter; the mip levels and the lists are computed again on the CPU.
+// Directional coverage voxels: what a face must hold has closed forms; the mip levels and the lists are
+// computed again on the CPU. That orders and frames do not matter, is in irradiance_steps_test.cpp and
+// unchanged_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/error.h"
 #include "lab/cpu_mips.h"
 #include "lab/read_back.h"
-#include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/faces.h"
 #include "support/frame_inspector.h"
@@ -69,8 +67,8 @@ TEST(FaceCoverage, WallAcrossTheVolumeIsOpaqueFromItsFrontOnlyAtEveryLevel) {
     }
 }
 
-// One fragment in each column of voxels along the dominant axis k, and there max(0, n.f) / |n_k|: over the
-// whole surface that is its area as seen from f.
+// One fragment in each column of voxels along the dominant axis k, in a voxel that the plane meets, and there
+// max(0, n.f) / |n_k|: over the whole surface that is its area as seen from f.
 TEST(FaceCoverage, OfATiltedPlaneIsItsAreaSeenFromEachFace) {
     const Context context = openContext(Backend::egl);
     constexpr double side = 30.0;
@@ -79,14 +77,17 @@ TEST(FaceCoverage, OfATiltedPlaneIsItsAreaSeenFromEachFace) {
           glm::dvec3(1, -1, 1), glm::dvec3(std::cos(0.5), 0, std::sin(0.5))}) {
         const glm::dvec3 n = glm::normalize(direction);
         const double dominant = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-        const FaceLevel base =
-            facesOf(context, quadScene(n, glm::dvec3(32.2, 31.6, 32.4), side), lightFrom({1, 2, 3}))[0];
+        const glm::dvec3 centre(32.2, 31.6, 32.4);
+        const FaceLevel base = facesOf(context, quadScene(n, centre, side), lightFrom({1, 2, 3}))[0];
         for (int face = 0; face < faceCount; ++face) {
             const double share = std::max(0.0, glm::dot(n, faceDirection(face))) / dominant;
             double area = 0.0;
             base.forEachVoxel([&](const glm::ivec3& voxel) {
                 const double alpha = base.at(voxel, face).a / 255.0;
                 if (!base.occupied(voxel)) return;
+                // Of a cube's half diagonal, and what a rasterizer that snaps to 1/256 of a pixel may be off.
+                ASSERT_LE(std::abs(glm::dot(n, glm::dvec3(voxel) + 0.5 - centre)),
+                          0.5 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) + 1.0 / 128.0);
                 // 8 bits, and rounding in fixed point and in the derivatives.
                 ASSERT_NEAR(alpha, share, 0.51 / 255.0) << faceName(face);
                 area += alpha;
@@ -209,56 +210,12 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FaceVoxelsOf, testing::Values("cornell", "court
 // Of a mode that lights no face with what it received: what is seen is what voxelization and mipmapping made.
 constexpr Mode mode = Mode::ao;
 
-std::vector<FaceLevel> facesAfterFrames(Renderer& renderer, const Scene& scene, int frames) {
-    for (int i = 0; i < frames; ++i)
-        renderer.frame(mode, chooseCamera(scene, ""));
-    return readFaces(renderer.directional()->voxels());
-}
-std::vector<FaceLevel> facesOn(Backend backend, const Scene& scene) {
-    const Context context = openContext(backend);
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
-    return facesAfterFrames(renderer, scene, 1);
-}
-
-TEST_P(FaceVoxelsOf, AnyOrderOfTrianglesAndInstancesGivesTheSame) {
-    const std::vector<FaceLevel> reference = facesOn(Backend::egl, scene());
-    for (unsigned seed : {1U, 2U}) {
-        Scene shuffled = scene();
-        shuffleTriangles(shuffled, seed);
-        EXPECT_TRUE(facesOn(Backend::egl, shuffled) == reference) << "seed " << seed;
-    }
-}
-
-class FaceVoxelsOn : public testing::TestWithParam<std::tuple<Backend, const char*>> {};
-INSTANTIATE_TEST_SUITE_P(Drivers, FaceVoxelsOn,
-                         testing::Combine(testing::Values(Backend::osmesa, Backend::zink),
-                                          testing::Values("courtyard")),
-                         [](const auto& test) {
-                             return backendName(std::get<0>(test.param)) + std::string("_") +
-                                    std::get<1>(test.param);
-                         });
-
-TEST_P(FaceVoxelsOn, AreLlvmpipesWithinOneOf255) {
-    const auto [backend, name] = GetParam();
-    VCT_SKIP_IF_ABSENT(backend);
-    const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
-    const std::vector<FaceLevel> reference = facesOn(Backend::egl, scene);
-    const std::vector<FaceLevel> other = facesOn(backend, scene);
-    ASSERT_EQ(other.size(), reference.size());
-    for (std::size_t level = 0; level < reference.size(); ++level) {
-        const int difference = largestDifference(reference[level], other[level]);
-        if (level == 0)
-            std::printf("%s, %s: largest difference at the base %d of 255\n", backendName(backend), name,
-                        difference);
-        EXPECT_LE(difference, 1) << "level " << level;
-        reference[level].forEachVoxel([&](const glm::ivec3& voxel) {
-            ASSERT_EQ(reference[level].occupied(voxel), other[level].occupied(voxel)) << "level " << level;
-        });
-    }
-}
-
 TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
-    const std::vector<FaceLevel> levels = facesOn(Backend::egl, scene());
+    const Context context = openContext(Backend::egl);
+    const Scene scene = FaceVoxelsOf::scene();
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
+    renderer.frame(mode, chooseCamera(scene, ""));
+    const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
     for (std::size_t level = 1; level < levels.size(); ++level)
         EXPECT_LE(largestDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
 }
@@ -299,7 +256,7 @@ TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelOnceAndNothingIsLeftOutside) {
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     for (int frame = 0; frame < 2; ++frame) {
-        facesAfterFrames(renderer, scene, 1);
+        renderer.frame(mode, chooseCamera(scene, ""));
         expectListsHoldWhatIsOccupied(renderer.directional()->voxels());
     }
 }
@@ -316,47 +273,6 @@ TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatPackedOnesOccupy) {
         EXPECT_EQ(entriesOnCpu(readVoxels(faces.occupancy().texture(), level), directionalGrid >> level),
                   entriesOnCpu(readVoxels(packed.occupancy().texture(), level), directionalGrid >> level))
             << "level " << level;
-}
-
-TEST(FaceVoxelsOverTime, FrameTwentyEqualsFrameOne) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = loadGltf(asset("courtyard.glb"));
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
-    const std::vector<FaceLevel> first = facesAfterFrames(renderer, scene, 1);
-    const std::vector<std::uint32_t> counts = renderer.activeVoxels();
-    EXPECT_TRUE(facesAfterFrames(renderer, scene, 19) == first);
-    EXPECT_EQ(renderer.activeVoxels(), counts);
-}
-
-TEST(FaceVoxelList, OverflowIsReportedInEveryFrame) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = loadGltf(asset("cornell.glb"));
-    Settings settings = directionalSettings();
-    Renderer roomy = makeRenderer(context, scene, chooseLight(scene), settings);
-    roomy.frame(Mode::gi, chooseCamera(scene, ""));
-    const std::string needed = std::to_string(roomy.activeVoxels()[0]);
-    settings.activeVoxelLimit = 1000;
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-    for (int frame = 0; frame < 3; ++frame) {
-        try {
-            renderer.frame(Mode::gi, chooseCamera(scene, ""));
-            renderer.activeVoxels();
-            FAIL() << "an overflow must be reported, frame " << frame;
-        } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find("room for " + needed), std::string::npos)
-                << "frame " << frame << ": " << error.what();
-        }
-    }
-    // What found room is all that the faces hold.
-    std::vector<std::uint32_t> entries = readEntries(renderer.directional()->voxels().index(), 0, 1000);
-    std::sort(entries.begin(), entries.end());
-    const FaceLevel base = readFaces(renderer.directional()->voxels())[0];
-    base.forEachVoxel([&](const glm::ivec3& voxel) {
-        if (base.occupied(voxel)) {
-            ASSERT_TRUE(
-                std::binary_search(entries.begin(), entries.end(), shared::packEntry(glm::uvec3(voxel))));
-        }
-    });
 }
 
 }  // namespace

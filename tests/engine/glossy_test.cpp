@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/error.h"
 #include "engine/renderer.h"
@@ -46,6 +45,7 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
     const Context context = openContext(Backend::egl);
     for (const float roughness : {0.0F, 0.2F})
         for (const double turnDeg : {0.0, 30.0}) {
+            SCOPED_TRACE(testing::Message() << "roughness " << roughness << ", turned by " << turnDeg);
             Scene scene = emptyScene();
             scene.materials.push_back(metal(roughness));
             scene.materials.push_back(scene.materials[0]);
@@ -70,8 +70,6 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
             ASSERT_GT(count, 500);
             seen /= count;
             const glm::dvec3 right = headOnShare(copper, roughness);
-            std::printf("  roughness %.1f, turned by %.0f: %.3f %.3f %.3f of %.3f %.3f %.3f\n", roughness,
-                        turnDeg, seen.x, seen.y, seen.z, right.x, right.y, right.z);
             // At most the transmittance at which a cone ends is missing, 8 bits' rounding, and what passes a
             // wall that is straight across no axis (measured).
             const double missing = settings.gather.threshold + (turnDeg == 0.0 ? 0.02 : 0.08);
@@ -103,7 +101,6 @@ TEST(Glossy, AWallOnTheBorderOfTheVolumeIsReflectedWhole) {
             least = std::min(least, pixel.x);
             most = std::max(most, pixel.x);
         }
-        std::printf("  roughness %.1f: %.3f to %.3f of %.3f\n", roughness, least, most, right);
         EXPECT_GT(least, 0.85F * right) << roughness;
         EXPECT_LT(most, 1.15F * right) << roughness;
         EXPECT_LT(most, 1.1F * least) << roughness;
@@ -152,7 +149,6 @@ TEST(Glossy, TheSunsReflectionIsThatOfGltf) {
         const Image image = frame.view(VCT_MODE_GI);
         const std::vector<SurfacePixel>& pixels = frame.pixels();
         int count = 0;
-        double brightest = 0.0;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             if (!pixels[i].surface) continue;
             const glm::dvec3& position = pixels[i].positionWorld;
@@ -163,11 +159,9 @@ TEST(Glossy, TheSunsReflectionIsThatOfGltf) {
             for (int c = 0; c < 3; ++c)
                 ASSERT_NEAR(image.pixels[i][c], right[c], 0.02 * right[c] + 0.01)
                     << position.x << " " << position.z;
-            brightest = std::max(brightest, right.x);
             ++count;
         }
         EXPECT_GT(count, 500);
-        std::printf("  roughness %.2f: up to %.2f\n", roughness, brightest);
     }
 }
 

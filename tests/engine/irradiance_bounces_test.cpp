@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
@@ -76,8 +75,6 @@ TEST(ClosedRoom, AFurnaceComesToItsBalance) {
         const double a = albedo, right = 1.0 / (1.0 - a);
         if (albedo == 0.0F) share = room.mean;
         const double balance = share / (1.0 - a * bounceGain * share);
-        std::printf("albedo %.1f: %.3f of what is right, up to %.3f; %.3f of the balance\n", albedo,
-                    room.mean / right, room.largest / right, room.mean / balance);
         EXPECT_NEAR(share, 1.0, 0.07);
         EXPECT_NEAR(room.mean / balance, 1.0, 0.04) << albedo;
         EXPECT_LE(room.largest / right, 1.1) << albedo;
@@ -91,9 +88,7 @@ TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
     const Context context = openContext(Backend::egl);
     const auto lit = [&](float albedo, int steps) {
         const double right = lampSide * lampSide / 24.0 / (1.0 - static_cast<double>(albedo));
-        const double share = receivedByWalls(context, roomWithLamp(albedo), steps).mean / right;
-        std::printf("lamp, albedo %.1f, %d steps: %.3f of what is right\n", albedo, steps, share);
-        return share;
+        return receivedByWalls(context, roomWithLamp(albedo), steps).mean / right;
     };
     EXPECT_NEAR(lit(0.0F, presetFrames), 1.0, 0.06);
     const double few = lit(0.8F, presetFrames);
@@ -106,7 +101,6 @@ TEST(ClosedRoom, LightThatNothingAbsorbsIsBounded) {
     const Context context = openContext(Backend::egl);
     const double first = lampSide * lampSide / 24.0;
     const double times = receivedByWalls(context, roomWithLamp(1.0F), 3 * presetFrames).mean / first;
-    std::printf("albedo 1: %.2f times the first bounce\n", times);
     EXPECT_LE(times, 1.1 / (1.0 - 0.95));
     EXPECT_GE(times, 3.0);
 }

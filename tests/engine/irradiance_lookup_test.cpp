@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "scene/camera.h"
@@ -59,6 +58,7 @@ class CpuLookUp {
 TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
     const Context context = openContext(Backend::egl);
     for (const char* name : {"cornell", "courtyard"}) {
+        SCOPED_TRACE(name);
         const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
         const Settings settings = mobileAt(128);
         FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
@@ -85,8 +85,6 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
                 differences += light - right[c];
             }
         }
-        std::printf("%s: %d of %d pixels, largest difference %.2f %%, bias %.2f %%\n", name, looked, surfaces,
-                    100.0 * largest, 100.0 * differences / sum);
         EXPECT_GT(looked, surfaces * 8 / 10);
         EXPECT_LE(largest, 0.01);
         EXPECT_LE(std::abs(differences), 0.001 * sum);
@@ -126,8 +124,6 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
         ++jumps.count;
     }
     ASSERT_GT(across.count, 2000);
-    std::printf("across borders %.5f, up to %.5f; elsewhere %.5f, up to %.5f\n", across.sum / across.count,
-                across.largest, within.sum / within.count, within.largest);
     EXPECT_LE(across.sum / across.count, 1.2 * within.sum / within.count);
     // The largest of thousands of steps of a few halves' last bits: a seam would be ten times as large.
     EXPECT_LE(across.largest, 2.0 * within.largest);

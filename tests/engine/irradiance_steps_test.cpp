@@ -2,9 +2,7 @@
 // followed without a trace of what was.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "gl/call_log.h"
@@ -17,10 +15,6 @@
 namespace vct::test {
 namespace {
 
-ReceivedFaces receivedBy(Renderer& renderer, GatherOf of = GatherOf::light) {
-    return readReceived(renderer.directional()->voxels(), renderer.directional()->received(of)->received());
-}
-
 std::set<std::string> groupsOf(const gl::CallLog& log) {
     std::set<std::string> groups;
     for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
@@ -30,8 +24,6 @@ std::set<std::string> groupsOf(const gl::CallLog& log) {
 
 void expectAlike(const ReceivedFaces& a, const ReceivedFaces& right, double rms, const std::string& what) {
     const ReceivedDifference d = differenceOf(a, right);
-    std::printf("  %s: RMS %.2f %%, largest %.1f %% of the mean\n", what.c_str(), 100.0 * d.rms / d.mean,
-                100.0 * d.largest / d.mean);
     EXPECT_GT(d.common, 500U) << what;
     EXPECT_LE(d.rms, rms * d.mean) << what;
 }
@@ -75,7 +67,7 @@ TEST(ReceivedLight, AConvergedPictureIsThatOfAllItsFrames) {
     still.renderConverged(Mode::gi, camera);
     for (int i = 0; i < settings.lightFrames; ++i)
         frames.frame(Mode::gi, camera);
-    EXPECT_TRUE(receivedBy(still) == receivedBy(frames));
+    EXPECT_TRUE(readReceived(still) == readReceived(frames));
     // Bricks lie in the order of the list of faces, which atomics decide: their texels' coordinates are
     // rounded differently.
     const Image one = still.radiance(), other = frames.radiance();
@@ -94,7 +86,7 @@ TEST(ReceivedLight, OfAnyOrderOfTrianglesAndInstancesIsTheSame) {
         Renderer renderer = makeRenderer(context, of, chooseLight(of), settings);
         for (int step = 0; step < 3; ++step)
             renderer.frame(Mode::gi, camera);
-        return std::make_pair(receivedBy(renderer), renderer.radiance());
+        return std::make_pair(readReceived(renderer), renderer.radiance());
     };
     const auto [faces, picture] = lit(scene);
     ASSERT_GT(faces.size(), 10000U);
@@ -127,7 +119,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = makeRenderer(context, scene, light, settings);
     renderer.renderConverged(Mode::gi, camera);
-    const ReceivedFaces before = receivedBy(renderer);
+    const ReceivedFaces before = readReceived(renderer);
     DirectionalLight turned = light;
     const double angle = glm::radians(30.0);
     const glm::dvec3 l = light.towardsLight;
@@ -135,7 +127,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
                                                     l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
     fresh.renderConverged(Mode::gi, camera);
-    const ReceivedFaces right = receivedBy(fresh);
+    const ReceivedFaces right = readReceived(fresh);
     const double change = differenceOf(before, right).rms;
     renderer.setLightDirection(turned.towardsLight);
     double last = change;
@@ -143,7 +135,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
         renderer.frame(Mode::gi, camera);
         const bool atPower = (frame & (frame - 1)) == 0;
         if (!atPower) continue;
-        const ReceivedFaces now = receivedBy(renderer);
+        const ReceivedFaces now = readReceived(renderer);
         if (frame == 1) {
             int shortened = 0;
             for (const auto& [entry, face] : now)
@@ -151,8 +143,6 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
             EXPECT_GT(shortened, 99 * static_cast<int>(now.size()) / 100);
         }
         const double error = differenceOf(now, right).rms;
-        std::printf("  after %d frames: RMS %.1f %% of the change, mean %.3f of what is right\n", frame,
-                    100.0 * error / change, brightness(now) / brightness(right));
         EXPECT_LE(error, last) << frame;
         last = error;
     }
@@ -183,17 +173,17 @@ TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
         stage.convergedAt(0.0, mode);
         for (int frame = 1; frame <= 30; ++frame)
             stage.frameAt(frame / 30.0, mode);
-        const ReceivedFaces moving = receivedBy(stage.renderer(), of);
+        const ReceivedFaces moving = readReceived(stage.renderer(), of);
         for (int frame = 0; frame < 16; ++frame)
             stage.frameAt(1.0, mode);
         const Scene frozen = frozenAt(scene, 1.0);
         PlayingScene fresh(context, frozen, settings);
         fresh.convergedAt(0.0, mode);
-        const ReceivedFaces right = receivedBy(fresh.renderer(), of);
+        const ReceivedFaces right = readReceived(fresh.renderer(), of);
         // What each face remembers by itself: pixels see it together with its block's.
         expectAlike(moving, right, 0.6, std::string(modeName(mode)) + ", while it moves");
         ASSERT_EQ(settings.lightFrames, 16);
-        expectAlike(receivedBy(stage.renderer(), of), right, 0.02,
+        expectAlike(readReceived(stage.renderer(), of), right, 0.02,
                     std::string(modeName(mode)) + ", 16 frames later");
     }
 }
@@ -206,10 +196,10 @@ TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
         settings.revoxelize = true;
         PlayingScene stage(context, scene, settings);
         stage.renderer().renderConverged(Mode::gi, chooseCamera(scene, ""));
-        const ReceivedFaces before = receivedBy(stage.renderer());
+        const ReceivedFaces before = readReceived(stage.renderer());
         for (int frame = 0; frame < 20; ++frame)
             stage.frame();
-        const ReceivedFaces after = receivedBy(stage.renderer());
+        const ReceivedFaces after = readReceived(stage.renderer());
         ASSERT_EQ(after.size(), before.size());
         int kept = 0;
         for (const auto& [entry, face] : after)
@@ -247,18 +237,14 @@ TEST(ReceivedLight, KeepsItsMemoryWhereItNeedsMoreRoom) {
     const Scene scene = load(builder);
     PlayingScene stage(context, scene, mobileSettings());
     stage.convergedAt(0.0);
-    const auto bytesOf = [&](const std::string& name) {
-        for (const Resource& resource : stage.renderer().resources())
-            if (resource.name == name) return resource.bytes;
-        return std::size_t{0};
-    };
-    const std::size_t received = bytesOf("received light"), bricks = bytesOf("irradiance");
-    const ReceivedFaces before = receivedBy(stage.renderer());
+    const std::size_t received = bytesOf(stage.renderer().resources(), "received light"),
+                      bricks = bytesOf(stage.renderer().resources(), "irradiance");
+    const ReceivedFaces before = readReceived(stage.renderer());
     for (const double seconds : {0.3, 0.6, 1.0})
         stage.frameAt(seconds);
-    EXPECT_GT(bytesOf("received light"), received);
-    EXPECT_GT(bytesOf("irradiance"), bricks);
-    const ReceivedFaces after = receivedBy(stage.renderer());
+    EXPECT_GT(bytesOf(stage.renderer().resources(), "received light"), received);
+    EXPECT_GT(bytesOf(stage.renderer().resources(), "irradiance"), bricks);
+    const ReceivedFaces after = readReceived(stage.renderer());
     EXPECT_GT(after.size(), before.size() + 1000);
     int kept = 0;
     for (const auto& [entry, face] : before) {

@@ -1,13 +1,12 @@
 // Voxelization by triangles sorted by their axis against the geometry shader: the same voxels, bit for bit.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "engine/axis_sort.h"
 #include "engine/gpu_scene.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
+#include "support/errors.h"
 #include "support/grids.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -59,17 +58,6 @@ TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
     }
 }
 
-TEST(SortedAxesOfSoups, GiveTheVoxelsOfTheGeometryShaderAt256) {
-    for (unsigned seed = 2; seed <= 3; ++seed) {
-        const Scene scene = triangleSoup(seed);
-        const Settings settings = settingsFor("thesis", 256);
-        const auto byShader = voxelized(Backend::egl, scene, settings, Voxelization::geometryShader);
-        const auto bySorting = voxelized(Backend::egl, scene, settings, Voxelization::sortedAxes);
-        EXPECT_TRUE(bySorting.lists == byShader.lists) << "seed " << seed;
-        EXPECT_TRUE(bySorting.words == byShader.words) << "seed " << seed;
-    }
-}
-
 Mesh triangles(const std::vector<glm::vec3>& corners) {
     Mesh mesh;
     for (const glm::vec3& corner : corners) {
@@ -96,9 +84,7 @@ TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
 std::size_t indexBytes(const Scene& scene) {
     const Volume volume = volumeAround(scene.boundsWorld, 64);
     const GpuScene gpu(scene, volume, 1.0F, 256, Voxelization::sortedAxes);
-    for (const Resource& resource : gpu.resources())
-        if (resource.name == "indices") return resource.bytes;
-    return 0;
+    return bytesOf(gpu.resources(), "indices");
 }
 
 TEST(AxisSort, InstancesOfOneMeshShareItsOrderWhereItIsTheSame) {
@@ -134,9 +120,8 @@ TEST(Voxelization, ADriverWithoutGeometryShadersIsRefusedOnlyWhereTheSettingsAsk
         make("thesis");
         FAIL() << "the geometry shader is missing";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("sorted-axes"), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find("GL_EXT_geometry_shader"), std::string::npos)
-            << error.what();
+        expectMentions(error.what(), {"sorted-axes"});
+        expectMentions(error.what(), {"GL_EXT_geometry_shader"});
     }
 }
 

@@ -7,31 +7,23 @@
 
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <limits>
 
-#include "core/error.h"
 #include "image/files.h"
+#include "support/errors.h"
 #include "support/temporary_folder.h"
 
 namespace vct {
 namespace {
 
+using test::errorOf;
+using test::expectMentions;
 using Names = std::vector<std::string>;
-
-std::string messageOf(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 // As readImage(), without the disk: thousands of files would take their time.
 std::string messageOfDecoding(const std::string& content) {
     const Bytes bytes(content.begin(), content.end());
-    return messageOf([&] {
+    return errorOf([&] {
         imageFormat("cut", bytes) == ImageFormat::png ? decodePng("cut", bytes) : decodeExr("cut", bytes);
     });
 }
@@ -81,16 +73,6 @@ TEST(Srgb, RoundTripsEveryEightBitStep) {
         EXPECT_EQ(std::lround(srgbEncode(srgbDecode(step)) * 255.0F), i);
         EXPECT_NEAR(srgbEncode(srgbDecode(step)), step, 2e-6F);
     }
-}
-
-TEST(Srgb, ClampsAndTurnsNanIntoBlack) {
-    const float infinity = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(srgbEncode(-0.1F), 0.0F);
-    EXPECT_EQ(srgbEncode(1.5F), 1.0F);
-    EXPECT_EQ(srgbEncode(infinity), 1.0F);
-    EXPECT_EQ(srgbEncode(-infinity), 0.0F);
-    EXPECT_EQ(srgbEncode(std::nanf("")), 0.0F);
-    EXPECT_EQ(srgbDecode(std::nanf("")), 0.0F);
 }
 
 TEST(Png, RoundTripsWithRowZeroAtTheTop) {
@@ -150,8 +132,7 @@ TEST(Exr, ReplicatesYAndRefusesOtherChannels) {
     writeExrPlanes(folder.file("y.exr"), {{"Y", Imf::HALF}}, 3);
     EXPECT_EQ(readImage(folder.file("y.exr")).at(2, 1), glm::vec3('Y' + 0.5F));
     writeExrPlanes(folder.file("z.exr"), {{"R", Imf::HALF}, {"Z", Imf::FLOAT}}, 3);
-    EXPECT_NE(messageOf([&] { readImage(folder.file("z.exr")); }).find("channels R, G and B"),
-              std::string::npos);
+    expectMentions(errorOf([&] { readImage(folder.file("z.exr")); }), {"channels R, G and B"});
 }
 
 TEST(ReadImage, RefusesEveryTruncation) {
@@ -191,14 +172,14 @@ TEST(ReadImage, SurvivesChangedBytes) {
 TEST(ReadImage, NamesTheFileAndTheCause) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& name) {
-        return messageOf([&] { readImage(folder.file(name)); });
+        return errorOf([&] { readImage(folder.file(name)); });
     };
-    EXPECT_NE(message("none.png").find("none.png: there is no such file"), std::string::npos);
+    expectMentions(message("none.png"), {"none.png: there is no such file"});
     writeBytes(folder.file("text.png"), "not a picture at all");
-    EXPECT_NE(message("text.png").find("neither a PNG nor an EXR"), std::string::npos);
+    expectMentions(message("text.png"), {"neither a PNG nor an EXR"});
     writeBytes(folder.file("empty.exr"), "");
-    EXPECT_NE(message("empty.exr").find("empty"), std::string::npos);
-    EXPECT_NE(message("").find("it is not a file"), std::string::npos);
+    expectMentions(message("empty.exr"), {"empty"});
+    expectMentions(message(""), {"it is not a file"});
 }
 
 TEST(ReadImage, RefusesEnormousPictures) {
@@ -208,7 +189,7 @@ TEST(ReadImage, RefusesEnormousPictures) {
     png.replace(16, 4, std::string("\x00\x00\x40\x01", 4));  // the width, big-endian: 16385
     png.replace(29, 4, std::string("\x61\x30\x1B\xF9", 4));  // and the checksum of that header
     writeBytes(folder.file("a.png"), png);
-    EXPECT_NE(messageOf([&] { readImage(folder.file("a.png")); }).find("16385 x 8"), std::string::npos);
+    expectMentions(errorOf([&] { readImage(folder.file("a.png")); }), {"16385 x 8"});
 
     writeExr(folder.file("a.exr"), Image(8, 8));
     std::string exr = readBytes(folder.file("a.exr"));
@@ -216,8 +197,7 @@ TEST(ReadImage, RefusesEnormousPictures) {
     ASSERT_NE(window, std::string::npos);
     exr.replace(window + 21 + 8, 4, std::string("\x00\x40\x00\x00", 4));  // maxX, little-endian: 16384
     writeBytes(folder.file("a.exr"), exr);
-    EXPECT_NE(messageOf([&] { readImage(folder.file("a.exr")); }).find("maximum width of 16384"),
-              std::string::npos);
+    expectMentions(errorOf([&] { readImage(folder.file("a.exr")); }), {"maximum width of 16384"});
 }
 
 TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {
@@ -226,20 +206,18 @@ TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {
     using Write = void (*)(const std::string&, const Image&);
     for (const Write write : {Write(writePng), Write(writeExr)}) {
         const std::string missing = folder.file("no/such/folder/a.png");
-        EXPECT_NE(messageOf([&] { write(missing, image); }).find("a.png': No such file"), std::string::npos);
+        expectMentions(errorOf([&] { write(missing, image); }), {"a.png': No such file"});
 
         // The rename fails, after the temporary file was written.
         std::filesystem::create_directory(folder.file("taken"));
-        EXPECT_NE(messageOf([&] { write(folder.file("taken"), image); }).find("Is a directory"),
-                  std::string::npos);
+        expectMentions(errorOf([&] { write(folder.file("taken"), image); }), {"Is a directory"});
         EXPECT_EQ(folder.list(), Names{"taken"});
         std::filesystem::remove(folder.file("taken"));
 
         // A full disk: the temporary file leads to /dev/full.
         writeBytes(folder.file("a.png"), "the picture of yesterday");
         std::filesystem::create_symlink("/dev/full", folder.file("a.png.tmp"));
-        EXPECT_NE(messageOf([&] { write(folder.file("a.png"), image); }).find("No space left"),
-                  std::string::npos);
+        expectMentions(errorOf([&] { write(folder.file("a.png"), image); }), {"No space left"});
         EXPECT_EQ(folder.list(), Names{"a.png"});
         EXPECT_EQ(readBytes(folder.file("a.png")), "the picture of yesterday");
         std::filesystem::remove(folder.file("a.png"));
@@ -248,13 +226,11 @@ TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {
 
 TEST(WriteImage, RefusesEmptyEnormousAndInconsistentPictures) {
     const TemporaryFolder folder;
-    EXPECT_NE(messageOf([&] { writePng(folder.file("a"), Image()); }).find("0 x 0"), std::string::npos);
-    EXPECT_NE(messageOf([&] { writeExr(folder.file("a"), Image(16385, 1)); }).find("16385 x 1"),
-              std::string::npos);
+    expectMentions(errorOf([&] { writePng(folder.file("a"), Image()); }), {"0 x 0"});
+    expectMentions(errorOf([&] { writeExr(folder.file("a"), Image(16385, 1)); }), {"16385 x 1"});
     Image image(3, 3);
     image.pixels.pop_back();
-    EXPECT_NE(messageOf([&] { writePng(folder.file("a"), image); }).find("holds 8 pixels"),
-              std::string::npos);
+    expectMentions(errorOf([&] { writePng(folder.file("a"), image); }), {"holds 8 pixels"});
     EXPECT_TRUE(folder.list().empty());
 }
 

@@ -34,18 +34,6 @@ TEST_P(EveryBackend, GivesAContextOfItsOwnKind) {
     EXPECT_EQ(platform->description().compare(0, start.size(), start), 0) << platform->description();
 }
 
-TEST_P(EveryBackend, CanBeCreatedTwiceInARow) {
-    VCT_SKIP_IF_ABSENT(GetParam());
-    for (int i = 0; i < 2; ++i) {
-        const auto platform = createContext(GetParam());
-        expectItself(GetParam());
-        GLuint texture = 0;
-        gl::GenTextures(1, &texture);
-        EXPECT_NE(texture, 0u);
-        EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR});
-    }
-}
-
 TEST_P(EveryBackend, WorksAfterAFailedCreation) {
     VCT_SKIP_IF_ABSENT(GetParam());
     PlatformOptions options;
@@ -74,11 +62,6 @@ TEST(Platform, NamesOfBackEndsGoBothWays) {
         EXPECT_EQ(backendFromName(backendName(backend)), backend);
 }
 
-TEST(Platform, AnUnknownBackEndIsAnsweredWithTheNamesThereAre) {
-    test::expectMentions(test::errorOf([] { backendFromName("vulkan"); }),
-                         {"vulkan", "egl", "osmesa", "zink"});
-}
-
 TEST(Platform, AMissingDeviceIsNamedWithTheNumberThereAre) {
     PlatformOptions options;
     options.device = 999;
@@ -95,7 +78,7 @@ TEST(Platform, EveryListedSoftwareDeviceGivesAContext) {
         PlatformOptions options;
         options.device = static_cast<int>(i);
         const auto platform = createPlatform(options);
-        EXPECT_NE(platform->description().find("device " + std::to_string(i)), std::string::npos);
+        test::expectMentions(platform->description(), {"device " + std::to_string(i)});
     }
 }
 

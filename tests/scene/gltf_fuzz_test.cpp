@@ -5,41 +5,19 @@
 #include <random>
 
 #include "core/error.h"
+#include "support/errors.h"
 #include "support/gltf_builder.h"
 
 namespace vct::test {
 namespace {
 
 Bytes validFile(const Bytes& image) {
-    GltfBuilder b;
-    const int positions = b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
-    const int normals = b.floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-    const int uv = b.floats({0, 0, 1, 0, 0, 1, 1, 1}, "VEC2");
-    const int indices = b.accessor(std::vector<std::uint16_t>{0, 1, 2, 3}, uint16, "SCALAR");
-    const std::uint16_t where[] = {1, 2};
-    const float values[] = {2, 0, 0, 0, 2, 0};
-    const int whereView = b.view(where, sizeof where);
-    const int valueView = b.view(values, sizeof values);
-    b.document["accessors"][0]["sparse"] = {
-        {"count", 2},
-        {"indices", {{"bufferView", whereView}, {"componentType", uint16}}},
-        {"values", {{"bufferView", valueView}}}};
-    b.texture(image);
-    b.add("materials", {{"pbrMetallicRoughness",
-                         {{"baseColorTexture",
-                           {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"rotation", 1}}}}}}}}},
-                        {"alphaMode", "MASK"}});
-    b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
-    b.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "directional"}}};
-    b.node(
-        {{"mesh", b.mesh({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uv}}},
-                          {"indices", indices},
-                          {"material", 0},
-                          {"mode", 5}})}});
-    b.node({{"camera", 0},
-            {"rotation", {0, 0, 0, 1}},
-            {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    b.animate(0, "rotation", {0, 1}, {0, 0, 0, 1, 0.6F, 0, 0, 0.8F});
+    GltfBuilder b = completeFile(image);
+    json& material = b.document["materials"][0];
+    material["alphaMode"] = "MASK";
+    material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+        {"rotation", 1}};
+    b.document["meshes"][0]["primitives"][0]["mode"] = 5;  // a strip
     b.animate(0, "translation", {0, 1}, {9, 9, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 9, 9, 9},
               "CUBICSPLINE");
     return b.glb();
@@ -82,7 +60,7 @@ Outcome tryLoad(const Bytes& file) {
         return Outcome::loaded;
     } catch (const Error& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("test.glb"), std::string::npos) << error.what();
+        expectMentions(error.what(), {"test.glb"});
         return Outcome::refused;
     }
 }

@@ -6,67 +6,6 @@
 
 namespace vct::test {
 
-namespace {
-
-// Where shaders/directional/voxels.glsl puts a face.
-glm::ivec3 texelOf(const glm::ivec3& voxel, int face, int side) {
-    return voxel + glm::ivec3(face / 2 * side, face % 2 * side, 0);
-}
-
-// One level's texels in the texture's order, x fastest.
-class Atlas {
-  public:
-    explicit Atlas(int side)
-        : side_(side),
-          width_(3 * side),
-          height_(2 * side),
-          texels_(static_cast<std::size_t>(width_) * height_ * side) {}
-    int width() const { return width_; }
-    int height() const { return height_; }
-    glm::u8vec4* slice(int z) { return &texels_[static_cast<std::size_t>(z) * width_ * height_]; }
-    glm::u8vec4& at(const glm::ivec3& voxel, int face) {
-        const glm::ivec3 p = texelOf(voxel, face, side_);
-        return slice(p.z)[static_cast<std::size_t>(p.y) * width_ + p.x];
-    }
-
-  private:
-    int side_, width_, height_;
-    std::vector<glm::u8vec4> texels_;
-};
-
-FaceLevel readLevel(const gl::Texture& faces, int level, int side) {
-    const gl::Framebuffer framebuffer("read back faces", 1, 1);
-    framebuffer.bind();
-    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-    gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
-    Atlas atlas(side);
-    for (int z = 0; z < side; ++z) {
-        gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faces.name(), level, z);
-        gl::ReadPixels(0, 0, atlas.width(), atlas.height(), GL_RGBA, GL_UNSIGNED_BYTE, atlas.slice(z));
-    }
-    FaceLevel result(side);
-    result.forEachVoxel([&](const glm::ivec3& voxel) {
-        for (int face = 0; face < faceCount; ++face)
-            result.at(voxel, face) = atlas.at(voxel, face);
-    });
-    return result;
-}
-
-void writeLevel(const gl::Texture& faces, int level, const FaceLevel& values) {
-    Atlas atlas(values.side());
-    values.forEachVoxel([&](const glm::ivec3& voxel) {
-        for (int face = 0; face < faceCount; ++face)
-            atlas.at(voxel, face) = values.at(voxel, face);
-    });
-    faces.bind(VCT_TEX_FACES);
-    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl::TexSubImage3D(GL_TEXTURE_3D, level, 0, 0, 0, atlas.width(), atlas.height(), values.side(), GL_RGBA,
-                      GL_UNSIGNED_BYTE, atlas.slice(0));
-}
-
-}  // namespace
-
 glm::dvec3 faceDirection(int face) {
     glm::dvec3 direction(0.0);
     direction[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
@@ -95,7 +34,26 @@ int largestDifference(const FaceLevel& a, const FaceLevel& b) {
 }
 
 FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level) {
-    return readLevel(voxels.faces(), level, voxels.grid() >> level);
+    const gl::Framebuffer framebuffer("read back faces", 1, 1);
+    framebuffer.bind();
+    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+    gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
+    const int side = voxels.grid() >> level;
+    FaceLevel result(side);
+    // Three blocks of faces beside each other and two on top, as shaders/directional/voxels.glsl puts them.
+    std::vector<glm::u8vec4> slice(static_cast<std::size_t>(faceCount) * side * side);
+    for (int z = 0; z < side; ++z) {
+        gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.faces().name(), level, z);
+        gl::ReadPixels(0, 0, 3 * side, 2 * side, GL_RGBA, GL_UNSIGNED_BYTE, slice.data());
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                for (int face = 0; face < faceCount; ++face) {
+                    const int row = face % 2 * side + y, column = face / 2 * side + x;
+                    result.at({x, y, z}, face) = slice[static_cast<std::size_t>(row) * 3 * side + column];
+                }
+    }
+    return result;
 }
 
 std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels) {
@@ -127,13 +85,6 @@ FaceLevel faceMipOnCpu(const FaceLevel& children) {
         }
     });
     return parents;
-}
-
-void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base) {
-    for (int level = 0; level < voxels.levels(); ++level) {
-        writeLevel(voxels.faces(), level, base);
-        if (level + 1 < voxels.levels()) base = faceMipOnCpu(base);
-    }
 }
 
 }  // namespace vct::test

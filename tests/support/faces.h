@@ -1,4 +1,4 @@
-// Directional coverage voxels on the CPU: read back, made by a test, and their mip levels computed plainly.
+// Directional coverage voxels on the CPU: read back, and their mip levels computed plainly.
 #pragma once
 
 #include <cstdint>
@@ -55,8 +55,5 @@ std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels);
 // The next level: per face, of each of the four pairs of children along its axis the front one over the back
 // one, F + (1 - alpha of F) B; the mean of the pairs, rounded to nearest.
 FaceLevel faceMipOnCpu(const FaceLevel& children);
-
-// Replaces the base level and gives every other level its CPU mip.
-void writeFacePyramid(const DirectionalVoxels& voxels, FaceLevel base);
 
 }  // namespace vct::test

@@ -133,7 +133,8 @@ std::vector<float> FrameInspector::softShadow() {
 const std::vector<SurfacePixel>& FrameInspector::pixels() {
     if (pixels_.empty()) {
         renderer_.frame(Mode::phong, camera_);
-        pixels_ = readSurface(renderer_, uniforms());
+        pixels_ = readSurface(
+            renderer_, frameUniforms(camera_, light_, scene_.boundsWorld, renderer_.volume(), settings_));
     }
     return pixels_;
 }
@@ -146,21 +147,13 @@ Spread FrameInspector::spreadOf(Picture picture) {
     return spread;
 }
 
-shared::FrameUniforms FrameInspector::uniforms() const {
-    return frameUniforms(camera_, light_, scene_.boundsWorld, renderer_.volume(), settings_);
-}
-
 double FrameInspector::radianceRange() const {
     return faceRadianceRange(scene_, light_, settings_.skyRadiance);
 }
 
-std::vector<Words> FrameInspector::packedLevels() {
-    if (renderer_.packed() == nullptr) view(VCT_MODE_GI);
-    const VoxelPyramid& pyramid = renderer_.occupancy();
-    std::vector<Words> levels;
-    for (int level = 0; level < pyramid.levels(); ++level)
-        levels.push_back(readVoxels(pyramid.texture(), level));
-    return levels;
+Words FrameInspector::packedVoxels() {
+    view(VCT_MODE_GI);
+    return readVoxels(renderer_.occupancy().texture(), 0);
 }
 
 void FrameInspector::replacePackedVoxels(const Words& base) {
@@ -174,8 +167,7 @@ std::vector<FaceLevel> FrameInspector::faceLevels() {
 
 ReceivedFaces FrameInspector::received(bool allBounces) {
     renderer_.renderPart(VCT_VIEW_INDIRECT, camera_, allBounces);
-    return readReceived(renderer_.directional()->voxels(),
-                        renderer_.directional()->received(GatherOf::light)->received());
+    return readReceived(renderer_);
 }
 
 }  // namespace vct::test

@@ -6,7 +6,6 @@
 
 #include "engine/renderer.h"
 #include "platform/platform.h"
-#include "shared/layout.h"
 #include "support/faces.h"
 #include "support/received.h"
 #include "support/voxels.h"
@@ -51,12 +50,10 @@ class FrameInspector {
     // A view's red channel over the surfaces.
     Spread spreadOf(Picture view);
 
-    shared::FrameUniforms uniforms() const;
     double radianceRange() const;  // of the light that faces store as 1
 
-    // Every level of the packed voxels, the finest first; and the base level replaced, whose other levels
-    // follow on the CPU.
-    std::vector<Words> packedLevels();
+    // The base level of the packed voxels; and that level replaced, whose other levels follow on the CPU.
+    Words packedVoxels();
     void replacePackedVoxels(const Words& base);
 
     // Of directional voxels: the faces, which shine with what they received only once received() was asked

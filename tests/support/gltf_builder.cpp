@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.h"
+#include "support/errors.h"
 
 namespace vct::test {
 namespace {
@@ -127,6 +127,32 @@ Bytes GltfBuilder::gltfWithDataUri() const {
     return gltf("data:application/octet-stream;base64," + base64(binary));
 }
 
+GltfBuilder completeFile(const Bytes& image) {
+    GltfBuilder b;
+    const int positions = b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});  // accessor, view 0
+    const int normals = b.floats({0, 0, 1, 0, 0, 1, 0, 0, 1});    // 1
+    const int uv = b.floats({0, 0, 1, 0, 0, 1}, "VEC2");          // 2
+    const int indices = b.accessor(std::vector<std::uint16_t>{0, 1, 2, 3}, uint16, "SCALAR");  // 3
+    b.document["accessors"][3]["count"] = 3;
+    b.document["accessors"][0]["sparse"] = {{"count", 1},  // writes what is there already
+                                            {"indices", {{"bufferView", 3}, {"componentType", uint16}}},
+                                            {"values", {{"bufferView", 0}}}};
+    b.texture(image);
+    b.document["textures"][0]["sampler"] = b.add("samplers", {{"wrapS", 10497}});
+    b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
+    b.document["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "directional"}}};
+    b.node(
+        {{"mesh", b.mesh({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uv}}},
+                          {"indices", indices},
+                          {"material", 0}})}});
+    b.node({{"camera", 0}});
+    b.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    b.animate(0, "rotation", {0, 1}, {0, 0, 0, 1, 0, 0, 1, 0});  // accessors 4 and 5
+    b.document["animations"][0]["name"] = "spin";
+    return b;
+}
+
 Bytes encodePng(int size) {
     Bytes file;
     stbi_write_png_to_func(collect, &file, size, size, 4, picture(size).data(), 0);
@@ -170,12 +196,7 @@ Scene load(const GltfBuilder& builder) {
 }
 
 std::string loadError(const Bytes& file) {
-    try {
-        load(file);
-        return "";
-    } catch (const Error& error) {
-        return error.what();
-    }
+    return errorOf([&] { load(file); });
 }
 
 std::string loadError(const GltfBuilder& builder) {

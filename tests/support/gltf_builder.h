@@ -67,6 +67,10 @@ class GltfBuilder {
     Bytes gltf(const std::string& uri) const;
 };
 
+// An indexed triangle with that image as its texture, a camera, a light and a rotation that is animated:
+// something of nearly all that a file can hold.
+GltfBuilder completeFile(const Bytes& image);
+
 // A picture of size x size pixels.
 Bytes encodePng(int size);
 Bytes encodeJpeg(int size);

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "support/grids.h"
 #include "support/received.h"
 
@@ -22,13 +20,6 @@ void PlayingScene::frameAt(double seconds, Mode mode) {
 
 void PlayingScene::convergedAt(double seconds, Mode mode) {
     renderer_.renderConverged(mode, moveTo(seconds));
-}
-
-std::size_t PlayingScene::bytes() const {
-    std::size_t sum = 0;
-    for (const Resource& resource : renderer_.resources())
-        sum += resource.bytes;
-    return sum;
 }
 
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
@@ -53,16 +44,10 @@ void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& 
     PlayingScene fresh(context, frozen, settings);
     fresh.convergedAt(0.0, mode);
     const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
-    const auto received = [&](PlayingScene& of_) {
-        return readReceived(of_.renderer().directional()->voxels(),
-                            of_.renderer().directional()->received(of)->received());
-    };
-    const ReceivedFaces now = received(stage), right = received(fresh);
+    const ReceivedFaces now = readReceived(stage.renderer(), of), right = readReceived(fresh.renderer(), of);
     ASSERT_EQ(now.size(), right.size()) << what;
     const ReceivedDifference d = differenceOf(now, right);
     EXPECT_EQ(d.common, right.size()) << what;
-    std::printf("  %s: RMS %.2f %%, largest %.1f %% of the mean\n", what.c_str(), 100.0 * d.rms / d.mean,
-                100.0 * d.largest / d.mean);
     EXPECT_LE(d.rms, 0.05 * d.mean) << what;
     EXPECT_LE(d.largest, 0.5 * d.mean) << what;
 }

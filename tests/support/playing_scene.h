@@ -19,7 +19,6 @@ class PlayingScene {
     void convergedAt(double seconds, Mode mode = Mode::gi);
     void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
     Renderer& renderer() { return renderer_; }
-    std::size_t bytes() const;
 
   private:
     Camera moveTo(double seconds);

@@ -8,7 +8,9 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const DirectionalVoxels& voxels, const gl::Buffer& received) {
+ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
+    const DirectionalVoxels& voxels = renderer.directional()->voxels();
+    const gl::Buffer& received = renderer.directional()->received(of)->received();
     const std::vector<std::uint32_t> list = voxels.readFaceList(0);
     std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
     received.read(words.data(), received.bytes());

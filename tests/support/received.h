@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "engine/directional/irradiance.h"
+#include "engine/renderer.h"
 
 namespace vct::test {
 
@@ -23,7 +23,7 @@ struct ReceivedLight {
 
 // By voxel and face, as shared::packFace() packs them: the order of the list does not show.
 using ReceivedFaces = std::map<std::uint32_t, ReceivedLight>;
-ReceivedFaces readReceived(const DirectionalVoxels& voxels, const gl::Buffer& received);
+ReceivedFaces readReceived(const Renderer& renderer, GatherOf of = GatherOf::light);
 
 // Over the faces of both, weighted by their coverage, as pixels see them; the green channel's. `mean` of b.
 struct ReceivedDifference {

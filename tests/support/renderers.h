@@ -23,6 +23,14 @@ inline Renderer makeRenderer(const Context& context, const Scene& scene, const D
     return Renderer(scene, light, settings, context.capabilities, testShaders());
 }
 
+// Of a resource, or of all.
+inline std::size_t bytesOf(const Resources& resources, const std::string& name = "") {
+    std::size_t sum = 0;
+    for (const Resource& resource : resources)
+        if (name.empty() || resource.name == name) sum += resource.bytes;
+    return sum;
+}
+
 inline Settings smallSettings(int grid = 64, int pixels = 64) {
     Settings settings;
     settings.grid = grid;

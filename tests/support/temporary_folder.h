@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -26,11 +27,12 @@ class TemporaryFolder {
 
     std::string file(const std::string& name) const { return path_ + "/" + name; }
     std::string path() const { return path_; }
-    std::vector<std::string> list() const {
+    // Names in the folder, or in one of its own, sorted.
+    std::vector<std::string> list(const std::string& folder = "") const {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+        for (const auto& entry : std::filesystem::directory_iterator(file(folder)))
             names.push_back(entry.path().filename().string());
-        }
+        std::sort(names.begin(), names.end());
         return names;
     }
 
@@ -45,6 +47,9 @@ inline std::string readBytes(const std::string& path) {
 
 inline void writeBytes(const std::string& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
+}
+inline void writeBytes(const std::string& path, const std::vector<unsigned char>& bytes) {
+    writeBytes(path, std::string(bytes.begin(), bytes.end()));
 }
 
 }  // namespace vct

@@ -5,9 +5,6 @@
 
 namespace vct::test {
 
-// Replaces one level of the texture.
-void writeLevel(const gl::Texture& voxels, int level, const Words& words);
-
 // Replaces the base level and gives every other level its CPU mip.
 void writePyramid(const gl::Texture& voxels, Words base);
 
