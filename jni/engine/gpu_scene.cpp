@@ -122,7 +122,7 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
         Draw draw;
-        draw.features = materialFeatures(material);
+        draw.features = materialFeatures(material) | sharedFeatures(scene);
         draw.baseColorTexture = material.baseColorTexture;
         draw.emissiveTexture = material.emissiveTexture;
         draw.doubleSided = material.doubleSided;

@@ -26,4 +26,11 @@ MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuSc
     }
 }
 
+void MaterialPrograms::setUniform(GLint location, GLuint value) const {
+    for (const Variant& variant : variants_) {
+        variant.program.use();
+        gl::Uniform1ui(location, value);
+    }
+}
+
 }  // namespace vct

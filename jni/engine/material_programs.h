@@ -21,6 +21,8 @@ class MaterialPrograms {
         gl::Program program;
         bool readsBaseColorTexture, readsEmissiveTexture;
     };
+    // A uniform at the same location in all of them.
+    void setUniform(GLint location, GLuint value) const;
     const Variant& operator()(unsigned features) const { return variants_[indices_.at(features)]; }
 
   private:

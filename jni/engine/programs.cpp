@@ -12,6 +12,7 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used, std::v
     define("VCT_ALPHA_MASK", features & featureAlphaMask);
     define("VCT_EMISSIVE", features & featureEmissive);
     define("VCT_DOUBLE_SIDED", features & featureDoubleSided);
+    if (features & featurePunctualLights) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (features & featureBaseColorTexture) defines.emplace_back("VCT_BASE_COLOR_TEXTURE");
     if (features & featureEmissiveTexture) defines.emplace_back("VCT_EMISSIVE_TEXTURE");
     return defines;

@@ -1,5 +1,6 @@
 #include "engine/renderer.h"
 
+#include <glm/gtc/constants.hpp>
 #include <utility>
 
 #include "core/memory.h"
@@ -32,7 +33,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
-      faceRadianceRange_(faceRadianceRange(scene, light, settings.skyRadiance)),
+      faceRadianceRange_(faceRadianceRange(scene, light, settings.skyRadiance, settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
@@ -46,7 +47,10 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
     if (scene_.moves() && settings.voxels == Voxels::directional)
         capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6",
                              "the preset thesis does without");
-    shades_.emplace_back(shaders_, settings_);
+    if (!scene.punctualLights.empty())
+        others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
+                        glm::pi<double>() * radianceUnit(light));
+    shades_.emplace_back(shaders_, others_.has_value(), settings_);
     gl::checkErrors("setting up the renderer");
 }
 
@@ -80,7 +84,18 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
 
 void Renderer::forgetWhatWasMade() {
     if (shadowMap_) shadowMap_->forget();
+    if (others_) others_->forget();
     if (voxels_) voxels_->forget();
+}
+
+void Renderer::setPoseNow(const Pose& pose) {
+    scene_.setPose(pose);
+    if (others_) others_->setPose(pose);
+}
+
+SceneState Renderer::state() const {
+    return {scene_.placements(), light_.towardsLight,
+            others_ ? others_->states() : std::vector<PunctualLightState>()};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -126,6 +141,7 @@ Resources Renderer::resources() const {
     Resources resources = scene_.resources();
     add(resources, frameUniforms_);
     if (shadowMap_) add(resources, shadowMap_->texture());
+    if (others_) add(resources, others_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
     for (const Shade& shade : shades_)

@@ -10,6 +10,7 @@
 #include "engine/gpu_scene.h"
 #include "engine/packed/packed_volume.h"
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/punctual_lights.h"
 #include "engine/passes/shade.h"
 #include "engine/passes/shadow_map.h"
 #include "engine/picture.h"
@@ -55,6 +56,8 @@ class Renderer {
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Turns the light, in frames to come. Its strength stays, as emission is stored relative to it.
     void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
+    // Switches one of Scene::punctualLights on or off, in frames to come.
+    void setLightOn(std::size_t light, bool on) { others_.value().setOn(light, on); }
     // Gives the sun another size, in frames to come; full opening angle. Throws vct::Error where it is out of
     // range.
     void setShadowConeAngle(float degrees);
@@ -93,9 +96,11 @@ class Renderer {
         bool allBounces;
     };
     void draw(const std::vector<Picture>& pictures, const Camera& camera, LightSteps steps,
-              const GBuffer::Targets* given = nullptr);
+              const GBuffer::Targets* callersSurface = nullptr);
     void uploadFrameUniforms(const Camera& camera);
     void forgetWhatWasMade();
+    void setPoseNow(const Pose& pose);
+    SceneState state() const;  // of the moment: a copy, to compare later frames with
     // These make the pass when it is asked for the first time.
     GBuffer& gBuffer();
     ShadowMap& shadowMap();
@@ -114,6 +119,7 @@ class Renderer {
     gl::Buffer frameUniforms_;
     std::optional<GBuffer> gBuffer_;
     std::optional<ShadowMap> shadowMap_;
+    std::optional<PunctualLights> others_;  // the lights besides the sun, where the scene has any
     std::unique_ptr<VoxelVolume> voxels_;
     std::vector<Shade> shades_;  // of the pictures of one frame
     StepTimer timer_;

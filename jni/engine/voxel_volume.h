@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gpu_scene.h"
+#include "engine/passes/punctual_lights.h"
 #include "engine/picture.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
@@ -24,7 +25,7 @@ class VoxelVolume {
 
     struct Inputs {
         const GpuScene& scene;
-        const gl::Texture& shadowMap;
+        DirectLight light;
         SceneState now;
         Picture picture;  // decides which light is needed
         int lightSteps;   // that the received light may come nearer to its final value

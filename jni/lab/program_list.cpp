@@ -33,6 +33,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
+        programs.push_back(lightMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
             programs.push_back(packedVoxelizerProgram(features, voxelization));
             programs.push_back(occupancyProgram(features, voxelization));
@@ -54,7 +55,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
         for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_IRRADIANCE); ++mode)
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
-                    if (faces || !gloss) programs.push_back(shadeProgram(mode, {emissive, gloss}, settings));
+                    for (bool otherLights : {false, true})
+                        if (faces || !gloss)
+                            programs.push_back(shadeProgram(mode, {emissive, gloss}, otherLights, settings));
         if (settings.voxels != Voxels::directional) continue;
         programs.push_back(irradianceProgram(settings.gather, GatherOf::light));
         programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion));
@@ -113,7 +116,11 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
             add(Step::voxelize, packedVoxelizerProgram(f, settings.voxelization));
         add(Step::mipmap, packedMipmapperProgram());
     }
-    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, settings));
+    const bool otherLights = features.has(featurePunctualLights);
+    if (otherLights && mode != Mode::phong)
+        for (unsigned f : features.materialFeatures)
+            add(Step::shadowMap, lightMapProgram(f));
+    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, otherLights, settings));
     return programs;
 }
 
@@ -121,6 +128,10 @@ std::vector<unsigned> allFeatures() {
     std::vector<unsigned> all;
     for (unsigned features = 0; features < materialFeatureCombinations; ++features)
         if (possible(features)) all.push_back(features);
+    // What a material needs and lights besides the sun are told apart in different functions: one with all of
+    // it stands for the others.
+    all.push_back(featurePunctualLights);
+    all.push_back(featurePunctualLights | (materialFeatureCombinations - 1));
     return all;
 }
 

@@ -108,8 +108,16 @@ const std::vector<SceneFeature>& allSceneFeatures() {
              for (Instance& instance : scene.instances)
                  instance.node = -1;
          }},
+        {"lights besides the sun", [](const SceneFeatures& f) { return f.has(featurePunctualLights); },
+         [](Scene& scene) { scene.punctualLights.clear(); }},
         {"moving light", [](const SceneFeatures& f) { return f.movingLight; },
-         [](Scene& scene) { scene.lights.front().node = -1; }, false},
+         [](Scene& scene) {
+             for (DirectionalLight& light : scene.lights)
+                 light.node = -1;
+             for (PunctualLight& light : scene.punctualLights)
+                 light.node = -1;
+         },
+         false},
     };
     return features;
 }

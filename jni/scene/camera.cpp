@@ -119,11 +119,30 @@ DirectionalLight posed(DirectionalLight light, const Pose& pose) {
     return light;
 }
 
+PunctualLight posed(PunctualLight light, const Pose& pose) {
+    if (light.node < 0) return light;
+    const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(light.node));
+    const std::optional<glm::dmat4> axes = withoutScale(worldFromNode);
+    if (axes) light.worldFromLight = *axes;
+    light.worldFromLight[3] = worldFromNode[3];
+    return light;
+}
+
 DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light;
     light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
     light.intensity = static_cast<float>(pi);
+    if (scene.punctualLights.empty()) return light;
+    const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
+    const double distance = std::max(0.25 * std::max({size.x, size.y, size.z}), 1e-15);
+    double strongest = 0.0;  // lux
+    for (const PunctualLight& other : scene.punctualLights) {
+        const bool placed = other.type != PunctualLight::Type::directional;
+        strongest = std::max(strongest, other.intensity / (placed ? distance * distance : 1.0));
+    }
+    light.color = glm::vec3(0.0F);
+    light.intensity = static_cast<float>(std::min(strongest, 1e30));
     return light;
 }
 

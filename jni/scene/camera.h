@@ -22,8 +22,11 @@ Camera frameScene(const Scene& scene);
 // orientation keeps that of rest.
 Camera posed(Camera camera, const Pose& pose);
 DirectionalLight posed(DirectionalLight light, const Pose& pose);
+PunctualLight posed(PunctualLight light, const Pose& pose);
 
-// The scene's first directional light, or a default one (from the upper front right, E = pi).
+// The scene's sun. Where it has none, a default one (from the upper front right, E = pi); but where other
+// lights shine, one of no colour: it gives no light, and its E, which the strongest of them gives at a
+// quarter of the scene's size, is the unit of what is drawn.
 DirectionalLight chooseLight(const Scene& scene);
 
 // Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene: to

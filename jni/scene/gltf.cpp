@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scene/gltf_file.h"
+#include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
 

@@ -136,42 +136,4 @@ void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
     scene.cameras.push_back(std::move(camera));
 }
 
-void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
-    const auto extension = placed.node->extensions.find("KHR_lights_punctual");
-    if (extension == placed.node->extensions.end()) return;
-    const bool hasIndex = extension->second.Has("light") && extension->second.Get("light").IsInt();
-    const int index = hasIndex ? extension->second.Get("light").GetNumberAsInt() : -1;
-    const tinygltf::Light& source = file.at(file.model.lights, index, "light");
-    if (source.type != "directional") {
-        file.warn("lights of type " + oneLine(source.type) + " are ignored; only directional ones shine");
-        return;
-    }
-    const glm::dvec3 back(placed.worldFromNode[2]);  // light travels along -Z
-    const double length = glm::length(back);
-    if (!(length > 0.0)) {
-        file.warn("a light without a direction (zero scale) is left out");
-        return;
-    }
-    const std::string name = "light " + indexAndName(static_cast<std::size_t>(index), source.name);
-    glm::dvec3 color(1.0);
-    if (!source.color.empty()) {
-        if (source.color.size() != 3) file.fail(name + " has a colour that is not three numbers");
-        color = {source.color[0], source.color[1], source.color[2]};
-    }
-    if (std::min(color.x, std::min(color.y, color.z)) < 0.0) file.fail(name + " has a negative colour");
-    if (source.intensity < 0.0) file.fail(name + " has a negative intensity");
-    const double largest = std::max(color.x, std::max(color.y, color.z));
-    const double intensity = source.intensity * largest;
-    if (!(intensity <= 1e30)) file.fail(name + " has an intensity that is not a usable number");
-
-    DirectionalLight light;
-    light.towardsLight = back / length;
-    light.node = placed.moving;
-    const bool shines = intensity > 0.0;
-    light.color = shines ? glm::vec3(color / largest) : glm::vec3(0.0F);
-    light.intensity = shines ? static_cast<float>(intensity) : 0.0F;
-    scene.lights.push_back(light);
-    if (scene.lights.size() > 1) file.warn("of several directional lights only the first one shines");
-}
-
 }  // namespace vct

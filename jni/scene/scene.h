@@ -83,11 +83,28 @@ struct Camera {
     std::optional<glm::dmat4> clipFromWorld;
 };
 
+// The sun: the scene's first directional light.
 struct DirectionalLight {
     glm::dvec3 towardsLight{0.0, 1.0, 0.0};  // world, unit length
     glm::vec3 color{1.0F};                   // linear RGB, largest component 1 (0 when the light is off)
     float intensity = 3.14159265F;           // E in lux: irradiance of a surface that faces the light
     int node = -1;                           // as Instance::node
+};
+
+// A light besides the sun, of glTF's extension KHR_lights_punctual. It shines along its -Z.
+struct PunctualLight {
+    enum class Type { directional, point, spot };
+
+    std::string name;
+    Type type = Type::point;
+    glm::dmat4 worldFromLight{1.0};                          // rigid: rotation and translation only
+    glm::vec3 color{1.0F};                                   // linear RGB, largest component 1
+    float intensity = 1.0F;                                  // in candela; of a directional one in lux
+    double range = std::numeric_limits<double>::infinity();  // metres, from where on it gives no light
+    // Of a spot, between its axis and where it begins to fade, and where it is dark.
+    double innerConeRad = 0.0;
+    double outerConeRad = 0.7853981633974483;
+    int node = -1;  // as Instance::node
 };
 
 // Everything is at rest, as the nodes of the file put it; a Pose of the animation says where what moves is at
@@ -99,7 +116,8 @@ struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Camera> cameras;
-    std::vector<DirectionalLight> lights;
+    std::vector<DirectionalLight> lights;       // at most one: the sun
+    std::vector<PunctualLight> punctualLights;  // all others
     Animation animation;
     // Of all instances' vertices that triangles use: at rest, and in the animation's poses as far as
     // computeBounds() says.

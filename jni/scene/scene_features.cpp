@@ -17,6 +17,10 @@ unsigned materialFeatures(const Material& material) {
     return features;
 }
 
+unsigned sharedFeatures(const Scene& scene) {
+    return scene.punctualLights.empty() ? 0U : unsigned{featurePunctualLights};
+}
+
 bool SceneFeatures::has(MaterialFeature feature) const {
     return std::any_of(materialFeatures.begin(), materialFeatures.end(),
                        [&](unsigned features) { return (features & feature) != 0; });
@@ -29,14 +33,16 @@ SceneFeatures featuresOf(const Scene& scene) {
         materials.insert(scene.meshes[instance.mesh].material);
         found.movingObjects |= instance.moves();
     }
-    found.movingLight = !scene.lights.empty() && scene.lights.front().node >= 0;
+    const auto moves = [](const auto& light) { return light.node >= 0; };
+    found.movingLight = std::any_of(scene.lights.begin(), scene.lights.end(), moves) ||
+                        std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), moves);
     found.textures.resize(scene.textures.size());
     found.materials = static_cast<int>(materials.size());
     std::set<unsigned> combinations;
     for (const int index : materials) {
         const Material& material = scene.materials[index];
         const unsigned features = materialFeatures(material);
-        combinations.insert(features);
+        combinations.insert(features | sharedFeatures(scene));
         found.glossy |= material.roughness < 1.0F;
         if (features & featureBaseColorTexture) found.textures[material.baseColorTexture] = true;
         if (features & featureEmissiveTexture) found.textures[material.emissiveTexture] = true;

@@ -8,8 +8,9 @@
 
 namespace vct {
 
-// What programs differ by, from material to material. Bits; draw calls are sorted by them, and those that
-// fewer passes read come first, so that programs change as rarely as possible.
+// What programs differ by, from material to material and, the last one, from scene to scene. Bits; draw calls
+// are sorted by them, and those that fewer passes read come first, so that programs change as rarely as
+// possible.
 enum MaterialFeature : unsigned {
     featureDoubleSided = 1,
     featureEmissive = 2,
@@ -17,8 +18,11 @@ enum MaterialFeature : unsigned {
     featureBaseColorTexture = 8,
     featureAlphaMask = 16,
     materialFeatureCombinations = 32,
+    featurePunctualLights = 32,  // lights besides the sun
 };
 unsigned materialFeatures(const Material& material);
+// Those of the whole scene.
+unsigned sharedFeatures(const Scene& scene);
 
 struct SceneFeatures {
     std::vector<unsigned> materialFeatures;  // each combination that occurs once, ascending
@@ -26,7 +30,7 @@ struct SceneFeatures {
     std::vector<bool> textures;              // of Scene::textures: whether a material reads it
     int materials = 0;                       // how many occur
     bool movingObjects = false;              // an animation moves an instance
-    bool movingLight = false;                // or the light
+    bool movingLight = false;                // or a light
 
     // Whether any material has this feature.
     bool has(MaterialFeature feature) const;

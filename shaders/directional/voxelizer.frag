@@ -19,11 +19,19 @@ in vec3 fragmentNormal;
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 
+#ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/punctual_lights.glsl"
+#else
+vec3 punctualIrradiance(vec3 position, vec3 normal) {
+    return vec3(0.0);
+}
+#endif
+
 // `normal`: of this side of the surface.
 vec3 directRadiance(vec3 albedo, vec3 normal) {
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
     float light = cosTheta > 0.0 ? shadowMapLightOn(fragmentPosition, normal) : 0.0;
-    return albedo * cosTheta * light * frame.lightColor.rgb;
+    return albedo * cosTheta * light * frame.lightColor.rgb + albedo * punctualIrradiance(fragmentPosition, normal);
 }
 
 const bool relight = VCT_RELIGHT;

@@ -6,6 +6,19 @@
 #include "shared/octahedral.glsl"
 #include "shared/shadow.glsl"
 
+#ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/punctual_lights.glsl"
+// Of a sheet, by the side that is lit more.
+vec3 otherLights(vec3 position, vec3 normal) {
+    vec3 front = punctualIrradiance(position, normal);
+    return materialIsDoubleSided ? max(front, punctualIrradiance(position, -normal)) : front;
+}
+#else
+vec3 otherLights(vec3 position, vec3 normal) {
+    return vec3(0.0);
+}
+#endif
+
 in vec3 fragmentPosition;
 in vec3 fragmentNormal;
 
@@ -18,13 +31,14 @@ void main() {
     ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
-    float facing = dot(safeNormalize(fragmentNormal), frame.towardsLight.xyz);
+    vec3 normal = safeNormalize(fragmentNormal);
+    float facing = dot(normal, frame.towardsLight.xyz);
     float cosTheta = materialIsDoubleSided ? abs(facing) : max(facing, 0.0);
     bool lit = shadowMapLight(fragmentPosition, cosTheta) >= 0.5;
     vec3 radiance = cosTheta * baseColor.rgb * frame.lightColor.rgb;  // thesis eq. 4.4
-    vec3 emissive = materialEmissive();
-    if (emissive != vec3(0.0)) {
-        radiance = emissive + (lit ? radiance : vec3(0.0));
+    vec3 more = materialEmissive() + baseColor.rgb * otherLights(fragmentPosition, normal);
+    if (more != vec3(0.0)) {
+        radiance = more + (lit ? radiance : vec3(0.0));
         lit = true;
     }
 

@@ -17,20 +17,20 @@ mediump vec3 specularShare(mediump vec3 f0, float roughness, float cosEye) {
     return f0 * scaleAndBias.x + scaleAndBias.y;
 }
 
-// The sun's reflection, before its shadow, relative to E/pi. All vectors of unit length.
-vec3 sunHighlight(vec3 f0, float roughness, vec3 normal, vec3 toEye) {
-    vec3 toSun = frame.towardsLight.xyz;
-    float cosSun = dot(normal, toSun);
+// The reflection of a light without a size, of which a surface that faces it receives the irradiance 1; before its shadow. All
+// vectors of unit length.
+vec3 highlight(vec3 f0, float roughness, vec3 normal, vec3 toEye, vec3 toLight) {
+    float cosLight = dot(normal, toLight);
     float cosEye = max(dot(normal, toEye), 1e-3);
-    if (cosSun <= 0.0) return vec3(0.0);
-    vec3 halfway = normalize(toSun + toEye);
+    if (cosLight <= 0.0) return vec3(0.0);
+    vec3 halfway = normalize(toLight + toEye);
     float cosHalf = max(dot(normal, halfway), 0.0);
     float alpha2 = max(pow(roughness, 4.0), 1e-6);
     float d = cosHalf * cosHalf * (alpha2 - 1.0) + 1.0;
-    float visibility = 1.0 / ((cosSun + sqrt(alpha2 + (1.0 - alpha2) * cosSun * cosSun)) *
+    float visibility = 1.0 / ((cosLight + sqrt(alpha2 + (1.0 - alpha2) * cosLight * cosLight)) *
                               (cosEye + sqrt(alpha2 + (1.0 - alpha2) * cosEye * cosEye)));
     vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(toEye, halfway), 0.0), 5.0);
-    return min(fresnel * (alpha2 / (d * d) * visibility * cosSun), 6e4) * frame.lightColor.rgb;
+    return min(fresnel * (alpha2 / (d * d) * visibility * cosLight), 6e4);
 }
 
 // Where a ray meets the faces of a corner, it is covered once. Beyond the volume there is nothing: in the half texels on

@@ -2,6 +2,7 @@
 // VCT_MODE, one of VCT_MODE_* and VCT_VIEW_*.
 #define VCT_CONE_COUNTER VCT_COUNTER_SPECULAR_STEP
 #include "shared/counters.glsl"
+#include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
 #include "shared/surface.glsl"
 
@@ -73,6 +74,26 @@ mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     return shadowMapLight(position, cosTheta);
 }
 
+// Lights besides the sun.
+#ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/punctual_lights.glsl"
+// Irradiance of a surface by all of them, relative to the sun's E.
+mediump vec3 otherLights(vec3 position, vec3 normal) {
+    if (mode > VCT_MODE_GI_CONE_SHADOW) return vec3(0.0);
+    if (mode != VCT_MODE_PHONG) return punctualIrradiance(position, normal);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < punctual.count.x; ++i) {
+        LightAt light = lightAt(i, position);
+        sum += light.irradiance * max(dot(normal, light.towards), 0.0);
+    }
+    return sum;
+}
+#else
+mediump vec3 otherLights(vec3 position, vec3 normal) {
+    return vec3(0.0);
+}
+#endif
+
 struct Reflected {
     mediump vec3 light;         // specular, relative to E/pi
     mediump vec3 diffuseShare;  // of the albedo, that is left for diffuse light
@@ -81,6 +102,23 @@ struct Reflected {
 // What a glossy surface reflects besides diffuse light. `light`: of the sun.
 #ifdef VCT_GLOSS_TARGET
 #include "passes/glossy.glsl"
+#ifdef VCT_PUNCTUAL_LIGHTS
+vec3 otherHighlights(vec3 f0, float roughness, vec3 position, vec3 normal, vec3 toEye) {
+    float slackShare = shadowSlack(normal);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < punctual.count.x; ++i) {
+        LightAt light = lightAt(i, position);
+        vec3 reflected = highlight(f0, roughness, normal, toEye, light.towards) * light.irradiance;
+        if (max(reflected.r, max(reflected.g, reflected.b)) < 1e-4) continue;  // seen in no picture
+        sum += reflected * punctualVisibility(i, position, normal, light.towards, slackShare);
+    }
+    return min(sum, 6e4);
+}
+#else
+vec3 otherHighlights(vec3 f0, float roughness, vec3 position, vec3 normal, vec3 toEye) {
+    return vec3(0.0);
+}
+#endif
 layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
 Reflected specular(ivec2 pixel, vec3 position, vec3 normal, mediump vec3 albedo, mediump vec3 gathered, mediump float light) {
     mediump vec3 gloss = texelFetch(glossTarget, pixel, 0).rgb;
@@ -89,7 +127,10 @@ Reflected specular(ivec2 pixel, vec3 position, vec3 normal, mediump vec3 albedo,
     mediump vec3 f0 = mix(vec3(0.04), albedo, gloss.x);
     mediump vec3 share = specularShare(f0, gloss.y, max(dot(normal, toEye), 0.0));
     mediump vec3 reflected = share * lightToReflect(position, normal, toEye, gloss.y, gathered);
-    if (mode != VCT_VIEW_SPECULAR) reflected = reflected + light * sunHighlight(f0, gloss.y, normal, toEye);
+    if (mode != VCT_VIEW_SPECULAR) {
+        vec3 ofSun = highlight(f0, gloss.y, normal, toEye, frame.towardsLight.xyz) * frame.lightColor.rgb;
+        reflected = reflected + light * ofSun + otherHighlights(f0, gloss.y, position, normal, toEye);
+    }
     return Reflected(reflected, (1.0 - gloss.x) * (1.0 - share));
 }
 #else
@@ -153,6 +194,8 @@ void main() {
     Gather gather = indirectDiffuse(position, normal);
     mediump float light = directLight(position, normal, cosTheta);
     Reflected reflected = specular(pixel, position, normal, albedo, gather.radiance, light);
-    mediump vec3 radiance = diffuse(position, normal, cosTheta, albedo * reflected.diffuseShare, gather, light);
+    mediump vec3 diffuseAlbedo = albedo * reflected.diffuseShare;
+    mediump vec3 radiance = diffuse(position, normal, cosTheta, diffuseAlbedo, gather, light);
+    radiance = radiance + diffuseAlbedo * otherLights(position, normal);
     outRadiance = vec4(radiance + reflected.light + emitted(pixel), 1.0);
 }

@@ -43,6 +43,7 @@ using glm::vec4;
 #define VCT_UBO_DRAW 1
 #define VCT_UBO_DIRTY_BLOCKS 2
 #define VCT_UBO_LIGHT 3
+#define VCT_UBO_PUNCTUAL_LIGHTS 4
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
@@ -120,6 +121,7 @@ using glm::vec4;
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
+#define VCT_TEX_LIGHT_MAPS 13
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -145,7 +147,10 @@ using glm::vec4;
 #define VCT_UNIFORM_END 2
 #define VCT_UNIFORM_MOVING 3
 #define VCT_UNIFORM_AXIS 0
+#define VCT_UNIFORM_LIGHT_MAP 0
 
+#define VCT_MAX_PUNCTUAL_LIGHTS 16
+#define VCT_MAX_LIGHT_MAPS 96  // six for each of them
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
@@ -187,6 +192,25 @@ struct FrameUniforms {
     float radianceRange;       // what the faces' 8 bits store as 1, relative to E/pi
     float largestBounceShare;  // of the light, that a bounce passes on
     int gridSide;              // voxels along a side, a power of two
+};
+
+// A light besides the sun (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h).
+struct PunctualLightUniforms {
+    vec4 place;      // xyz: volume space, w: 1; of a directional light the unit vector towards it, and 0
+    vec4 backwards;  // xyz: unit length, against its axis; w: 1 / range^2, or 0, lengths in sides of the volume
+    vec4 intensity;  // rgb: irradiance, at the distance 1, of a surface that faces it, relative to the sun's E
+    vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
+    ivec4 maps;      // x: the first of its shadow maps, y: how many, 1 or the 6 of a cube
+};
+// A shadow map of one of them: a tile of the texture that all share.
+struct LightMap {
+    mat4 mapFromVolume;  // projective: coordinates in the texture, and depth, all in [0, 1]
+    vec4 texel;          // x: depth that is a quarter of a texel wide, at the distance w = 1
+};
+struct PunctualLightBlock {
+    ivec4 count;  // x: of the lights that shine
+    PunctualLightUniforms light[VCT_MAX_PUNCTUAL_LIGHTS];
+    LightMap map[VCT_MAX_LIGHT_MAPS];
 };
 
 // One step of the received light towards its final value (jni/engine/directional/irradiance.h).

@@ -48,19 +48,18 @@ float shadowSlack(vec3 normal) {
     return most > 2e-4 && most < 0.8 ? curvedSlack : flatSlack;
 }
 
-// Of a receiver in the map. -1: no part of a sun is seen, as it is in a crease or what blocks all of the footprint is no
-// farther than `contact` (depth).
-float shadowFootprintLight(vec3 receiver, vec2 slope, float slackShare, float contact) {
-    vec2 size = vec2(textureSize(shadowDepth, 0));
-    // The depth range is no shorter than the map is wide.
-    float slack = slackShare * (abs(slope.x) + abs(slope.y) + 0.25 / size.x) + depthRounding;
+// Of a receiver in a map: texture coordinates and depth. `slope`: what its plane gains in depth per texel; `slack`: by how much
+// a texel's depth may be off that plane and still be the surface itself. -1: no part of a sun is seen, as it is in a crease or
+// what blocks all of the footprint is no farther than `contact` (depth).
+float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack, float contact) {
+    vec2 size = vec2(textureSize(map, 0));
     vec2 texel = receiver.xy * size - 0.5;
     vec2 corner = floor(texel);
     vec2 f = texel - corner;
     // Beginning at (0, 1), counter-clockwise, as textureGather() has them. At the corner that the four share no rounding
     // chooses others.
-    vec4 above = textureGather(shadowDepth, (corner + 1.0) / size) - receiver.z -
-                 slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) - slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
+    vec4 above = textureGather(map, (corner + 1.0) / size) - receiver.z - slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) -
+                 slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
     if (all(lessThan(abs(above), vec4(slack)))) return 1.0;
     vec4 blocked = vec4(lessThan(above, vec4(-slack)));
     float blockers = dot(blocked, vec4(1.0));
@@ -72,7 +71,7 @@ float shadowFootprintLight(vec3 receiver, vec2 slope, float slackShare, float co
     vec2 aside = blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope;
     aside = sign(aside);
     vec2 next = mix(floor(texel + 0.5), corner + 0.5 + 1.5 * aside, abs(aside));
-    float nextAbove = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - texel);
+    float nextAbove = textureLod(map, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - texel);
     bool crease = blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
     if (crease && min(closest, nextAbove) > -contact) return -1.0;
     return 1.0 - mix(mix(blocked.w, blocked.z, f.x), mix(blocked.x, blocked.y, f.x), f.y);
@@ -83,5 +82,9 @@ float shadowMapLightOn(vec3 positionVolume, vec3 normal) {
     if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
-    return max(shadowFootprintLight(shadow, shadowSlope(normal), slackShare, 2.0), 0.0);
+    vec2 slope = shadowSlope(normal);
+    // The depth range is no shorter than the map is wide.
+    float texel = 0.25 / float(textureSize(shadowDepth, 0).x);
+    float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + depthRounding;
+    return max(shadowFootprintLight(shadowDepth, shadow, slope, slack, 2.0), 0.0);
 }

@@ -120,7 +120,7 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
                         covered ? std::max(0.0, facing * towardsLight.y) * scene.materials[0].baseColor[c]
                                 : 0.0;
                     EXPECT_NEAR(base.at(voxel, face)[c],
-                                255.0 * radiance / faceRadianceRange(scene, light, glm::vec3(0.0F)), 1.0)
+                                255.0 * radiance / faceRadianceRange(scene, light, glm::vec3(0.0F), 64), 1.0)
                         << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
                         << ", light from y " << lightY;
                 }
@@ -194,7 +194,7 @@ TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
             ASSERT_EQ(face, 2) << faceName(face);
             ASSERT_EQ(value.a, 255);
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F)), 1.0);
+                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F), 64), 1.0);
         }
     });
     EXPECT_GE(covered, 1);

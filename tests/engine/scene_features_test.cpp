@@ -80,7 +80,7 @@ Settings featureSettings(const std::string& preset) {
     return settings;
 }
 
-const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
+const Camera viewOfFloor = lookAt({0, 2, 3}, {0, 0, 0}, 40);
 
 Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
     const Context context = openContext(Backend::egl);
@@ -89,7 +89,7 @@ Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::g
     int frames = 0;
     const auto frame = [&] {
         if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
-        renderer.frame(mode, camera);
+        renderer.frame(mode, viewOfFloor);
     };
     frame();
     frame();
@@ -179,6 +179,21 @@ TEST(SceneFeatures, AddNoMoreThanTheyNeed) {
 TEST(SceneFeatures, GlossThatIsNotDrawnCostsNothing) {
     expectEqual(askedBy(sceneWith(&featureNamed("Glossy", "thesis"), true), "thesis"),
                 askedByPlain("thesis"));
+}
+
+TEST(SceneFeatures, LightsBesidesTheSunCostNothingButWhereTheyShine) {
+    Scene scene = sceneWith(nullptr, false);
+    scene.punctualLights.emplace_back();
+    scene.punctualLights[0].worldFromLight[3] = glm::dvec4(0.3, 1.2, 0.5, 1.0);
+    for (const char* preset : {"thesis", "mobile"}) {
+        const Asked plain = askedByPlain(preset), with = askedBy(scene, preset);
+        for (const std::string& source : plain.sources)
+            EXPECT_EQ(source.find("#define VCT_PUNCTUAL_LIGHTS"), std::string::npos) << preset;
+        EXPECT_EQ(with.programs.size(), plain.programs.size() + 1) << preset;  // of the maps
+        EXPECT_EQ(with.bytes.size(), plain.bytes.size() + 2) << preset;        // uniforms and maps
+        EXPECT_EQ(with.frame.draws, plain.frame.draws + 6 * 2) << preset;      // floor and box in six maps
+        EXPECT_EQ(with.frame.dispatches, plain.frame.dispatches) << preset;
+    }
 }
 
 TEST(SceneFeatures, MaterialsThatDifferInNumbersAloneShareEveryProgram) {

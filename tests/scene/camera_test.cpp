@@ -117,7 +117,11 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     EXPECT_GT(glm::min(fallback.towardsLight.x, glm::min(fallback.towardsLight.y, fallback.towardsLight.z)),
               0.0);
     EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
-    scene.lights.resize(2);
+    // Where others shine it gives no light.
+    scene.punctualLights.emplace_back();
+    EXPECT_EQ(chooseLight(scene).color, glm::vec3(0.0F));
+    EXPECT_GT(chooseLight(scene).intensity, 0.0F);
+    scene.lights.resize(1);
     scene.lights[0].intensity = 5.0F;
     EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/errors.h"
 #include "support/gltf_builder.h"
 #include "support/scenes.h"
 
@@ -90,34 +91,61 @@ TEST(GltfNodes, CameraIsRigidAndLooksAlongItsMinusZ) {
     EXPECT_TRUE(hasWarning(scene, "orthographic"));
 }
 
-TEST(GltfNodes, DirectionalLightComesFromPlusZAndScaleIsIgnored) {
+TEST(GltfNodes, LightsShineAlongMinusZAndScaleIsIgnored) {
     GltfBuilder builder;
     builder.triangle();
     builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
     builder.document["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"type", "directional"}, {"color", {0.5, 0.25, 0}}, {"intensity", 8}},
-        {{"type", "point"}},
-        {{"type", "directional"}}};
+        {{"type", "spot"},
+         {"range", 7.5},
+         {"intensity", 60},
+         {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}},
+        {{"type", "directional"}},
+        {{"type", "point"}, {"intensity", 0}}};
     const auto lit = [](int light) { return json{{"KHR_lights_punctual", {{"light", light}}}}; };
     // Half a right angle down: the light travels along (0, -1, -1).
     builder.node({{"extensions", lit(0)},
                   {"rotation", {-std::sin(pi / 8), 0, 0, std::cos(pi / 8)}},
                   {"scale", {3, 3, 3}}});
-    builder.node({{"extensions", lit(1)}});
+    builder.node({{"extensions", lit(1)}, {"translation", {1, 2, 3}}, {"scale", {2, 2, 2}}});
+    builder.node({{"extensions", lit(2)}});
+    builder.node({{"extensions", lit(3)}});  // gives no light
     const Scene scene = load(builder);
     ASSERT_EQ(scene.lights.size(), 1U);
     EXPECT_NEAR(glm::distance(scene.lights[0].towardsLight, glm::dvec3(0, std::sqrt(0.5), std::sqrt(0.5))),
                 0.0, 1e-9);
     EXPECT_EQ(scene.lights[0].color, glm::vec3(1.0F, 0.5F, 0.0F));
     EXPECT_EQ(scene.lights[0].intensity, 4.0F);
-    EXPECT_TRUE(hasWarning(scene, "point"));
-    EXPECT_FALSE(hasWarning(scene, "first one"));
+    // All but the first directional one, the sun.
+    ASSERT_EQ(scene.punctualLights.size(), 2U);
+    const PunctualLight& spot = scene.punctualLights[0];
+    EXPECT_EQ(spot.type, PunctualLight::Type::spot);
+    EXPECT_EQ(glm::dvec3(spot.worldFromLight[3]), glm::dvec3(1, 2, 3));
+    EXPECT_EQ(glm::dvec3(spot.worldFromLight[2]), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(spot.intensity, 60.0F);
+    EXPECT_EQ(spot.range, 7.5);
+    EXPECT_EQ(spot.innerConeRad, 0.25);
+    EXPECT_EQ(spot.outerConeRad, 0.5);
+    EXPECT_EQ(scene.punctualLights[1].type, PunctualLight::Type::directional);
+    EXPECT_EQ(scene.punctualLights[1].intensity, 1.0F);  // the default of the extension, in lux
+}
 
-    builder.node({{"extensions", lit(2)}});
-    const Scene two = load(builder);
-    ASSERT_EQ(two.lights.size(), 2U);
-    EXPECT_EQ(two.lights[1].intensity, 1.0F);  // the default of the extension, in lux
-    EXPECT_TRUE(hasWarning(two, "first one"));
+TEST(GltfNodes, LightsThatAreNoneAreNamed) {
+    const std::vector<std::pair<json, std::string>> damages{
+        {{{"type", "area"}}, "type 'area'"},
+        {{{"type", "point"}, {"range", -1}}, "range"},
+        {{{"type", "point"}, {"intensity", -1}}, "negative intensity"},
+        {{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}, "cone angles"},
+        {{{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}, "cone angles"}};
+    for (const auto& [light, named] : damages) {
+        GltfBuilder builder;
+        builder.triangle();
+        builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
+        builder.document["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
+        builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+        expectMentions(errorOf([&] { load(builder); }), {"light 0", named});
+    }
 }
 
 TEST(GltfNodes, WhatIsNotAnimatedIsWarnedOf) {

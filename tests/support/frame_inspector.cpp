@@ -148,7 +148,7 @@ Spread FrameInspector::spreadOf(Picture picture) {
 }
 
 double FrameInspector::radianceRange() const {
-    return faceRadianceRange(scene_, light_, settings_.skyRadiance);
+    return faceRadianceRange(scene_, light_, settings_.skyRadiance, settings_.grid);
 }
 
 Words FrameInspector::packedVoxels() {

@@ -80,6 +80,10 @@ Scene frozenAt(Scene scene, double seconds) {
         light = posed(light, pose);
         light.node = -1;
     }
+    for (PunctualLight& light : scene.punctualLights) {
+        light = posed(light, pose);
+        light.node = -1;
+    }
     scene.animation = {};
     return scene;
 }

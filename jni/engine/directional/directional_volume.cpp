@@ -42,17 +42,17 @@ void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<Sce
     Irradiance::Change change{std::nullopt, before != inputs.now};
     if (before && before->placements == inputs.now.placements && !inputs.remake) {
         if (!relighter_) relighter_.emplace(shaders_, inputs.scene, settings_.grid, settings_.voxelization);
-        timer.time(Step::voxelize, [&] { relighter_->run(inputs.scene, inputs.shadowMap, voxels_); });
+        timer.time(Step::voxelize, [&] { relighter_->run(inputs.scene, inputs.light, voxels_); });
         timer.time(Step::mipmap, [&] { mipmapper_.update(voxels_, 0); });
     } else if (!incremental_) {
-        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.shadowMap, voxels_); });
+        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.light, voxels_); });
         timer.time(Step::mipmap, [&] { mipmapper_.makeLevels(voxels_); });
         change.keptFaces = 0U;
     } else {
         for (bool hadRoom = false; !hadRoom;) {
             timer.time(Step::voxelize, [&] {
                 const std::optional<BlockMask> dirty = dirtySince(before, inputs);
-                incremental_->voxelize(inputs.scene, inputs.shadowMap, dirty ? &*dirty : nullptr, voxelizer_,
+                incremental_->voxelize(inputs.scene, inputs.light, dirty ? &*dirty : nullptr, voxelizer_,
                                        mipmapper_, voxels_);
             });
             timer.time(Step::mipmap, [&] { hadRoom = incremental_->mipmap(voxels_); });
@@ -67,13 +67,30 @@ void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<Sce
 std::optional<BlockMask> DirectionalVolume::dirtySince(const std::optional<SceneState>& before,
                                                        const Inputs& inputs) const {
     const SceneState& now = inputs.now;
-    if (inputs.remake || !before || before->towardsLight != now.towardsLight) return {};
+    if (inputs.remake || !before || !before->sameLight(now)) return {};
     // The filter reads three texels to each side of a point at most, and compares them with the surface's
     // plane where they are, which may rise by 64 times as much (shaders/shared/shadow.glsl).
     const double above = 3.0 * 64.0 * shadowTexel_;
-    return dirtyBlocks(before->placements, now.placements,
-                       {now.towardsLight, 4.0 * shadowTexel_, above, inputs.scene.staticBox()},
-                       1.0 / settings_.grid);
+    const double voxel = 1.0 / settings_.grid;
+    BlockMask dirty =
+        dirtyBlocks(before->placements, now.placements,
+                    {now.towardsLight, 4.0 * shadowTexel_, above, inputs.scene.staticBox()}, voxel);
+    if (inputs.light.others == nullptr) return dirty;
+    // Of more pairs of boxes and lights finding the blocks out takes longer than making all of them.
+    constexpr int mostPairs = 16;
+    int pairs = 0;
+    for (std::size_t light = 0; light < now.lights.size(); ++light) {
+        if (!now.lights[light].on) continue;
+        const glm::dvec4 place = inputs.light.others->places()[light];
+        for (std::size_t i = 0; i < now.placements.size(); ++i) {
+            if (before->placements[i] == now.placements[i]) continue;
+            if (place.w == 0.0 || ++pairs > mostPairs) return {};
+            for (const Placement* placement : {&before->placements[i], &now.placements[i]})
+                addShadow(dirty, grown(placement->box, snappingReach(voxel)),
+                          {glm::dvec3(place), inputs.light.others->filterAngle()});
+        }
+    }
+    return dirty;
 }
 
 Irradiance& DirectionalVolume::irradiance(GatherOf of, const GpuScene& scene) {

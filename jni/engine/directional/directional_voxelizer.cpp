@@ -52,13 +52,12 @@ DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, con
       resolve_(shaders, directionalResolveProgram()),
       projection_(grid) {}
 
-void DirectionalVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap,
-                               DirectionalVoxels& voxels) {
+void DirectionalVoxelizer::run(const GpuScene& scene, const DirectLight& light, DirectionalVoxels& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
     markOccupied(scene, {}, voxels);
     if (voxels.places() == 0) voxels.makeRoom(voxels.index().readActiveCounts()[0]);
-    accumulate(scene, {}, accumulate_, shadowMap, voxels);
+    accumulate(scene, {}, accumulate_, light, voxels);
     resolve(resolve_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
 }
 
@@ -73,12 +72,13 @@ void DirectionalVoxelizer::markOccupied(const GpuScene& scene, const ScenePart& 
 }
 
 void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part,
-                                      const MaterialPrograms& programs, const gl::Texture& shadowMap,
+                                      const MaterialPrograms& programs, const DirectLight& light,
                                       DirectionalVoxels& voxels) const {
     projection_.use();
     voxels.bindLists();
-    shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
+    light.sunMap->bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
+    light.bindOthers();
     voxels.index().texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(programs, part, projection_.viewport());
 }

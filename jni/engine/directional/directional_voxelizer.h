@@ -6,6 +6,7 @@
 
 #include "engine/directional/directional_voxels.h"
 #include "engine/gpu_scene.h"
+#include "engine/passes/punctual_lights.h"
 
 namespace vct {
 
@@ -34,14 +35,14 @@ class DirectionalVoxelizer {
                          Voxelization voxelization);
 
     // Empties `voxels`, then writes its base level and the base level's list.
-    void run(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxels& voxels);
+    void run(const GpuScene& scene, const DirectLight& light, DirectionalVoxels& voxels);
 
     // The passes of that. Adds to the base level's list what a part of the scene occupies.
     void markOccupied(const GpuScene& scene, const ScenePart& part, DirectionalVoxels& voxels) const;
     // Adds the part to the sums of the voxels in the list, for which there must be room. The programs: those
     // for all of it, or others of the same features.
     void accumulate(const GpuScene& scene, const ScenePart& part, const MaterialPrograms& programs,
-                    const gl::Texture& shadowMap, DirectionalVoxels& voxels) const;
+                    const DirectLight& light, DirectionalVoxels& voxels) const;
     const MaterialPrograms& programs() const { return accumulate_; }
     // The sums into the faces and their lists, by a program for whichever voxels `dispatch` visits.
     void resolve(const gl::Program& program, DirectionalVoxels& voxels,

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "engine/frame_uniforms.h"
+#include "engine/passes/punctual_lights.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 
@@ -38,10 +39,13 @@ float faceSumUnits(std::size_t triangles) {
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
 }
 
-float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance) {
+float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
+                        int grid) {
+    const PunctualLightSums lamps =
+        punctualLightSums(scene, volumeAround(scene.boundsWorld, grid).voxelSize());
     // What all emitters send, and what all surfaces absorb of it.
-    double sent = 0.0, absorbed = 0.0;
-    float brightest = 0.0F;
+    double sent = lamps.fluxOverPi, absorbed = 0.0;
+    auto brightest = static_cast<float>(lamps.brightest);
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
@@ -55,7 +59,7 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
     const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});
     const float circulating = absorbed > 0.0 ? static_cast<float>(sent / absorbed) : 0.0F;
     const float range =
-        std::max(light.intensity > 0.0F ? 2.0F : 0.0F,
+        std::max(light.intensity > 0.0F && light.color != glm::vec3(0.0F) ? 2.0F : 0.0F,
                  (brightest + std::min(circulating, 20.0F * brightest) + sky) / radianceUnit(light));
     return range > 0.0F ? range : 1.0F;
 }

@@ -12,9 +12,11 @@ namespace vct {
 float faceSumUnits(std::size_t triangles);
 
 // The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
-// and by bounces, or the brightest emitter and what goes round of the light of all of them, as in a closed
-// room, and the sky (scene's unit). What is brighter still is cut off. Above 0, also in the dark.
-float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance);
+// and by bounces, or the brightest emitter or white wall beside a lamp, and what goes round of the light of
+// all of them, as in a closed room, and the sky (scene's unit). What is brighter still is cut off. Above 0,
+// also in the dark.
+float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
+                        int grid);
 
 // Room for a count of voxels that changes: so much more that it rarely grows again.
 std::uint32_t withHeadRoom(std::uint32_t count);

@@ -98,6 +98,28 @@ Bounds grown(const Bounds& box, double by) {
     return {box.min - by, box.max + by};
 }
 
+// By the balls around both, so a little too many.
+void addShadow(BlockMask& mask, const Bounds& box, const PlacedLight& light) {
+    const glm::dvec3 towardsBox = 0.5 * (box.min + box.max) - light.place;
+    const double distance = glm::length(towardsBox);
+    const double radius = 0.5 * glm::length(box.max - box.min);
+    const double blockRadius = std::sqrt(3.0) / 2.0 / BlockMask::side;
+    const auto halfAngle = [](double size, double away) {
+        return size < away ? std::asin(size / away) : 4.0;
+    };
+    const double ofBox = halfAngle(radius, distance) + light.angle;
+    for (int z = 0; z < BlockMask::side; ++z)
+        for (int y = 0; y < BlockMask::side; ++y)
+            for (int x = 0; x < BlockMask::side; ++x) {
+                const glm::dvec3 block = (glm::dvec3(x, y, z) + 0.5) / double{BlockMask::side};
+                const glm::dvec3 towards = block - light.place;
+                const double away = glm::length(towards);
+                const double reach = ofBox + halfAngle(blockRadius, away);
+                const double cosine = glm::dot(towards, towardsBox) / std::max(away * distance, 1e-30);
+                if (reach >= 3.15 || cosine >= std::cos(reach)) mask.add({block, block});
+            }
+}
+
 BlockMask dirtyBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,
                       const ShadowReach& shadow, double voxel) {
     const double snapped = snappingReach(voxel);

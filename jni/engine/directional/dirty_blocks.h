@@ -53,6 +53,15 @@ constexpr double snappingReach(double voxel) {
 }
 Bounds grown(const Bounds& box, double by);
 
+// A light that has a place casts the shadow of a box into all blocks behind and beside it, as seen from
+// there.
+struct PlacedLight {
+    glm::dvec3 place;
+    double angle;  // radians: how far beside its own projection something can change the filtered shadow
+};
+// Adds those blocks. 32768 of them are looked at.
+void addShadow(BlockMask& mask, const Bounds& box, const PlacedLight& light);
+
 // `before` and `after` hold the same instances. Those that have not moved count too, as all that can move is
 // removed and put in again, but not their shadows. `voxel`: a voxel's side.
 BlockMask dirtyBlocks(const std::vector<Placement>& before, const std::vector<Placement>& after,

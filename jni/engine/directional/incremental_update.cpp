@@ -44,26 +44,26 @@ IncrementalUpdate::IncrementalUpdate(const gl::ShaderLibrary& shaders, const Gpu
       static_(shaders, scene,
               [=](unsigned features) { return staticVoxelizerProgram(features, voxelization); }) {}
 
-void IncrementalUpdate::voxelize(const GpuScene& scene, const gl::Texture& shadowMap,
-                                 const BlockMask* changed, DirectionalVoxelizer& voxelizer,
-                                 DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels) {
+void IncrementalUpdate::voxelize(const GpuScene& scene, const DirectLight& light, const BlockMask* changed,
+                                 DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper,
+                                 DirectionalVoxels& voxels) {
     keptFaces_ = staticFaces_;
     if (!staticEntries_) {
         keptFaces_ = 0;
-        recordStatic(scene, shadowMap, voxelizer, mipmapper, voxels);
+        recordStatic(scene, light, voxelizer, mipmapper, voxels);
         changed = nullptr;
     }
     const gl::DebugGroup group("voxelize");
     replaceDynamic(scene, changed, voxelizer, voxels);
     const BlockMask mask = changed != nullptr ? *changed : BlockMask::all();
-    voxelizer.accumulate(scene, {Of::staticOnly, &mask}, static_, shadowMap, voxels);
-    voxelizer.accumulate(scene, {Of::moving}, voxelizer.programs(), shadowMap, voxels);
+    voxelizer.accumulate(scene, {Of::staticOnly, &mask}, static_, light, voxels);
+    voxelizer.accumulate(scene, {Of::moving}, voxelizer.programs(), light, voxels);
     voxelizer.resolve(resolve_, voxels, [&] { dispatchOverPart(0); });
 }
 
 // Which voxels and faces the static geometry fills, as no light and no pose changes that; and makes room for
 // those of the present pose, and some more.
-void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& shadowMap,
+void IncrementalUpdate::recordStatic(const GpuScene& scene, const DirectLight& light,
                                      DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper,
                                      DirectionalVoxels& voxels) {
     const gl::DebugGroup group("static voxels");
@@ -74,7 +74,7 @@ void IncrementalUpdate::recordStatic(const GpuScene& scene, const gl::Texture& s
     voxels.clear();
     if (needed > voxels.places()) voxels.makeRoom(needed);
     voxelizer.markOccupied(scene, {Of::staticOnly}, voxels);
-    voxelizer.accumulate(scene, {Of::staticOnly}, voxelizer.programs(), shadowMap, voxels);
+    voxelizer.accumulate(scene, {Of::staticOnly}, voxelizer.programs(), light, voxels);
     voxelizer.resolve(resolveStatic_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
     mipmapper.makeLevels(voxels);
 

@@ -27,7 +27,7 @@ class IncrementalUpdate {
 
     // Makes the base level's faces in `changed` anew and leaves the others as they were; null: makes all of
     // them. What moves must have been in `changed` before, and must be in it now.
-    void voxelize(const GpuScene& scene, const gl::Texture& shadowMap, const BlockMask* changed,
+    void voxelize(const GpuScene& scene, const DirectLight& light, const BlockMask* changed,
                   DirectionalVoxelizer& voxelizer, DirectionalMipmapper& mipmapper,
                   DirectionalVoxels& voxels);
     // The coarser levels of that. False where there were more voxels than there is room for: to be made again
@@ -41,7 +41,7 @@ class IncrementalUpdate {
     std::vector<const gl::Buffer*> buffers() const;
 
   private:
-    void recordStatic(const GpuScene& scene, const gl::Texture& shadowMap, DirectionalVoxelizer& voxelizer,
+    void recordStatic(const GpuScene& scene, const DirectLight& light, DirectionalVoxelizer& voxelizer,
                       DirectionalMipmapper& mipmapper, DirectionalVoxels& voxels);
     void replaceDynamic(const GpuScene& scene, const BlockMask* changed, DirectionalVoxelizer& voxelizer,
                         DirectionalVoxels& voxels);

@@ -25,7 +25,7 @@ Relighter::Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
       resolve_(shaders, relightResolveProgram()),
       projection_(grid) {}
 
-void Relighter::run(const GpuScene& scene, const gl::Texture& shadowMap, const DirectionalVoxels& voxels) {
+void Relighter::run(const GpuScene& scene, const DirectLight& light, const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("relight");
     const VoxelPyramid& index = voxels.index();
     // The last bounce read the sums.
@@ -36,8 +36,9 @@ void Relighter::run(const GpuScene& scene, const gl::Texture& shadowMap, const D
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
     projection_.use();
-    shadowMap.bind(VCT_TEX_SHADOW_DEPTH);
+    light.sunMap->bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
+    light.bindOthers();
     index.texture().bind(VCT_TEX_VOXELS);
     scene.drawForVoxels(accumulate_);
     // The last frame fetched the faces.

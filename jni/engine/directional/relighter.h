@@ -17,7 +17,7 @@ class Relighter {
     Relighter(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, Voxelization voxelization);
 
     // The base level of `voxels`. Afterwards it is ready to be fetched as a texture.
-    void run(const GpuScene& scene, const gl::Texture& shadowMap, const DirectionalVoxels& voxels);
+    void run(const GpuScene& scene, const DirectLight& light, const DirectionalVoxels& voxels);
 
   private:
     gl::Program clearRadiance_;

@@ -12,7 +12,7 @@ PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& sce
 VoxelLight PackedVolume::update(const Inputs& inputs, StepTimer& timer) {
     const std::optional<SceneState> before = std::exchange(made_, {});
     if (inputs.remake || before != inputs.now) {
-        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.shadowMap, pyramid_); });
+        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.light, pyramid_); });
         timer.time(Step::mipmap, [&] { mipmapper_.run(pyramid_); });
     }
     made_ = inputs.now;

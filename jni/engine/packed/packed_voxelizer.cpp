@@ -15,14 +15,15 @@ PackedVoxelizer::PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScen
                 [=](unsigned features) { return packedVoxelizerProgram(features, voxelization); }),
       framebuffer_("voxelizer", grid, grid) {}
 
-void PackedVoxelizer::run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels) {
+void PackedVoxelizer::run(const GpuScene& scene, const DirectLight& light, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
     const int grid = voxels.grid();
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::DepthMask(GL_FALSE);
-    shadowMap.bind(VCT_TEX_SHADOW_MAP);
+    light.sunMap->bind(VCT_TEX_SHADOW_MAP);
+    light.bindOthers();
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLists();
     scene.drawForVoxels(programs_, {}, {0, 0, grid, grid});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gpu_scene.h"
+#include "engine/passes/punctual_lights.h"
 #include "engine/voxel_pyramid.h"
 
 namespace vct {
@@ -14,7 +15,7 @@ class PackedVoxelizer {
                     Voxelization voxelization);
 
     // Empties `voxels`, then writes its base level and the base level's list.
-    void run(const GpuScene& scene, const gl::Texture& shadowMap, VoxelPyramid& voxels);
+    void run(const GpuScene& scene, const DirectLight& light, VoxelPyramid& voxels);
 
   private:
     MaterialPrograms programs_;

@@ -6,11 +6,13 @@
 
 namespace vct {
 
-gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Settings& settings) {
+gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, bool otherLights,
+                                    const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
     if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
     const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
     if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
+    if (otherLights && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
     if (softShadow && settings.shadow == Shadow::softMap) {
         defines.emplace_back("VCT_SOFT_SHADOW");
@@ -24,8 +26,8 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Se
     return {"shade " + std::to_string(mode), {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }
 
-Shade::Shade(gl::ShaderLibrary shaders, const Settings& settings)
-    : shaders_(std::move(shaders)), settings_(settings) {
+Shade::Shade(gl::ShaderLibrary shaders, bool otherLights, const Settings& settings)
+    : shaders_(std::move(shaders)), otherLights_(otherLights), settings_(settings) {
     resize(settings.size);
 }
 
@@ -40,12 +42,14 @@ const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surfa
     auto found = programs_.find(key);
     if (found == programs_.end())
         found =
-            programs_.emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, settings_))).first;
+            programs_
+                .emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, otherLights_, settings_)))
+                .first;
     return found->second;
 }
 
-const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                               const VoxelLight& light) {
+const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const DirectLight& direct,
+                               const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
     program(picture, surface).use();
     framebuffer_.bind();
@@ -56,17 +60,18 @@ const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface,
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
     if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
-    if (shadowMap != nullptr) {
-        shadowMap->bind(VCT_TEX_SHADOW_MAP);
-        shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
+    if (direct.sunMap != nullptr) {
+        direct.sunMap->bind(VCT_TEX_SHADOW_MAP);
+        direct.sunMap->bind(VCT_TEX_SHADOW_DEPTH);
         plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     }
-    if (light.packed != nullptr) light.packed->bind(VCT_TEX_VOXELS);
-    if (light.irradiance != nullptr) {
-        light.irradiance->bind(VCT_TEX_IRRADIANCE);
-        light.bricks->bind(VCT_TEX_BRICKS);
+    direct.bindOthers();
+    if (indirect.packed != nullptr) indirect.packed->bind(VCT_TEX_VOXELS);
+    if (indirect.irradiance != nullptr) {
+        indirect.irradiance->bind(VCT_TEX_IRRADIANCE);
+        indirect.bricks->bind(VCT_TEX_BRICKS);
     }
-    if (light.faces != nullptr) light.faces->bind(VCT_TEX_FACES);
+    if (indirect.faces != nullptr) indirect.faces->bind(VCT_TEX_FACES);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     return radiance_;

@@ -11,16 +11,17 @@
 
 namespace vct {
 
-gl::ProgramDescription shadeProgram(Picture picture, ExtraTargets targets, const Settings& settings);
+// `otherLights`: whether the scene has lights besides the sun.
+gl::ProgramDescription shadeProgram(Picture picture, ExtraTargets targets, bool otherLights,
+                                    const Settings& settings);
 
 class Shade {
   public:
-    Shade(gl::ShaderLibrary shaders, const Settings& settings);
+    Shade(gl::ShaderLibrary shaders, bool otherLights, const Settings& settings);
 
-    // What a picture does not use may be null. Returns RGBA16F: rgb
-    // relative to E/pi, a 1 on surfaces.
-    const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
-                            const VoxelLight& light);
+    // What a picture does not use may be null. Returns RGBA16F: rgb relative to E/pi, a 1 on surfaces.
+    const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const DirectLight& direct,
+                            const VoxelLight& indirect);
 
     // Makes the texture anew; the programs stay.
     void resize(glm::ivec2 size);
@@ -30,6 +31,7 @@ class Shade {
     const gl::Program& program(Picture picture, const GBuffer::Targets& surface);
 
     gl::ShaderLibrary shaders_;
+    bool otherLights_;
     Settings settings_;
     std::map<std::tuple<int, bool, bool>, gl::Program> programs_;  // compiled when first asked for
     gl::Texture radiance_;

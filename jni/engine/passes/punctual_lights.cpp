@@ -1,0 +1,290 @@
+#include "engine/passes/punctual_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+#include "core/error.h"
+#include "engine/frame_uniforms.h"
+#include "engine/passes/shadow_map.h"
+#include "engine/programs.h"
+#include "gl/debug.h"
+#include "scene/camera.h"
+
+namespace vct {
+
+namespace {
+
+using Type = PunctualLight::Type;
+
+// The texture's side: what every driver of ES 3.1 has, and 16 MB.
+constexpr int largestSide = 2048;
+constexpr int largestTile = 512;
+// Texels around what a map must show, for the filter.
+constexpr int margin = 2;
+// A spot as wide as that has a cube like a point: one map would spread its border over most of its texels.
+constexpr double widestMapRad = 1.05;
+// Of the farthest thing that a light reaches: what is nearer than that casts no shadow.
+constexpr double nearShare = 1e-3;
+
+// Ericson 2005, "Real-Time Collision Detection", section 5.1.5.
+double distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                          const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return glm::length(ap);
+    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    if (d3 >= 0.0 && d4 <= d3) return glm::length(bp);
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d6 >= 0.0 && d5 <= d6) return glm::length(cp);
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return glm::length(ap - ab * (d1 / (d1 - d3)));
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return glm::length(ap - ac * (d2 / (d2 - d6)));
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+        return glm::length(bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))));
+    return glm::length(ap - (ab * vb + ac * vc) / (va + vb + vc));
+}
+
+double distanceToScene(const Scene& scene, const glm::dvec3& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        std::vector<glm::dvec3> world;
+        world.reserve(mesh.vertices.size());
+        for (const Vertex& vertex : mesh.vertices)
+            world.emplace_back(instance.worldFromObject *
+                               glm::dvec4(mesh.centre + glm::dvec3(vertex.position), 1.0));
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            nearest =
+                std::min(nearest, distanceToTriangle(place, world[mesh.indices[i]],
+                                                     world[mesh.indices[i + 1]], world[mesh.indices[i + 2]]));
+    }
+    return nearest;
+}
+
+const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
+    if (lights.size() > VCT_MAX_PUNCTUAL_LIGHTS)
+        throw Error("the scene has " + std::to_string(lights.size()) +
+                    " lights besides the sun; there is room for " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
+                    ": remove the weakest");
+    return lights;
+}
+
+// +x, -x, +y, -y, +z, -z, as shaders/shared/punctual_lights.glsl has them: rows are the map's right, its up,
+// and against the view.
+glm::dmat4 viewOfCube(int face, const glm::dvec3& place) {
+    glm::dvec3 forward(0.0), up(0.0);
+    forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+    up[(face / 2 + 1) % 3] = 1.0;
+    return glm::lookAt(place, place + forward, up);
+}
+
+}  // namespace
+
+PunctualLightSums punctualLightSums(const Scene& scene, double voxelSize) {
+    PunctualLightSums sums;
+    for (const PunctualLight& light : scene.punctualLights) {
+        if (light.type == Type::directional) {
+            sums.brightest = std::max(sums.brightest, double{light.intensity});
+            continue;
+        }
+        const double distance =
+            std::max(distanceToScene(scene, glm::dvec3(light.worldFromLight[3])), voxelSize);
+        sums.brightest = std::max(sums.brightest, light.intensity / (distance * distance));
+        const double cosOuter = light.type == Type::spot ? std::cos(light.outerConeRad) : -1.0;
+        sums.fluxOverPi += 2.0 * (1.0 - cosOuter) * light.intensity;
+    }
+    sums.brightest /= glm::pi<double>();
+    return sums;
+}
+
+gl::ProgramDescription lightMapProgram(unsigned features) {
+    gl::ProgramDescription program = shadowMapProgram(features);
+    program.name = "light_map";
+    program.shaders.front() = "passes/light_map.vert";
+    return program;
+}
+
+PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                               const std::vector<PunctualLight>& lights, const Volume& volume,
+                               const Bounds& boundsWorld, double unitLux)
+    : volume_(volume),
+      boundsWorld_(boundsWorld),
+      unitLux_(unitLux),
+      programs_(shaders, scene, lightMapProgram),
+      uniforms_("punctual lights", GL_UNIFORM_BUFFER, sizeof values_, nullptr, GL_DYNAMIC_DRAW) {
+    for (const PunctualLight& light : checked(lights)) {
+        const bool usesCube =
+            light.type == Type::point || (light.type == Type::spot && light.outerConeRad > widestMapRad);
+        lights_.push_back({light, usesCube, maps_, {}, {}});
+        states_.push_back({light.worldFromLight, true});
+        maps_ += usesCube ? 6 : 1;
+    }
+    perRow_ = static_cast<int>(std::ceil(std::sqrt(maps_)));
+    tile_ = std::min(largestTile, largestSide / perRow_);
+    const int rows = (maps_ + perRow_ - 1) / perRow_;
+    depth_ = gl::Texture::make2d("light maps", GL_DEPTH_COMPONENT24, perRow_ * tile_, rows * tile_);
+    framebuffer_ = gl::Framebuffer("light maps", {}, &depth_);
+}
+
+void PunctualLights::setPose(const Pose& pose) {
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        states_[i].worldFromLight = posed(lights_[i].asGiven, pose).worldFromLight;
+}
+
+std::vector<glm::dvec4> PunctualLights::places() const {
+    std::vector<glm::dvec4> places;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const glm::dmat4& world = states_[i].worldFromLight;
+        places.push_back(lights_[i].asGiven.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+                                                                      : volume_.volumeFromWorld() * world[3]);
+    }
+    return places;
+}
+
+void PunctualLights::forget() {
+    for (Light& light : lights_)
+        light.drawn.reset();
+    uploaded_.clear();
+}
+
+void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer) {
+    if (remake || uploaded_ != states_) timer.timeOnCpu(Step::shadowMap, [&] { upload(); });
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        Light& light = lights_[i];
+        if (!states_[i].on) continue;
+        std::vector<Placement> placements = inReach(light, states_[i], now.placements);
+        if (!remake && light.drawn == states_[i] && light.drawnPlacements == placements) continue;
+        light.drawn.reset();
+        timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
+        light.drawn = states_[i];
+        light.drawnPlacements = std::move(placements);
+    }
+}
+
+// Lights that are off are left out.
+void PunctualLights::upload() {
+    values_.count.x = 0;
+    const std::vector<glm::dvec4> places = this->places();
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        if (!states_[i].on) continue;
+        const PunctualLight& light = lights_[i].asGiven;
+        shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
+        to.place = glm::vec4(places[i]);
+        const bool placed = light.type != Type::directional;
+        const double range = light.range / volume_.side;
+        to.backwards = glm::vec4(glm::vec3(states_[i].worldFromLight[2]),
+                                 placed && std::isfinite(range) ? 1.0 / (range * range) : 0.0);
+        const double unit = unitLux_ * (placed ? volume_.side * volume_.side : 1.0);
+        to.intensity = glm::vec4(light.color * static_cast<float>(light.intensity / unit), 0.0F);
+        // KHR_lights_punctual, "Inner and Outer Cone Angles".
+        double scale = 0.0, offset = 1.0;
+        if (light.type == Type::spot) {
+            const double cosOuter = std::cos(light.outerConeRad);
+            scale = 1.0 / std::max(0.001, std::cos(light.innerConeRad) - cosOuter);
+            offset = -cosOuter * scale;
+        }
+        to.cone = glm::vec4(scale, offset, 0.0, 0.0);
+        to.maps = glm::ivec4(lights_[i].firstMap, lights_[i].usesCube ? 6 : 1, 0, 0);
+        placeMaps(lights_[i], states_[i]);
+    }
+    uniforms_.bind(GL_UNIFORM_BUFFER);
+    gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values_, &values_);
+    uploaded_ = states_;
+}
+
+void PunctualLights::placeMaps(const Light& light, const PunctualLightState& state) {
+    const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
+    const auto set = [&](int map, const glm::dmat4& tileFromVolume, double quarterTexel) {
+        values_.map[map].mapFromVolume = glm::mat4(textureFromTile(map) * tileFromVolume);
+        values_.map[map].texel = glm::vec4(quarterTexel, 0.0, 0.0, 0.0);
+    };
+    if (light.asGiven.type == Type::directional) {
+        const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
+        set(light.firstMap,
+            shadowFromWorld(sun, boundsWorld_, tile_ - 2 * margin) * glm::inverse(volumeFromWorld),
+            0.25 / tile_);
+        return;
+    }
+    const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
+    double farthest = 0.0;
+    for (const glm::dvec3& corner : cornersOf(boundsWorld_))
+        farthest =
+            std::max(farthest, glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), place));
+    const double far = 1.001 * std::min(farthest, light.asGiven.range / volume_.side);
+    const double near = nearShare * far;
+    const double tanHalf =
+        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * tile_ / (tile_ - 2 * margin);
+    const glm::dmat4 tileFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
+                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
+                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
+    // A texel's width grows with the distance, and depth with one over it.
+    const double quarterTexel = 0.5 * tanHalf / tile_ * far * near / (far - near);
+    for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
+        const glm::dmat4 view = light.usesCube
+                                    ? viewOfCube(i, place)
+                                    : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
+                                                  glm::dvec3(state.worldFromLight[1]));
+        set(light.firstMap + i, tileFromView * view, quarterTexel);
+    }
+}
+
+glm::ivec4 PunctualLights::tile(int map) const {
+    return {map % perRow_ * tile_, map / perRow_ * tile_, tile_, tile_};
+}
+
+glm::dmat4 PunctualLights::textureFromTile(int map) const {
+    const glm::dvec2 size(depth_.width(), depth_.height());
+    const glm::dvec2 corner(tile(map).x, tile(map).y);
+    return glm::translate(glm::dmat4(1.0), glm::dvec3(corner / size, 0.0)) *
+           glm::scale(glm::dmat4(1.0), glm::dvec3(double(tile_) / size, 1.0));
+}
+
+std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
+                                               const std::vector<Placement>& placements) const {
+    if (!std::isfinite(light.asGiven.range)) return placements;
+    const glm::dvec3 place(volume_.volumeFromWorld() * state.worldFromLight[3]);
+    std::vector<Placement> found;
+    for (const Placement& placement : placements)
+        if (glm::distance(glm::clamp(place, placement.box.min, placement.box.max), place) <=
+            light.asGiven.range / volume_.side)
+            found.push_back(placement);
+    return found;
+}
+
+void PunctualLights::drawMaps(const GpuScene& scene, const Light& light) {
+    const gl::DebugGroup group("light maps");
+    framebuffer_.bind();
+    gl::Enable(GL_DEPTH_TEST);
+    gl::DepthFunc(GL_LESS);
+    gl::DepthMask(GL_TRUE);
+    gl::Enable(GL_SCISSOR_TEST);
+    uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_PUNCTUAL_LIGHTS);
+    for (int map = light.firstMap; map < light.firstMap + (light.usesCube ? 6 : 1); ++map) {
+        const glm::ivec4 texels = tile(map);
+        gl::Scissor(texels.x, texels.y, texels.z, texels.w);
+        const float far = 1.0F;
+        gl::ClearBufferfv(GL_DEPTH, 0, &far);
+        programs_.setUniform(VCT_UNIFORM_LIGHT_MAP, static_cast<GLuint>(map));
+        scene.draw(GpuScene::Culling::none, programs_);
+    }
+    gl::Disable(GL_SCISSOR_TEST);
+}
+
+void PunctualLights::bind() const {
+    uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_PUNCTUAL_LIGHTS);
+    depth_.bind(VCT_TEX_LIGHT_MAPS);
+}
+
+Resources PunctualLights::resources() const {
+    Resources resources;
+    add(resources, uniforms_);
+    add(resources, depth_);
+    return resources;
+}
+
+}  // namespace vct

@@ -1,0 +1,97 @@
+// Lights besides the sun, and their shadow maps: tiles of one texture, six for a point, one for a spot or a
+// directional light. shaders/shared/punctual_lights.glsl reads them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/gpu_scene.h"
+#include "engine/resource.h"
+#include "engine/scene_state.h"
+#include "gl/objects.h"
+#include "lab/step_timer.h"
+
+namespace vct {
+
+// What the lights of a scene besides the sun make of it: the radiance of a white surface where they give
+// most, at the scene's surfaces but no nearer than a voxel, and the flux that all send, over pi. Scene's
+// units.
+struct PunctualLightSums {
+    double brightest = 0.0;
+    double fluxOverPi = 0.0;
+};
+PunctualLightSums punctualLightSums(const Scene& scene, double voxelSize);
+
+gl::ProgramDescription lightMapProgram(unsigned features);
+
+class PunctualLights {
+  public:
+    // `unitLux`: irradiance that is 1 in shaders, the sun's E. Throws vct::Error where there are more lights
+    // than there is room for.
+    PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
+                   const std::vector<PunctualLight>& lights, const Volume& volume, const Bounds& boundsWorld,
+                   double unitLux);
+
+    // Moves those that move, in frames to come.
+    void setPose(const Pose& pose);
+    // Switches one on or off, in frames to come.
+    void setOn(std::size_t light, bool on) { states_.at(light).on = on; }
+    // Of all, as they are now.
+    const std::vector<PunctualLightState>& states() const { return states_; }
+    // Where each is, in volume space; for a directional one the direction towards it, and w 0.
+    std::vector<glm::dvec4> places() const;
+    // The half width of a tile, in radians, that a texel of it and the filter around it take.
+    double filterAngle() const { return 12.0 / tile_; }
+
+    // Draws the maps of those lights that have changed, or in whose reach something has.
+    void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
+    // What there is may be wrong, as a frame failed: the next update draws all maps anew.
+    void forget();
+    // For shaders that include shared/punctual_lights.glsl.
+    void bind() const;
+
+    Resources resources() const;
+
+  private:
+    struct Light {
+        PunctualLight asGiven;
+        bool usesCube;
+        int firstMap;
+        // What its maps show: where it was, and what could have moved in its reach.
+        std::optional<PunctualLightState> drawn;
+        std::vector<Placement> drawnPlacements;
+    };
+    void upload();
+    void placeMaps(const Light& light, const PunctualLightState& state);
+    glm::ivec4 tile(int map) const;  // x, y, width, height in texels
+    glm::dmat4 textureFromTile(int map) const;
+    std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
+                                   const std::vector<Placement>& placements) const;
+    void drawMaps(const GpuScene& scene, const Light& light);
+
+    std::vector<Light> lights_;
+    std::vector<PunctualLightState> states_;
+    std::vector<PunctualLightState> uploaded_;
+    Volume volume_;
+    Bounds boundsWorld_;
+    double unitLux_;
+    int maps_ = 0, perRow_ = 1, tile_ = 0;
+    MaterialPrograms programs_;
+    shared::PunctualLightBlock values_{};
+    gl::Buffer uniforms_;
+    gl::Texture depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+// What lights surfaces without a detour, and what stands in its way.
+struct DirectLight {
+    const gl::Texture* sunMap = nullptr;     // null where the picture does not read it
+    const PunctualLights* others = nullptr;  // null where the sun is the only light
+
+    void bindOthers() const {
+        if (others != nullptr) others->bind();
+    }
+};
+
+}  // namespace vct

@@ -1,0 +1,71 @@
+// Lights besides the sun: directional, point and spot (glTF's KHR_lights_punctual). Each has a shadow map, points six of them,
+// in tiles of one texture; an edge of a shadow is as sharp as the map.
+#include "shared/shadow.glsl"
+#include "shared/orthonormal.glsl"
+
+layout(std140, binding = VCT_UBO_PUNCTUAL_LIGHTS) uniform PunctualLightsBlock {
+    PunctualLightBlock punctual;
+};
+layout(binding = VCT_TEX_LIGHT_MAPS) uniform highp sampler2D lightMaps;
+
+struct LightAt {
+    vec3 towards;     // unit length
+    vec3 irradiance;  // of a surface that faces it and sees it, relative to the sun's E
+};
+
+// The extension's attenuation by distance, range and cone.
+LightAt lightAt(int i, vec3 position) {
+    PunctualLightUniforms light = punctual.light[i];
+    vec3 offset = light.place.xyz - position * light.place.w;
+    float squared = max(dot(offset, offset), 1e-12);
+    vec3 towards = offset * inversesqrt(squared);
+    float share = squared * light.backwards.w;
+    float window = clamp(1.0 - share * share, 0.0, 1.0);
+    float cone = clamp(dot(towards, light.backwards.xyz) * light.cone.x + light.cone.y, 0.0, 1.0);
+    // What halves can hold: a light may touch a surface.
+    return LightAt(towards, min(light.intensity.rgb * (window * cone * cone / squared), 6e4));
+}
+
+// Which of a cube's six maps a direction from the light meets: +x, -x, +y, -y, +z, -z.
+int cubeFace(vec3 direction) {
+    vec3 along = abs(direction);
+    int axis = along.x >= along.y && along.x >= along.z ? 0 : along.y >= along.z ? 1 : 2;
+    return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
+}
+
+// 0 where something is between the light and a surface, 1 where it is seen; between them at the shadow's edge, a texel wide.
+// As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: shadowSlack() of the normal.
+float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
+    ivec4 maps = punctual.light[i].maps;
+    LightMap map = punctual.map[maps.x + (maps.y > 1 ? cubeFace(-towards) : 0)];
+    vec4 projected = map.mapFromVolume * vec4(position, 1.0);
+    float perW = 1.0 / projected.w;
+    vec3 receiver = projected.xyz * perW;
+    // Two steps along the surface, in the map; from them what its plane gains in depth along the map's axes.
+    mat3 surface = frameAround(normal);
+    vec4 stepA = map.mapFromVolume * vec4(surface[0], 0.0);
+    vec4 stepB = map.mapFromVolume * vec4(surface[2], 0.0);
+    vec3 a = stepA.xyz - receiver * stepA.w;
+    vec3 b = stepB.xyz - receiver * stepB.w;
+    float area = a.x * b.y - a.y * b.x;
+    vec2 slope = vec2(a.z * b.y - b.z * a.y, b.z * a.x - a.z * b.x) / (abs(area) > 1e-20 ? area : 1e-20);
+    // As steep as a surface that the light meets at less than a degree.
+    float texel = map.texel.x * perW;
+    slope = clamp(slope / vec2(textureSize(lightMaps, 0)), -256.0 * texel, 256.0 * texel);
+    const float rounding = 1e-6;  // of the depth range, which is that of a projection
+    float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
+    return max(shadowFootprintLight(lightMaps, receiver, slope, slack, 2.0), 0.0);
+}
+
+// Irradiance of a surface by all of them, relative to the sun's E.
+vec3 punctualIrradiance(vec3 position, vec3 normal) {
+    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < punctual.count.x; ++i) {
+        LightAt light = lightAt(i, position);
+        float cosine = dot(normal, light.towards);
+        if (cosine <= 0.0 || light.irradiance == vec3(0.0)) continue;
+        sum += light.irradiance * (cosine * punctualVisibility(i, position, normal, light.towards, slackShare));
+    }
+    return sum;
+}

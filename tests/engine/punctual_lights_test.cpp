@@ -1,0 +1,280 @@
+// Lights besides the sun against their closed forms (KHR_lights_punctual), and against rays.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/camera.h"
+#include "support/errors.h"
+#include "support/exact_light.h"
+#include "support/frame_inspector.h"
+#include "support/playing_scene.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+constexpr double unitLux = pi;  // of a sun of intensity pi, which is where the sums are taken
+
+// At `place`, shining towards `target`.
+PunctualLight lightAt(PunctualLight::Type type, const glm::dvec3& place, const glm::dvec3& target) {
+    PunctualLight light;
+    light.type = type;
+    const glm::dvec3 up =
+        std::abs(glm::normalize(target - place).y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    light.worldFromLight = glm::inverse(glm::lookAt(place, target, up));
+    light.intensity = 4.0F;
+    light.color = {1.0F, 0.5F, 0.25F};
+    return light;
+}
+
+// Irradiance over E of a surface that sees the light: the extension's formulas.
+double irradianceOf(const PunctualLight& light, const glm::dvec3& position, const glm::dvec3& normal) {
+    const glm::dvec3 axis = -glm::dvec3(light.worldFromLight[2]);
+    if (light.type == PunctualLight::Type::directional)
+        return light.intensity * std::max(glm::dot(normal, -axis), 0.0) / unitLux;
+    const glm::dvec3 offset = glm::dvec3(light.worldFromLight[3]) - position;
+    const double distance = glm::length(offset);
+    const double cosine = std::max(glm::dot(normal, offset / distance), 0.0);
+    double share = std::clamp(1.0 - std::pow(distance / light.range, 4.0), 0.0, 1.0);
+    if (light.type == PunctualLight::Type::spot) {
+        const double outer = std::cos(light.outerConeRad), inner = std::cos(light.innerConeRad);
+        const double cone =
+            std::clamp((glm::dot(-offset / distance, axis) - outer) / (inner - outer), 0.0, 1.0);
+        share *= cone * cone;
+    }
+    return share * light.intensity * cosine / (distance * distance) / unitLux;
+}
+
+struct Row {
+    const char* name;
+    std::function<PunctualLight()> make;
+};
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
+class PunctualLightsOnAPlane : public testing::TestWithParam<Row> {};
+
+TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
+    const Context context = openContext(Backend::egl);
+    for (const char* preset : {"thesis", "mobile"}) {
+        Scene scene = lonePlane(0);
+        scene.punctualLights = {GetParam().make()};
+        Settings settings = presetSettings(preset);
+        settings.grid = 64;
+        settings.size = glm::ivec2(96);
+        DirectionalLight dark = lightFrom({0, 1, 0});
+        dark.color = glm::vec3(0.0F);
+        FrameInspector inspector(context, scene, dark, settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
+        for (const Picture mode : {VCT_MODE_GI, VCT_MODE_GI_CONE_SHADOW}) {
+            const Image picture = inspector.view(mode);
+            double brightest = 0.0;
+            int seen = 0;
+            for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+                const SurfacePixel& pixel = inspector.pixels()[i];
+                if (!pixel.surface) continue;
+                ++seen;
+                const double right = irradianceOf(scene.punctualLights[0], pixel.positionWorld, {0, 1, 0});
+                brightest = std::max(brightest, right);
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(picture.pixels[i][c], right * scene.punctualLights[0].color[c],
+                                0.01 * right + 0.001)
+                        << preset << ", mode " << mode << ", pixel " << i;
+            }
+            EXPECT_GT(seen, 3000) << preset;
+            EXPECT_GT(brightest, 0.2) << preset;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lights, PunctualLightsOnAPlane,
+    testing::Values(
+        Row{"Point",
+            [] {
+                return lightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
+            }},
+        Row{"PointWithARange",
+            [] {
+                PunctualLight light = lightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
+                light.range = 1.2;
+                return light;
+            }},
+        Row{"Spot",
+            [] {
+                PunctualLight light = lightAt(PunctualLight::Type::spot, {0.6, 1.2, 0.5}, {0.1, 0, 0});
+                light.innerConeRad = 0.2;
+                light.outerConeRad = 0.5;
+                return light;
+            }},
+        Row{"WideSpot",
+            [] {
+                PunctualLight light = lightAt(PunctualLight::Type::spot, {0.2, 0.9, 0.1}, {0.1, 0, 0});
+                light.innerConeRad = 0.8;
+                light.outerConeRad = 1.4;
+                return light;
+            }},
+        Row{"SecondSun",
+            [] {
+                PunctualLight light = lightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0});
+                return light;
+            }}),
+    [](const auto& row) { return row.param.name; });
+
+// A room with walls without thickness, and a table in it.
+Scene roomAtNight(std::vector<PunctualLight> lights) {
+    Scene scene = closedBox(0);
+    scene.materials[0].baseColor = glm::vec4(0.6F, 0.6F, 0.6F, 1.0F);
+    addBox(scene, {0.7, 0.05, 0.5}, {0.1, -0.4, 0.1});
+    addBox(scene, {0.1, 0.6, 0.1}, {0.1, -0.7, 0.1});
+    scene = finished(std::move(scene));
+    scene.punctualLights = std::move(lights);
+    return scene;
+}
+
+TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
+    const Context context = openContext(Backend::egl);
+    const std::vector<PunctualLight> lights{
+        lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}),
+        lightAt(PunctualLight::Type::point, {0.8, -0.1, -0.7}, {0, 0, 0}),
+        lightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1})};
+    for (const PunctualLight& light : lights) {
+        const Scene scene = roomAtNight({light});
+        const ExactLight exact(scene);
+        Settings settings = presetSettings("mobile");
+        settings.size = glm::ivec2(256);
+        DirectionalLight dark = lightFrom({0, 1, 0});
+        dark.color = glm::vec3(0.0F);
+        FrameInspector inspector(context, scene, dark, settings,
+                                 lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
+        const Image picture = inspector.view(VCT_MODE_SHADOW_MAP);
+        const glm::dvec3 place(light.worldFromLight[3]);
+        int wrong = 0, judged = 0, litInTheDark = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const SurfacePixel& pixel = inspector.pixels()[i];
+            const double right = irradianceOf(light, pixel.positionWorld, pixel.normal);
+            const int triangle = exact.triangleAt(pixel.positionWorld, pixel.normal);
+            if (right < 0.02 || triangle < 0) continue;
+            const glm::dvec3 on = exact.onPlane(pixel.positionWorld, triangle);
+            const glm::dvec3 towards = glm::normalize(place - on);
+            // Nothing is behind the light: walls are outside of it.
+            bool blocked = false;
+            for (const ExactLight::Triangle& other : exact.triangles()) {
+                const double ahead = glm::dot(other.normal, towards);
+                if (std::abs(ahead) < 1e-9) continue;
+                const double at = glm::dot(other.normal, other.a - on) / ahead;
+                if (at < 1e-4 || at > glm::distance(place, on) - 1e-6) continue;
+                const glm::dvec3 p = on + at * towards - other.a;
+                const glm::dvec3 u = other.b - other.a, v = other.c - other.a;
+                const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
+                const double s = (glm::dot(p, u) * vv - glm::dot(p, v) * uv) / (uu * vv - uv * uv);
+                const double t = (glm::dot(p, v) * uu - glm::dot(p, u) * uv) / (uu * vv - uv * uv);
+                blocked = blocked || (s >= 0.0 && t >= 0.0 && s + t <= 1.0);
+            }
+            ++judged;
+            // Mode 2 adds an ambient light.
+            const double seen = (picture.pixels[i].r / pixel.albedo.r - 0.05) / right;
+            if (std::abs(seen - (blocked ? 0.0 : 1.0)) > 0.02) ++wrong;
+            if (blocked && seen > 0.5) ++litInTheDark;
+        }
+        std::printf("  %d of %d pixels are not what rays say; lit in the dark %d\n", wrong, judged,
+                    litInTheDark);
+        EXPECT_GT(judged, 15000);
+        EXPECT_LE(wrong, judged / 40);  // along the shadows' edges, a texel and a pixel wide
+        EXPECT_LE(litInTheDark, judged / 150);
+    }
+}
+
+TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
+    const Context context = openContext(Backend::egl);
+    const PunctualLight stays = lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
+    const PunctualLight goes = lightAt(PunctualLight::Type::point, {0.5, 0.2, -0.5}, {0, 0, 0});
+    const Scene both = roomAtNight({stays, goes});
+    const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
+    const DirectionalLight none = chooseLight(both);
+    for (const char* preset : {"thesis", "mobile"}) {
+        Settings settings = presetSettings(preset);
+        settings.grid = 64;
+        settings.size = glm::ivec2(96);
+        Renderer renderer = makeRenderer(context, both, none, settings);
+        for (int i = 0; i < settings.lightFrames; ++i)
+            renderer.frame(Mode::gi, camera);
+        const Image before = renderer.radiance();
+        renderer.setLightOn(1, false);
+        for (int i = 0; i < settings.lightFrames; ++i)
+            renderer.frame(Mode::gi, camera);
+        const Image after = renderer.radiance();
+        Renderer fresh = makeRenderer(context, both, none, settings);
+        fresh.setLightOn(1, false);
+        fresh.renderConverged(Mode::gi, camera);
+        const Image right = fresh.radiance();
+        // Noise of the cones aside: their sum.
+        double difference = 0.0, sum = 0.0, change = 0.0;
+        for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+            difference += after.pixels[i].g - right.pixels[i].g;
+            change += std::abs(before.pixels[i].g - right.pixels[i].g);
+            sum += right.pixels[i].g;
+        }
+        std::printf("  %s: left %.2f %%, it was %.0f %% of the light\n", preset, 100.0 * difference / sum,
+                    100.0 * change / sum);
+        EXPECT_GT(change, 0.3 * sum) << preset;
+        EXPECT_LE(std::abs(difference), 0.005 * sum) << preset;
+    }
+}
+
+TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = roomAtNight({lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})});
+    Settings settings = mobileAt(48);
+    settings.lightFrames = 1;
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+    const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
+    renderer.frame(Mode::gi, camera);
+    const Image first = renderer.radiance();
+    renderer.timer().startRecording();
+    renderer.frame(Mode::gi, camera);
+    const StepTimes times = renderer.timer().stopRecording();
+    for (const Step step : {Step::shadowMap, Step::voxelize, Step::mipmap})
+        EXPECT_EQ(times.stepMs[static_cast<std::size_t>(step)].at(0), 0.0) << stepName(step);
+    EXPECT_TRUE(renderer.radiance().pixels == first.pixels);
+}
+
+// Lights that stand, one that an object carries, and one that shines on a part of the scene only.
+TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0.4, 0.5, -0.2}}, {"scale", {0.6, 1.0, 0.3}}});
+    const int box =
+        addCube(builder, {0.8F, 0.1F, 0.1F}, {{"translation", {-1, 0.5, 0}}, {"scale", {0.5, 0.5, 0.5}}});
+    builder.animate(box, "translation", {0, 2}, {-1, 0.6F, -1, 1.2F, 0.7F, -0.8F});
+    Scene scene = load(builder);
+    scene.punctualLights = {lightAt(PunctualLight::Type::point, {0.2, 1.6, 0.4}, {0, 0, 0}),
+                            lightAt(PunctualLight::Type::spot, {-1.5, 2.0, 1.0}, {0, 0, 0})};
+    scene.punctualLights[1].range = 2.5;
+    // So near to what stands still that it alone decides what 8 bits hold, whatever the others come near to.
+    scene.punctualLights.push_back(lightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
+    for (const bool carried : {false, true}) {
+        if (carried) {
+            PunctualLight lamp = lightAt(PunctualLight::Type::point, {0, 0, 0}, {0, -1, 0});
+            lamp.node = 0;
+            scene.punctualLights.push_back(posed(lamp, poseAt(scene.animation, 0.0)));
+        }
+        const Settings settings = mobileAt(64);
+        PlayingScene stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.3, 0.5, 1.6})
+            expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+    }
+}
+
+TEST(PunctualLights, MoreThanThereIsRoomForIsAnError) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = roomAtNight(
+        std::vector<PunctualLight>(17, lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})));
+    expectMentions(errorOf([&] { makeRenderer(context, scene, chooseLight(scene), mobileAt(32)); }),
+                   {"17 lights besides the sun", "room for 16"});
+}
+
+}  // namespace
+}  // namespace vct::test
