@@ -205,7 +205,9 @@ struct PunctualLightUniforms {
 // A shadow map of one of them: a tile of the texture that all share.
 struct LightMap {
     mat4 mapFromVolume;  // projective: coordinates in the texture, and depth, all in [0, 1]
-    vec4 texel;          // x: depth that is a quarter of a texel wide, at the distance w = 1
+    // At the distance w = 1: x: depth that is a quarter of a texel wide; there it falls with 1 / w. y: depth that the
+    // volume's side has; it falls with 1 / w^2.
+    vec4 depth;
 };
 struct PunctualLightBlock {
     ivec4 count;  // x: of the lights that shine

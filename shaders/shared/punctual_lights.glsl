@@ -50,9 +50,11 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     float area = a.x * b.y - a.y * b.x;
     vec2 slope = vec2(a.z * b.y - b.z * a.y, b.z * a.x - a.z * b.x) / (abs(area) > 1e-20 ? area : 1e-20);
     // As steep as a surface that the light meets at less than a degree.
-    float texel = map.texel.x * perW;
+    float texel = map.depth.x * perW;
     slope = clamp(slope / vec2(textureSize(lightMaps, 0)), -256.0 * texel, 256.0 * texel);
-    const float rounding = 1e-6;  // of the depth range, which is that of a projection
+    const float roundedPosition = 1e-4;  // in sides of the volume: one from a G-buffer, of a near wall in a map
+    const float roundedDepth = 1e-6;
+    float rounding = roundedPosition * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
     return max(shadowFootprintLight(lightMaps, receiver, slope, slack, 2.0), 0.0);
 }

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "engine/frame_uniforms.h"
-#include "engine/passes/punctual_lights.h"
+#include "engine/lamp_light.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 
@@ -41,8 +41,7 @@ float faceSumUnits(std::size_t triangles) {
 
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
                         int grid) {
-    const PunctualLightSums lamps =
-        punctualLightSums(scene, volumeAround(scene.boundsWorld, grid).voxelSize());
+    const LampLight lamps = lampLight(scene, volumeAround(scene.boundsWorld, grid).voxelSize());
     // What all emitters send, and what all surfaces absorb of it.
     double sent = lamps.fluxOverPi, absorbed = 0.0;
     auto brightest = static_cast<float>(lamps.brightest);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 
 #include "core/error.h"
 #include "engine/frame_uniforms.h"
@@ -29,43 +27,6 @@ constexpr double widestMapRad = 1.05;
 // Of the farthest thing that a light reaches: what is nearer than that casts no shadow.
 constexpr double nearShare = 1e-3;
 
-// Ericson 2005, "Real-Time Collision Detection", section 5.1.5.
-double distanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                          const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-    if (d1 <= 0.0 && d2 <= 0.0) return glm::length(ap);
-    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-    if (d3 >= 0.0 && d4 <= d3) return glm::length(bp);
-    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-    if (d6 >= 0.0 && d5 <= d6) return glm::length(cp);
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return glm::length(ap - ab * (d1 / (d1 - d3)));
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return glm::length(ap - ac * (d2 / (d2 - d6)));
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-        return glm::length(bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))));
-    return glm::length(ap - (ab * vb + ac * vc) / (va + vb + vc));
-}
-
-double distanceToScene(const Scene& scene, const glm::dvec3& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        std::vector<glm::dvec3> world;
-        world.reserve(mesh.vertices.size());
-        for (const Vertex& vertex : mesh.vertices)
-            world.emplace_back(instance.worldFromObject *
-                               glm::dvec4(mesh.centre + glm::dvec3(vertex.position), 1.0));
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-            nearest =
-                std::min(nearest, distanceToTriangle(place, world[mesh.indices[i]],
-                                                     world[mesh.indices[i + 1]], world[mesh.indices[i + 2]]));
-    }
-    return nearest;
-}
-
 const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
     if (lights.size() > VCT_MAX_PUNCTUAL_LIGHTS)
         throw Error("the scene has " + std::to_string(lights.size()) +
@@ -84,23 +45,6 @@ glm::dmat4 viewOfCube(int face, const glm::dvec3& place) {
 }
 
 }  // namespace
-
-PunctualLightSums punctualLightSums(const Scene& scene, double voxelSize) {
-    PunctualLightSums sums;
-    for (const PunctualLight& light : scene.punctualLights) {
-        if (light.type == Type::directional) {
-            sums.brightest = std::max(sums.brightest, double{light.intensity});
-            continue;
-        }
-        const double distance =
-            std::max(distanceToScene(scene, glm::dvec3(light.worldFromLight[3])), voxelSize);
-        sums.brightest = std::max(sums.brightest, light.intensity / (distance * distance));
-        const double cosOuter = light.type == Type::spot ? std::cos(light.outerConeRad) : -1.0;
-        sums.fluxOverPi += 2.0 * (1.0 - cosOuter) * light.intensity;
-    }
-    sums.brightest /= glm::pi<double>();
-    return sums;
-}
 
 gl::ProgramDescription lightMapProgram(unsigned features) {
     gl::ProgramDescription program = shadowMapProgram(features);
@@ -199,15 +143,17 @@ void PunctualLights::upload() {
 
 void PunctualLights::placeMaps(const Light& light, const PunctualLightState& state) {
     const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
-    const auto set = [&](int map, const glm::dmat4& tileFromVolume, double quarterTexel) {
+    const auto set = [&](int map, const glm::dmat4& tileFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map].mapFromVolume = glm::mat4(textureFromTile(map) * tileFromVolume);
-        values_.map[map].texel = glm::vec4(quarterTexel, 0.0, 0.0, 0.0);
+        values_.map[map].depth = glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0);
     };
     if (light.asGiven.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
-        set(light.firstMap,
-            shadowFromWorld(sun, boundsWorld_, tile_ - 2 * margin) * glm::inverse(volumeFromWorld),
-            0.25 / tile_);
+        const glm::dmat4 tileFromVolume =
+            shadowFromWorld(sun, boundsWorld_, tile_ - 2 * margin) * glm::inverse(volumeFromWorld);
+        // The depth range is no shorter than the map is wide.
+        set(light.firstMap, tileFromVolume, 0.25 / tile_,
+            glm::length(glm::transpose(glm::dmat3(tileFromVolume))[2]));
         return;
     }
     const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
@@ -222,14 +168,15 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const glm::dmat4 tileFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                     glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                     glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
-    // A texel's width grows with the distance, and depth with one over it.
-    const double quarterTexel = 0.5 * tanHalf / tile_ * far * near / (far - near);
+    // Depth is a - b / w.
+    const double b = far * near / (far - near);
+    const double quarterTexel = 0.5 * tanHalf / tile_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
         const glm::dmat4 view = light.usesCube
                                     ? viewOfCube(i, place)
                                     : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
-        set(light.firstMap + i, tileFromView * view, quarterTexel);
+        set(light.firstMap + i, tileFromView * view, quarterTexel, b);
     }
 }
 

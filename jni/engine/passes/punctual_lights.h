@@ -14,15 +14,6 @@
 
 namespace vct {
 
-// What the lights of a scene besides the sun make of it: the radiance of a white surface where they give
-// most, at the scene's surfaces but no nearer than a voxel, and the flux that all send, over pi. Scene's
-// units.
-struct PunctualLightSums {
-    double brightest = 0.0;
-    double fluxOverPi = 0.0;
-};
-PunctualLightSums punctualLightSums(const Scene& scene, double voxelSize);
-
 gl::ProgramDescription lightMapProgram(unsigned features);
 
 class PunctualLights {
