@@ -15,7 +15,7 @@
 namespace vct::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float noNumber = std::numeric_limits<float>::quiet_NaN();
 const float half = std::sqrt(0.5F);
 
 // Where instance 0 is at a time.
@@ -307,12 +307,12 @@ TEST(Animation, KeysThatAreNotValidAreOneErrorThatNamesTheChannel) {
         {"unsorted keys", {1, 0}, two},
         {"unsorted keys", {1, 1}, two},
         {"negative or not a number", {-1, 0}, two},
-        {"negative or not a number", {0, nan}, two},
+        {"negative or not a number", {0, noNumber}, two},
         {"negative or not a number", {0, std::numeric_limits<float>::infinity()}, two},
         {"2 values for 3 keys, where 3 are needed", {0, 1, 2}, two},
         {"2 values for 1 keys", {0}, two},
         {"zero length for key 1", {0, 1}, {0, 0, 0, 1, 0, 0, 0, 0}},
-        {"not a usable number", {0, 1}, {0, 0, 0, 1, 0, nan, 0, 1}},
+        {"not a usable number", {0, 1}, {0, 0, 0, 1, 0, noNumber, 0, 1}},
         {"not a usable number", {0, 1}, {0, 0, 0, 1, 0, 3e38F, 0, 1}},
     };
     for (const Keys& keys : wrong) {

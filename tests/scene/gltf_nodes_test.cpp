@@ -132,13 +132,13 @@ TEST(GltfNodes, LightsShineAlongMinusZAndScaleIsIgnored) {
 }
 
 TEST(GltfNodes, LightsThatAreNoneAreNamed) {
-    const std::vector<std::pair<json, std::string>> damages{
+    const std::vector<std::pair<json, std::string>> unusable{
         {{{"type", "area"}}, "type 'area'"},
         {{{"type", "point"}, {"range", -1}}, "range"},
         {{{"type", "point"}, {"intensity", -1}}, "negative intensity"},
         {{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}, "cone angles"},
         {{{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}, "cone angles"}};
-    for (const auto& [light, named] : damages) {
+    for (const auto& [light, named] : unusable) {
         GltfBuilder builder;
         builder.triangle();
         builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
