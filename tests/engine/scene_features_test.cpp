@@ -80,7 +80,7 @@ Settings featureSettings(const std::string& preset) {
     return settings;
 }
 
-const Camera camera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
+const Camera obliqueCamera = lookAt({0, 2, 3}, {0, 0, 0}, 40);
 
 Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
     const Context context = openContext(Backend::egl);
@@ -89,7 +89,7 @@ Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::g
     int frames = 0;
     const auto frame = [&] {
         if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
-        renderer.frame(mode, camera);
+        renderer.frame(mode, obliqueCamera);
     };
     frame();
     frame();
