@@ -223,7 +223,7 @@ void run(int framesWithoutWindow, const std::string& out) {
     options.height = window.height();
     options.radiance = false;
     options.irradiance = options.sunVisibility = true;
-    vct::GlobalIllumination light(Window::getProcAddress, scene, options);
+    vct::GlobalIllumination renderer(Window::getProcAddress, scene, options);
 
     std::vector<Drawable> drawables{{roomShape, scene.materials[0].baseColor, translation({})},
                                     {boxShape, scene.materials[1].baseColor, boxPlace},
@@ -234,7 +234,7 @@ void run(int framesWithoutWindow, const std::string& out) {
     for (float seconds = 0; window.next(); seconds += 0.05F) {
         if (window.width() != options.width || window.height() != options.height) {
             targets.emplace(options.width = window.width(), options.height = window.height());
-            light.resize(options.width, options.height);
+            renderer.resize(options.width, options.height);
         }
         const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
         const Matrix4 cameraFromWorld = translation({0, 0, -5.5F});
@@ -246,10 +246,11 @@ void run(int framesWithoutWindow, const std::string& out) {
         drawGBuffer(*targets, gBufferProgram, drawables, product(clipFromCamera, cameraFromWorld));
 
         // In each frame: what has moved, and the pictures.
-        light.setSun({towardsSun[0], towardsSun[1], towardsSun[2]});
-        light.setTransform(2, vct::Matrix::of(drawables[2].worldFromObject.data()));
+        renderer.setSun({towardsSun[0], towardsSun[1], towardsSun[2]});
+        renderer.setTransform(2, vct::Matrix::of(drawables[2].worldFromObject.data()));
         const vct::View view{vct::Matrix::of(cameraFromWorld.data()), vct::Matrix::of(clipFromCamera.data())};
-        const vct::Pictures pictures = light.render(view, {targets->albedo, targets->normal, targets->depth});
+        const vct::Pictures pictures =
+            renderer.render(view, {targets->albedo, targets->normal, targets->depth});
 
         shade(*targets, shadeProgram, pictures, towardsSun);
         if (framesWithoutWindow > 0) continue;

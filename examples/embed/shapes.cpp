@@ -47,6 +47,11 @@ Matrix4 translation(Vector by) {
     return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, by[0], by[1], by[2], 1};
 }
 
+Matrix4 rotationAboutX(float degrees) {
+    const float c = std::cos(degrees * pi / 180.0F), s = std::sin(degrees * pi / 180.0F);
+    return {1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1};
+}
+
 Matrix4 perspective(float verticalDegrees, float aspect, float near, float far) {
     const float f = 1.0F / std::tan(verticalDegrees * pi / 360.0F);
     return {f / aspect,

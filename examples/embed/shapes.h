@@ -19,5 +19,6 @@ Shape box(Vector halfSize, bool inside);
 Shape ball(float radius);
 
 Matrix4 translation(Vector by);
+Matrix4 rotationAboutX(float degrees);
 Matrix4 perspective(float verticalDegrees, float aspect, float near, float far);
 Matrix4 product(const Matrix4& a, const Matrix4& b);

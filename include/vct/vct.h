@@ -2,8 +2,8 @@
 // Android Extension Pack's image atomics; desktop OpenGL 4.5 serves too). docs/embedding.md introduces it.
 //
 // World space is right-handed with +Y up; its unit is the metre. Colours are linear RGB (Rec. 709 primaries),
-// radiance is in any unit that the sun's illuminance is in. Matrices are in column-major order and multiply
-// column vectors from the left, as in GL and glm.
+// radiance is absolute, in the unit per steradian that the sun's illuminance is in. Matrices are in
+// column-major order and multiply column vectors from the left, as in GL and glm.
 //
 // Every function but the constructors of plain data needs the GL context to be current with which the
 // GlobalIllumination was made, and throws vct::Error, whose message names the cause and the remedy. Nothing
@@ -43,7 +43,9 @@ struct MaterialDescription {
     // as in glTF 2.0. Both are between 0 and 1.
     float metallic = 0.0F;
     float roughness = 1.0F;
-    bool doubleSided = false;  // Back faces of others are not drawn, but they cast shadows.
+    // The triangles of others are seen from their front alone and vanish from behind, but cast shadows either
+    // way.
+    bool doubleSided = false;
 };
 
 // Triangles of one material, in object space. The spans are read by the constructor of GlobalIllumination
@@ -79,7 +81,9 @@ struct SceneDescription {
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     Sun sun;
-    std::array<float, 3> skyRadiance{0, 0, 0};  // of directions that leave the scene
+    // Of directions that leave the scene: absolute as the sun's illuminance is, so beside 100000 lux a sky of
+    // 0.2 is black.
+    std::array<float, 3> skyRadiance{0, 0, 0};
     // The voxels fill a cube around all instances where they are at first, and around this box. What moves
     // out of the cube neither lights nor shadows anything.
     std::optional<Box> bounds;
@@ -97,7 +101,9 @@ struct Options {
 // Where the pictures are seen from. Clip space is GL's: depth from -1 (near) to 1 (far) in it.
 struct View {
     Matrix cameraFromWorld;  // a rotation and a translation
-    Matrix clipFromCamera;   // the projection, by which depth grows with distance
+    // The projection, perspective (its last row is 0 0 -1 0) or orthographic (0 0 0 1), by which depth grows
+    // with distance. By either, glossy surfaces show what they reflect towards the camera's origin.
+    Matrix clipFromCamera;
 };
 
 // A G-buffer of the caller's: names of 2D textures of the pictures' size, row 0 at the bottom. Their sampler
@@ -113,20 +119,25 @@ struct GBufferTextures {
 };
 
 // Names of 2D textures, GL_RGBA16F, row 0 at the bottom, NEAREST and CLAMP_TO_EDGE; 0 where Options does not
-// ask for it. They belong to the GlobalIllumination, and are the same ones until resize(). a is 1 on
-// surfaces; where there are none it is 0, and rgb is the sky.
+// ask for it. They are linear. They belong to the GlobalIllumination, and are the same ones until resize(). a
+// is 1 on surfaces; where there are none (depth is 1) it is 0, and rgb is the sky's radiance, in units of
+// radianceUnit(), in each of the pictures.
 struct Pictures {
     // What the camera sees, in units of radianceUnit().
     unsigned radiance = 0;
     // What surfaces receive of other surfaces, emitters and the sky, but not of the sun: 1 is the sun's
-    // illuminance. With mobile and quality, a surface that is not glossy shows the radiance, in units of
-    // radianceUnit(): baseColor * (max(dot(normal, towardsSun), 0) * sunVisibility * color + irradiance).
+    // illuminance. With the presets mobile and quality, but not with thesis, a surface that is not glossy and
+    // does not emit shows the radiance, in units of radianceUnit():
+    // baseColor * (max(dot(normal, towardsSun), 0) * sunVisibility * sun.color + irradiance),
+    // where normal and towardsSun have length 1 and sunVisibility is that picture's r.
     unsigned irradiance = 0;
-    unsigned ambientVisibility = 0;  // 1 - ambient occlusion; radiance contains no part of it
+    // These have the same number in r, g and b:
+    unsigned ambientVisibility = 0;  // 1 - ambient occlusion; with mobile and quality no part of radiance
     unsigned sunVisibility = 0;      // the soft shadow: the share of the sun's disc that is seen
 };
 
-// What SDL_GL_GetProcAddress, eglGetProcAddress and glfwGetProcAddress are, but for a cast.
+// Of the window or EGL library that made the context. Most return another type, which takes a lambda:
+// [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }.
 using GetProcAddress = void* (*)(const char* name);
 
 // A scene in GL with its voxels and their light.
@@ -182,8 +193,9 @@ class GlobalIllumination {
     std::unique_ptr<Implementation> implementation_;
 };
 
-// GLSL ES 3.10 for the shader of a G-buffer of your own: uvec2 encodeNormal(vec3 unitLength), and what
-// reverses it.
+// GLSL ES 3.10 for the shaders of a G-buffer of your own: uvec2 encodeNormal(vec3 unitLength), vec3
+// decodeNormal(uvec2 code) and vec3 safeNormalize(vec3 v). It has no #version; in a fragment shader it comes
+// after "precision highp float;" and "precision highp int;".
 std::string normalEncodingGlsl();
 
 }  // namespace vct

@@ -57,6 +57,27 @@ std::vector<Picture> picturesOf(const Options& options) {
     return pictures;
 }
 
+// The last row tells a perspective or an orthographic projection from a transposed one, whose picture would
+// be of something else without an error. The tolerance is for products, which round.
+glm::dmat4 projectionOf(const Matrix& matrix) {
+    glm::dmat4 result;
+    for (int i = 0; i < 16; ++i)
+        result[i / 4][i % 4] = matrix.columns[i];
+    const double volume = glm::determinant(result);
+    if (volume == 0.0 || !std::isfinite(volume))
+        throw Error("View::clipFromCamera has no inverse; give a projection");
+    const glm::dvec4 lastRow(result[0][3], result[1][3], result[2][3], result[3][3]);
+    const auto endsWith = [&](const glm::dvec4& row) { return glm::length(lastRow - row) < 1e-4; };
+    const bool perspective = endsWith({0, 0, -1, 0});
+    if (!perspective && !endsWith({0, 0, 0, 1}))
+        throw Error(
+            "View::clipFromCamera is no projection: its last row must be 0 0 -1 0 (perspective) or 0 0 0 1 "
+            "(orthographic); matrices are in column-major order");
+    if (result[perspective ? 3 : 2][2] > 0.0)
+        throw Error("View::clipFromCamera reverses depth; give a projection by which it grows with distance");
+    return result;
+}
+
 Camera cameraOf(const View& view) {
     const glm::dmat4 cameraFromWorld = affine(view.cameraFromWorld, "View::cameraFromWorld");
     const glm::dmat3 axes(cameraFromWorld);
@@ -65,15 +86,9 @@ Camera cameraOf(const View& view) {
         if (glm::length(product[i] - glm::dmat3(1.0)[i]) > 1e-4 || glm::determinant(axes) < 0.0)
             throw Error(
                 "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirror");
-    glm::dmat4 clipFromCamera;
-    for (int i = 0; i < 16; ++i)
-        clipFromCamera[i / 4][i % 4] = view.clipFromCamera.columns[i];
-    const double volume = glm::determinant(clipFromCamera);
-    if (volume == 0.0 || !std::isfinite(volume))
-        throw Error("View::clipFromCamera has no inverse; give a projection");
     Camera camera;
     camera.worldFromCamera = glm::inverse(cameraFromWorld);
-    camera.clipFromWorld = clipFromCamera * cameraFromWorld;
+    camera.clipFromWorld = projectionOf(view.clipFromCamera) * cameraFromWorld;
     return camera;
 }
 

@@ -39,6 +39,11 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
     if (!missing.empty())
         throw Error("the GL driver lacks " + missing + ": OpenGL ES 3.1 or desktop OpenGL 4.5 is needed");
 
+    if (!GetString(GL_VERSION))
+        throw Error(
+            "no GL context is current in this thread (glGetString(GL_VERSION) is null): make one current "
+            "first, of OpenGL ES 3.1 or desktop OpenGL 4.5, and give the getProcAddress that belongs to it");
+
     // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
     // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
     const Version version = parseVersion(stringOf(GL_VERSION));

@@ -46,7 +46,8 @@ extern PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v;
 
 using Proc = void (*)();
 
-// Resolves every entry point; throws vct::Error naming all required ones that the driver lacks.
+// Resolves every entry point; throws vct::Error naming all required ones that the driver lacks, or where no
+// context is current.
 // Optional ones are also looked for under their KHR suffix.
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user);
 

@@ -1,100 +1,17 @@
 // The library as a program sees it that embeds it: include/vct/vct.h keeps its promises.
-#include <EGL/egl.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <map>
 
+#include "api/described_scene.h"
 #include "cli/program_run.h"
 #include "engine/renderer.h"
 #include "image/compare.h"
 #include "image/image.h"
-#include "platform/contexts.h"
-#include "scene/camera.h"
 #include "support/errors.h"
-#include "support/gltf_builder.h"
-#include "support/renderers.h"
-#include "support/scenes.h"
-#include "vct/vct.h"
 
 namespace vct::test {
 namespace {
-
-constexpr int width = 96, height = 72;
-
-// A floor, a box on it, a lamp and a glossy wall, for the library and as a file.
-struct Described {
-    std::vector<float> positions, normals;
-    std::vector<std::uint32_t> indices;
-    SceneDescription scene;
-    GltfBuilder file;
-    Camera camera = lookAt({1.5, 1.2, 2.5}, {0, 0.4, 0}, 50);
-    Scene loaded;
-
-    Described() {
-        Scene box = emptyScene();
-        addBox(box, glm::dvec3(2.0));
-        indices = box.meshes[0].indices;
-        for (const Vertex& vertex : box.meshes[0].vertices)
-            for (int i = 0; i < 3; ++i) {
-                positions.push_back(vertex.position[i]);
-                normals.push_back(vertex.normal[i]);
-            }
-        add({0.8F, 0.7F, 0.6F}, {0, 0, 0}, 1, {0, -0.1, 0}, {1.5, 0.1, 1.5});
-        add({0.2F, 0.5F, 0.9F}, {0, 0, 0}, 1, {0.3, 0.4, 0}, {0.3, 0.4, 0.3});
-        add({1, 1, 1}, {4, 3, 2}, 1, {-0.9, 0.1, 0.6}, {0.1, 0.1, 0.1});
-        add({0.9F, 0.9F, 0.9F}, {0, 0, 0}, 0.4F, {0, 0.7, -1.2}, {1.2, 0.7, 0.1});
-        scene.sun.towardsSun = {0.4, 1, 0.5};
-        scene.sun.illuminance = 3;
-        scene.skyRadiance = {0.1F, 0.2F, 0.3F};
-        loaded = load(file);
-    }
-
-    void add(std::array<float, 3> color, std::array<float, 3> emission, float roughness, glm::dvec3 centre,
-             glm::dvec3 halfSize) {
-        const glm::dmat4 place = glm::scale(glm::translate(glm::dmat4(1.0), centre), halfSize);
-        const std::size_t index = scene.materials.size();
-        scene.materials.push_back({color, emission, 0.0F, roughness});
-        scene.meshes.push_back({positions, normals, indices, index});
-        scene.instances.push_back({index, Matrix::of(glm::value_ptr(place))});
-        file.add("materials",
-                 {{"pbrMetallicRoughness",
-                   {{"baseColorFactor", {color[0], color[1], color[2], 1}},
-                    {"metallicFactor", 0},
-                    {"roughnessFactor", roughness}}},
-                  {"emissiveFactor", {emission[0] / 4, emission[1] / 4, emission[2] / 4}},
-                  {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
-        file.node(
-            {{"mesh", file.mesh({{"attributes",
-                                  {{"POSITION", file.floats(positions)}, {"NORMAL", file.floats(normals)}}},
-                                 {"indices", file.accessor(indices, uint32, "SCALAR")},
-                                 {"material", index}})},
-             {"matrix", scene.instances.back().worldFromObject.columns}});
-    }
-
-    View view() const {
-        const glm::dmat4 projection =
-            clipFromWorld(camera, loaded.boundsWorld, double{width} / height) * camera.worldFromCamera;
-        return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
-                Matrix::of(glm::value_ptr(projection))};
-    }
-};
-
-Options optionsOf(const std::string& preset) {
-    Options options;
-    options.preset = preset;
-    options.grid = 64;
-    options.width = width;
-    options.height = height;
-    options.irradiance = options.ambientVisibility = options.sunVisibility = true;
-    return options;
-}
-
-void* getProcAddress(const char* name) {
-    return reinterpret_cast<void*>(eglGetProcAddress(name));
-}
 
 Image imageOf(unsigned texture, double scale = 1.0, int w = width, int h = height) {
     GLuint framebuffer = gl::generate(gl::GenFramebuffers);
@@ -117,12 +34,6 @@ double mean(const Image& image) {
         sum += double{pixel.r} + pixel.g + pixel.b;
     return sum / (3.0 * static_cast<double>(image.pixels.size()));
 }
-
-class Embedded : public ::testing::Test {
-  protected:
-    std::unique_ptr<Platform> context_ = createContext(Backend::egl, false);
-    Described described_;
-};
 
 class EmbeddedPresets : public Embedded, public ::testing::WithParamInterface<const char*> {};
 
@@ -295,55 +206,6 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         gl::Viewport(3, 2, 5, 7);
     }
     expectSame("the destructor");
-}
-
-TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
-    struct Asked {
-        SceneDescription scene;
-        Options options = optionsOf("mobile");
-    };
-    const auto expectError = [&](const char* part, const std::function<void(Asked&)>& spoil) {
-        Asked wrong{described_.scene};
-        spoil(wrong);
-        const std::string error =
-            errorOf([&] { GlobalIllumination(getProcAddress, wrong.scene, wrong.options); });
-        expectMentions(error, {part});
-        EXPECT_EQ(error.find("--"), std::string::npos) << error;
-    };
-    const std::vector<std::uint32_t> beyond{0, 1, 24};
-    const std::vector<float> noNormals(72, 0.0F);
-    expectError("thesis, mobile, quality", [](Asked& asked) { asked.options.preset = "best"; });
-    expectError("64, 128, 256, 512", [](Asked& asked) { asked.options.grid = 100; });
-    expectError("no picture", [](Asked& asked) {
-        asked.options.radiance = asked.options.irradiance = asked.options.ambientVisibility =
-            asked.options.sunVisibility = false;
-    });
-    expectError("cone angle", [](Asked& asked) { asked.scene.sun.diameterDegrees = 0; });
-    expectError("no length", [](Asked& asked) { asked.scene.sun.towardsSun = {0, 0, 0}; });
-    expectError("sun's colour", [](Asked& asked) { asked.scene.sun.color = {0.5F, 0.5F, 0.5F}; });
-    expectError("sky", [](Asked& asked) { asked.scene.skyRadiance[1] = -1; });
-    expectError("no instances", [](Asked& asked) { asked.scene.instances.clear(); });
-    expectError("instance 0: there is no mesh 9", [](Asked& asked) { asked.scene.instances[0].mesh = 9; });
-    expectError("not affine", [](Asked& asked) { asked.scene.instances[0].worldFromObject.columns[3] = 1; });
-    expectError("mesh 1: there is no material 9", [](Asked& asked) { asked.scene.meshes[1].material = 9; });
-    expectError("mesh 0: an index is 24", [&](Asked& asked) { asked.scene.meshes[0].indices = beyond; });
-    expectError("normal of vertex", [&](Asked& asked) { asked.scene.meshes[0].normals = noNormals; });
-    expectError("give as many", [](Asked& asked) { asked.scene.meshes[0].normals = {}; });
-    expectError("material 0: give a base colour",
-                [](Asked& asked) { asked.scene.materials[0].baseColor[0] = 1.5F; });
-    Options nowhere = optionsOf("mobile");
-    nowhere.shaderFolder = "/nowhere";
-    GlobalIllumination withoutShaders(getProcAddress, described_.scene, nowhere);
-    expectMentions(errorOf([&] { withoutShaders.render(described_.view()); }),
-                   {"cannot read the shader /nowhere"});
-    expectMentions(errorOf([&] { GlobalIllumination(nullptr, described_.scene); }), {"null"});
-
-    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-    expectMentions(errorOf([&] { light.setTransform(0, {}); }), {"not declared to move"});
-    expectMentions(errorOf([&] { light.setTransform(9, {}); }), {"no instance 9"});
-    View scaled = described_.view();
-    scaled.cameraFromWorld.columns[0] *= 2;
-    expectMentions(errorOf([&] { light.render(scaled); }), {"not a rotation"});
 }
 
 }  // namespace

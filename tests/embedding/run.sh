@@ -14,4 +14,6 @@ cmake --build "$folder/build" >"$folder/log" 2>&1 || {
 }
 "$folder/build/embed" --headless 1 --out "$folder/first.ppm"
 "$folder/build/embed" --headless 16 --out "$folder/later.ppm"
-exec python3 tests/embedding/check.py "$folder/first.ppm" "$folder/later.ppm" docs/embedding.md examples/embed/main.cpp
+"$folder/build/triangle" "$folder/triangle.ppm"
+exec python3 tests/embedding/check.py "$folder/first.ppm" "$folder/later.ppm" "$folder/triangle.ppm" docs/embedding.md \
+    examples/embed/triangle.cpp examples/embed/main.cpp

@@ -24,6 +24,16 @@ TEST(Load, NamesEveryMissingEntryPointAtOnce) {
     EXPECT_EQ(text.find("glViewport"), std::string::npos) << text;
 }
 
+// Entry points are there without a context, but each query of theirs gives nothing.
+TEST(Load, NamesAMissingContextInPlaceOfWhatItsQueriesDoNotFind) {
+    const auto withoutContext = [](const char* name, const void*) -> Proc {
+        if (std::strcmp(name, "glGetString") != 0) return stub;
+        return reinterpret_cast<Proc>(+[](GLenum) -> const GLubyte* { return nullptr; });
+    };
+    const std::string text = test::errorOf([&] { load(withoutContext, nullptr); });
+    test::expectMentions(text, {"no GL context is current", "make one"});
+}
+
 TEST(VersionText, IsUnderstoodForEsAndDesktop) {
     const Version es = parseVersion("OpenGL ES 3.2 Mesa 22.3.6");
     EXPECT_FALSE(es.desktop);

@@ -1,0 +1,101 @@
+// A scene as a program describes it that embeds the library, and the same as a file.
+#pragma once
+
+#include <EGL/egl.h>
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <memory>
+
+#include "platform/contexts.h"
+#include "scene/camera.h"
+#include "support/gltf_builder.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+#include "vct/vct.h"
+
+namespace vct::test {
+
+// Of the pictures.
+constexpr int width = 96, height = 72;
+
+// A floor, a box on it, a lamp and a glossy wall, for the library and as a file.
+struct Described {
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+    SceneDescription scene;
+    GltfBuilder file;
+    Camera camera = lookAt({1.5, 1.2, 2.5}, {0, 0.4, 0}, 50);
+    Scene loaded;
+
+    Described() {
+        Scene box = emptyScene();
+        addBox(box, glm::dvec3(2.0));
+        indices = box.meshes[0].indices;
+        for (const Vertex& vertex : box.meshes[0].vertices)
+            for (int i = 0; i < 3; ++i) {
+                positions.push_back(vertex.position[i]);
+                normals.push_back(vertex.normal[i]);
+            }
+        add({0.8F, 0.7F, 0.6F}, {0, 0, 0}, 1, {0, -0.1, 0}, {1.5, 0.1, 1.5});
+        add({0.2F, 0.5F, 0.9F}, {0, 0, 0}, 1, {0.3, 0.4, 0}, {0.3, 0.4, 0.3});
+        add({1, 1, 1}, {4, 3, 2}, 1, {-0.9, 0.1, 0.6}, {0.1, 0.1, 0.1});
+        add({0.9F, 0.9F, 0.9F}, {0, 0, 0}, 0.4F, {0, 0.7, -1.2}, {1.2, 0.7, 0.1});
+        scene.sun.towardsSun = {0.4, 1, 0.5};
+        scene.sun.illuminance = 3;
+        scene.skyRadiance = {0.1F, 0.2F, 0.3F};
+        loaded = load(file);
+    }
+
+    void add(std::array<float, 3> color, std::array<float, 3> emission, float roughness, glm::dvec3 centre,
+             glm::dvec3 halfSize) {
+        const glm::dmat4 place = glm::scale(glm::translate(glm::dmat4(1.0), centre), halfSize);
+        const std::size_t index = scene.materials.size();
+        scene.materials.push_back({color, emission, 0.0F, roughness});
+        scene.meshes.push_back({positions, normals, indices, index});
+        scene.instances.push_back({index, Matrix::of(glm::value_ptr(place))});
+        file.add("materials",
+                 {{"pbrMetallicRoughness",
+                   {{"baseColorFactor", {color[0], color[1], color[2], 1}},
+                    {"metallicFactor", 0},
+                    {"roughnessFactor", roughness}}},
+                  {"emissiveFactor", {emission[0] / 4, emission[1] / 4, emission[2] / 4}},
+                  {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
+        file.node(
+            {{"mesh", file.mesh({{"attributes",
+                                  {{"POSITION", file.floats(positions)}, {"NORMAL", file.floats(normals)}}},
+                                 {"indices", file.accessor(indices, uint32, "SCALAR")},
+                                 {"material", index}})},
+             {"matrix", scene.instances.back().worldFromObject.columns}});
+    }
+
+    View view() const {
+        const glm::dmat4 projection =
+            clipFromWorld(camera, loaded.boundsWorld, double{width} / height) * camera.worldFromCamera;
+        return {Matrix::of(glm::value_ptr(glm::inverse(camera.worldFromCamera))),
+                Matrix::of(glm::value_ptr(projection))};
+    }
+};
+
+inline Options optionsOf(const std::string& preset) {
+    Options options;
+    options.preset = preset;
+    options.grid = 64;
+    options.width = width;
+    options.height = height;
+    options.irradiance = options.ambientVisibility = options.sunVisibility = true;
+    return options;
+}
+
+inline void* getProcAddress(const char* name) {
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
+
+class Embedded : public ::testing::Test {
+  protected:
+    std::unique_ptr<Platform> context_ = createContext(Backend::egl, false);
+    Described described_;
+};
+
+}  // namespace vct::test
