@@ -145,7 +145,8 @@ void render(const RenderOptions& options) {
     const std::vector<double> moments = momentsOf(options, scene);
     const Camera camera = cameraFromText(options.scene.camera, scene);
     const DirectionalLight light = lightFromText(options.scene.light, scene);
-    if (scene.lights.empty() && options.scene.light.find("direction") == std::string::npos)
+    if (scene.lights.empty() && scene.punctualLights.empty() &&
+        options.scene.light.find("direction") == std::string::npos)
         say("warning: the scene has no directional light; one from the upper front right is used (--light)");
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
