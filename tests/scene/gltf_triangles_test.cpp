@@ -78,10 +78,10 @@ TEST(GltfTriangles, WithoutNormalsTheyAreFlatAndVerticesAreNotShared) {
 }
 
 TEST(GltfTriangles, NormalsAreMadeUnitAndBadOnesReplaced) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
     GltfBuilder builder;
     const int positions = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
-    const int normals = builder.floats({0, 0, 0, nan, 0, 1, 0, 3, 4});
+    const int normals = builder.floats({0, 0, 0, notANumber, 0, 1, 0, 3, 4});
     builder.node({{"mesh", builder.mesh({{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}})}});
     const Scene scene = load(builder);
     const Mesh& mesh = scene.meshes.at(0);
