@@ -35,6 +35,11 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }
 
+std::vector<std::string> skyDefines(bool environment) {
+    if (environment) return {"VCT_ENVIRONMENT"};
+    return {};
+}
+
 gl::ProgramDescription voxelizing(const std::string& name, std::vector<std::string> defines,
                                   Voxelization voxelization) {
     if (voxelization == Voxelization::geometryShader)

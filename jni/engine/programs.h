@@ -20,6 +20,8 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used,
 
 // The constants of directional/cones.glsl.
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
+// What shaders/shared/sky.glsl is told of the sky.
+std::vector<std::string> skyDefines(bool environment);
 // A number as ESSL writes it, so that it comes back as it was.
 std::string number(float value);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/memory.h"
+#include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
@@ -33,7 +34,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
-      faceRadianceRange_(faceRadianceRange(scene, light, settings.skyRadiance, settings.grid)),
+      faceRadianceRange_(faceRadianceRange(scene, light, brightestSky(settings), settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
@@ -47,6 +48,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
     if (scene_.moves() && settings.voxels == Voxels::directional)
         capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6",
                              "the preset thesis does without");
+    if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
         others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
                         glm::pi<double>() * radianceUnit(light));
@@ -80,6 +82,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
+    if (environment_) environment_->bind(VCT_TEX_ENVIRONMENT);
 }
 
 void Renderer::forgetWhatWasMade() {
@@ -140,6 +143,7 @@ std::vector<std::uint32_t> Renderer::activeVoxels() const {
 Resources Renderer::resources() const {
     Resources resources = scene_.resources();
     add(resources, frameUniforms_);
+    if (environment_) add(resources, *environment_);
     if (shadowMap_) add(resources, shadowMap_->texture());
     if (others_) add(resources, others_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());

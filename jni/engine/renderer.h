@@ -112,6 +112,7 @@ class Renderer {
     DirectionalLight light_;
     Bounds boundsWorld_;
     std::size_t triangles_;
+    std::optional<gl::Texture> environment_;  // the sky, where it is not the same in all directions
     float faceRadianceRange_, largestBounceShare_;
     Volume volume_;
     GpuScene scene_;

@@ -3,12 +3,15 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "shared/layout.h"
 
 namespace vct {
+
+class Environment;
 
 // The thesis's five scenes (5.1.2); the numbers are those of shaders/shared/layout.h.
 enum class Mode {
@@ -106,6 +109,8 @@ struct Settings {
     int filterTaps = 16;                 // of softMap: comparisons in a penumbra
     float aoDistance = 0.045F;           // of the volume's side
     glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
+    // In place of skyRadiance: a picture of all directions, in the scene's unit of radiance.
+    std::shared_ptr<const Environment> environment;
     bool revoxelize = false;             // make shadow map and voxels anew in every frame, to measure that
     bool countInvocations = false;       // count what runs (shaders/shared/counters.glsl); slow
     std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid

@@ -61,7 +61,8 @@ Texture Texture::create(const std::string& label, GLenum target, GLenum format, 
     texture.width_ = width;
     texture.height_ = height;
     texture.levels_ = levels;
-    texture.bytes_ = textureBytes(format, width, height, depth, levels);
+    texture.bytes_ =
+        (target == GL_TEXTURE_CUBE_MAP ? 6 : 1) * textureBytes(format, width, height, depth, levels);
     texture.label_ = label;
     texture.bind(scratchTextureUnit);
     if (target == GL_TEXTURE_3D)
@@ -84,6 +85,12 @@ Texture Texture::make2d(const std::string& label, GLenum format, int width, int 
 Texture Texture::make3d(const std::string& label, GLenum format, int width, int height, int depth,
                         int levels) {
     Texture texture = create(label, GL_TEXTURE_3D, format, width, height, depth, levels);
+    texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
+    return texture;
+}
+
+Texture Texture::makeCube(const std::string& label, GLenum format, int side, int levels) {
+    Texture texture = create(label, GL_TEXTURE_CUBE_MAP, format, side, side, 1, levels);
     texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
     return texture;
 }

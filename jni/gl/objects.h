@@ -55,6 +55,8 @@ class Texture {
     static Texture make2d(const std::string& label, GLenum format, int width, int height, int levels = 1);
     static Texture make3d(const std::string& label, GLenum format, int width, int height, int depth,
                           int levels);
+    // Six squares.
+    static Texture makeCube(const std::string& label, GLenum format, int side, int levels);
 
     // A 2D texture that somebody else owns: it is read, and neither changed nor deleted.
     static Texture ownedElsewhere(GLuint name);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "engine/directional/directional_volume.h"
+#include "engine/environment.h"
 #include "engine/packed/packed_volume.h"
 #include "engine/passes/g_buffer.h"
 #include "engine/passes/shade.h"
@@ -28,9 +29,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
         directionalResolveProgram(),   directionalLevelsProgram(),   directionalClearBaseProgram(),
         directionalMipmapperProgram(), directionalClearProgram(),    lightProgram("light_inherit"),
         lightProgram("light_clear"),   lightProgram("light_blocks"), lightProgram("light_bricks"),
-        lightProgram("light_shine"),   shadowLevelProgram(),         staticResolveProgram(),
-        dirtyResolveProgram(),         dirtyMipmapperProgram(),      dirtyClearBaseProgram(),
-        clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
+        shadowLevelProgram(),          staticResolveProgram(),       dirtyResolveProgram(),
+        dirtyMipmapperProgram(),       dirtyClearBaseProgram(),      clearDynamicProgram(),
+        clearRadianceProgram(),        relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));
@@ -50,6 +51,13 @@ std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<Settings> variants{softMap};
     for (const std::string& preset : presetNames())
         variants.push_back(presetSettings(preset));
+    const auto sky = std::make_shared<const Environment>(Image(2, 1), "of no light");
+    for (std::size_t i = 0, count = variants.size(); i < count; ++i) {
+        variants.push_back(variants[i]);
+        variants.back().environment = sky;
+    }
+    for (const bool environment : {false, true})
+        programs.push_back(lightShineProgram(environment));
     for (const Settings& settings : variants) {
         const bool faces = settings.voxels == Voxels::directional;
         for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_IRRADIANCE); ++mode)
@@ -59,8 +67,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
                         if (faces || !gloss)
                             programs.push_back(shadeProgram(mode, {emissive, gloss}, otherLights, settings));
         if (settings.voxels != Voxels::directional) continue;
-        programs.push_back(irradianceProgram(settings.gather, GatherOf::light));
-        programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion));
+        for (const GatherOf of : {GatherOf::light, GatherOf::occlusion})
+            programs.push_back(irradianceProgram(of == GatherOf::light ? settings.gather : settings.occlusion,
+                                                 of, settings.environment != nullptr));
     }
     for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
         programs.push_back(debugViewProgram(view));
@@ -99,16 +108,17 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         }
         add(Step::voxelize, directionalResolveProgram());
         add(Step::mipmap, directionalLevelsProgram());
-        const bool occlusion = mode == Mode::ao;
+        const bool occlusion = mode == Mode::ao, environment = settings.environment != nullptr;
         add(Step::irradiance, lightProgram("light_inherit"));
         add(Step::irradiance, lightProgram("light_clear"));
         add(Step::irradiance, lightProgram("light_bricks"));
         if (!occlusion) {
-            add(Step::irradiance, lightProgram("light_shine"));
+            add(Step::irradiance, lightShineProgram(environment));
             add(Step::irradiance, directionalMipmapperProgram());
         }
-        add(Step::irradiance, irradianceProgram(occlusion ? settings.occlusion : settings.gather,
-                                                occlusion ? GatherOf::occlusion : GatherOf::light));
+        add(Step::irradiance,
+            irradianceProgram(occlusion ? settings.occlusion : settings.gather,
+                              occlusion ? GatherOf::occlusion : GatherOf::light, environment));
         add(Step::irradiance, lightProgram("light_blocks"));
     } else if (voxels) {
         add(Step::voxelize, packedClearProgram());

@@ -7,6 +7,7 @@
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
 #include "directional/received.glsl"
+#include "directional/sky_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
@@ -16,11 +17,12 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
-shared uint groupSums[4];
+const uint sums = 3u + VCT_SKY_SUMS;
+shared uint groupSums[sums];
 
 struct Gathered {
     vec3 light;
-    float sky;       // the share of the hemisphere that nothing is in
+    SkySeen sky;
     float nearness;  // mean of 1 / distance of what the cones meet, in voxels
 };
 
@@ -41,13 +43,16 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int con
     int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     vec3 ownBelow = ownFaces(plane.normal, hasBack);
-    Gathered gathered = Gathered(vec3(0.0), 0.0, 0.0);
+    Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
-        vec3 direction = frameAround(plane.normal) * gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
+        vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
+        vec3 direction = frameAround(plane.normal) * aroundNormal;
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach);
         gathered.light += cone.radiance;
-        gathered.sky += cone.transmittance;
+        // The directions share the hemisphere, weighted by the cosine.
+        float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
+        gathered.sky += skySeen(direction, solidAngle, cone.transmittance);
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
@@ -110,7 +115,7 @@ vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
 
 void main() {
     COUNT(VCT_COUNTER_IRRADIANCE);
-    if (gl_LocalInvocationIndex < 4u) groupSums[gl_LocalInvocationIndex] = 0u;
+    if (gl_LocalInvocationIndex < sums) groupSums[gl_LocalInvocationIndex] = 0u;
     barrier();
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
@@ -128,11 +133,12 @@ void main() {
         // A face without a memory looks into more directions, unless there is hardly anything of it.
         bool isNew = known == 0.0 && coverage > 0.02;
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
-        vec3 light = occlusion ? vec3(now.sky) : now.light + now.sky * frame.skyRadiance.rgb / frame.radianceRange;
+        vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
-            uvec4 sums = uvec4(vec4(now.light, now.sky) * (coverage * lightStep.sumUnits) + 0.5);
-            for (int c = 0; c < 4; ++c)
-                atomicAdd(groupSums[c], sums[c]);
+            for (uint c = 0u; c < sums; ++c) {
+                float value = c < 3u ? now.light[c] : skyWord(now.sky, c - 3u);
+                atomicAdd(groupSums[c], uint(value * (coverage * lightStep.sumUnits) + 0.5));
+            }
         }
         addToBlock(listed, light, coverage);
         Received mean = nextMean(receivedOf(i), known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
@@ -141,7 +147,7 @@ void main() {
         storeInBricks(listed, vec4(smoothed(mean.light, mean.nearness, listed, inVoxels), 1.0) * coverage);
     }
     barrier();
-    if (!occlusion && gl_LocalInvocationIndex < 4u)
+    if (!occlusion && gl_LocalInvocationIndex < sums)
         atomicAdd(received[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);
 }

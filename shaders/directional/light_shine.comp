@@ -3,6 +3,7 @@
 #include "directional/face_list.glsl"
 #include "directional/voxels.glsl"
 #include "directional/received.glsl"
+#include "directional/sky_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
@@ -37,7 +38,7 @@ vec3 towardsBalance() {
     vec3 fromFaces = sumOf(sums + VCT_SUM_RECEIVED);
     vec3 reflected = sumOf(sums + VCT_SUM_REFLECTED);
     vec3 direct = sumOf(sums + VCT_SUM_DIRECT);
-    vec3 sky = float(received[sums + VCT_SUM_SKY]) * frame.skyRadiance.rgb / frame.radianceRange;
+    vec3 sky = skyLight(skySum(sums + VCT_SUM_SKY));
     vec3 share = fromFaces / max(direct + reflected, 1.0);
     // A room where nothing is absorbed would have no bound.
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);

@@ -40,7 +40,8 @@ void storeReceived(uint face, Received value) {
 }
 
 // The sums of a step, each weighted by coverage: what the faces received before it, what they send on of that, and what they
-// send of their own, three words each; what they received in it from other faces, and how much of the sky they see.
+// send of their own, three words each; what they received in it from other faces; and what they saw of the sky
+// (directional/sky_light.glsl), one word or three.
 #define VCT_SUM_BEFORE 0u
 #define VCT_SUM_REFLECTED 3u
 #define VCT_SUM_DIRECT 6u

@@ -1,6 +1,7 @@
 // The thesis's two cone traces (4.6), with the constants of the published program.
 #include "shared/orthonormal.glsl"
 #include "shared/counters.glsl"
+#include "shared/sky.glsl"
 #include "packed/voxel_sample.glsl"
 
 // A cone this opaque is done: eight trilinear weights of a solid sample sum to 1 only up to rounding, which is
@@ -19,6 +20,7 @@ const int diffuseConeCount = 6;
 const vec3 diffuseCones[diffuseConeCount] = vec3[diffuseConeCount](
     vec3(0.0, 1.0, 0.0), vec3(0.0, 0.5, 0.866025), vec3(0.823639, 0.5, 0.267617),
     vec3(0.509037, 0.5, -0.700629), vec3(-0.509037, 0.5, -0.700629), vec3(-0.823639, 0.5, 0.267617));
+const float diffuseConeSolidAngle = 0.8418;  // 2 pi (1 - cos 30 degrees)
 // The cosine is in the weights: 1/4 and 3/20, their sum 1.
 const mediump float normalConeWeight = 0.25;
 const mediump float ringConeWeight = 0.15;
@@ -53,7 +55,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
             distance *= 2.0;
         }
         mediump float weight = i == 0 ? normalConeWeight : ringConeWeight;
-        mediump vec3 sky = max(1.0 - opacity, 0.0) * frame.skyRadiance.rgb;
+        mediump vec3 sky = max(1.0 - opacity, 0.0) * skyTowards(direction, diffuseConeSolidAngle);
         gather.radiance = gather.radiance + weight * (radiance + sky);
         gather.ambientVisibility = gather.ambientVisibility + weight * max(1.0 - nearOpacity, 0.0);
     }

@@ -1,6 +1,7 @@
 // Specular reflection of glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2,
 // Schlick's Fresnel term): of the sun as it stands there, of everything else by one cone along the mirror direction.
 #include "shared/frame.glsl"
+#include "shared/sky.glsl"
 #include "directional/cones.glsl"
 
 // From here to there the cone gives way to the gather, whose cones together fit a wide lobe better than one cone does
@@ -81,7 +82,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (transmittance < VCT_GATHER_THRESHOLD) break;
         distance += stride;
     }
-    return radiance * frame.radianceRange + transmittance * frame.skyRadiance.rgb;
+    return radiance * frame.radianceRange + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
 // What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of

@@ -4,6 +4,7 @@
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
+#include "shared/sky.glsl"
 #include "shared/surface.glsl"
 
 const int mode = VCT_MODE;
@@ -182,7 +183,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) {
-        outRadiance = vec4(frame.skyRadiance.rgb, 0.0);
+        outRadiance = vec4(skyBehind(gl_FragCoord.xy), 0.0);
         return;
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);

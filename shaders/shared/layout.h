@@ -122,6 +122,7 @@ using glm::vec4;
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
 #define VCT_TEX_LIGHT_MAPS 13
+#define VCT_TEX_ENVIRONMENT 14
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
@@ -184,7 +185,7 @@ struct FrameUniforms {
     vec4 eye;               // xyz: volume space
     vec4 towardsLight;      // xyz: unit length
     vec4 lightColor;        // rgb: largest component 1
-    vec4 skyRadiance;       // rgb: relative to E/pi
+    vec4 skyRadiance;       // rgb: relative to E/pi, where it is the same in all directions (shared/sky.glsl)
     vec2 shadowConeRadius;     // of the sun's cone in the shadow map, at one unit of its depth
     float shadowConeSine;      // of half the cone's angle
     float aoDistance;          // of the volume's side

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
 #include "lab/debug_view.h"
@@ -148,7 +149,7 @@ Spread FrameInspector::spreadOf(Picture picture) {
 }
 
 double FrameInspector::radianceRange() const {
-    return faceRadianceRange(scene_, light_, settings_.skyRadiance, settings_.grid);
+    return faceRadianceRange(scene_, light_, brightestSky(settings_), settings_.grid);
 }
 
 Words FrameInspector::packedVoxels() {

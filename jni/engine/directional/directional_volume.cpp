@@ -97,7 +97,7 @@ Irradiance& DirectionalVolume::irradiance(GatherOf of, const GpuScene& scene) {
     std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
     if (!pass)
         pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, scene.moves());
+                     settings_.lightFrames, scene.moves(), settings_.environment != nullptr);
     return *pass;
 }
 

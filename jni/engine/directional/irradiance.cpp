@@ -55,28 +55,35 @@ gl::ProgramDescription lightProgram(const std::string& name) {
     return {name, {"directional/" + name + ".comp"}, {}};
 }
 
-gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of) {
+gl::ProgramDescription lightShineProgram(bool environment) {
+    return {"light_shine", {"directional/light_shine.comp"}, skyDefines(environment)};
+}
+
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of, bool environment) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
     defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
                                                    : "VCT_GATHER_OCCLUSION false");
+    // How open the surroundings are does not depend on the sky.
+    for (const std::string& define : skyDefines(environment && of == GatherOf::light))
+        defines.push_back(define);
     return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
             {"directional/irradiance.comp"},
             defines};
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
-                       int lightFrames, bool voxelsChange)
+                       int lightFrames, bool voxelsChange, bool environment)
     : settings_(settings),
       lightFrames_(lightFrames),
       voxelsChange_(voxelsChange),
       inherit_(shaders, lightProgram("light_inherit")),
       clear_(shaders, lightProgram("light_clear")),
       placeBricks_(shaders, lightProgram("light_bricks")),
-      gather_(shaders, irradianceProgram(settings, of)),
+      gather_(shaders, irradianceProgram(settings, of, environment)),
       gatherBlocks_(shaders, lightProgram("light_blocks")),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
-    if (of == GatherOf::light) shine_.emplace(shaders, lightProgram("light_shine"));
+    if (of == GatherOf::light) shine_.emplace(shaders, lightShineProgram(environment));
     forget();
 }
 

@@ -14,16 +14,18 @@ namespace vct {
 // closed room where nothing is absorbed would have no bound.
 float largestBounceShare(const Scene& scene);
 
-// `name`: light_inherit, light_clear, light_bricks, light_blocks or light_shine.
+// `name`: light_inherit, light_clear, light_bricks or light_blocks.
 gl::ProgramDescription lightProgram(const std::string& name);
-gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of);
+// `environment`: whether the sky is a picture.
+gl::ProgramDescription lightShineProgram(bool environment);
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of, bool environment);
 
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light stands still. `voxelsChange`: others are occupied
-    // from frame to frame.
+    // from frame to frame. `environment`: the sky is a picture.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool voxelsChange);
+               bool voxelsChange, bool environment);
 
     // What happened to the voxels since the last step:
     struct Change {

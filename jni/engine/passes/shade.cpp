@@ -18,6 +18,8 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, bool oth
         defines.emplace_back("VCT_SOFT_SHADOW");
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
     }
+    for (const std::string& define : skyDefines(settings.environment != nullptr))
+        defines.push_back(define);
     const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
     if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
     if (targets.gloss && reflects)
