@@ -1,6 +1,7 @@
 #include "engine/renderer.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 #include "core/memory.h"
@@ -76,6 +77,11 @@ void Renderer::setShadowConeAngle(float degrees) {
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values =
         frameUniforms(camera, light_, boundsWorld_, volume_, settings_, scene_.boundsWith(boundsWorld_));
+    if (pictureShift_ != glm::vec2(0.0F)) {
+        const glm::vec3 ndc(2.0F * pictureShift_ / glm::vec2(settings_.size), 0.0F);
+        values.clipFromVolume = glm::translate(glm::mat4(1.0F), ndc) * values.clipFromVolume;
+        values.volumeFromWindow = glm::translate(values.volumeFromWindow, -glm::vec3(pictureShift_, 0.0F));
+    }
     values.faceSumUnits = faceSumUnits(triangles_);
     values.radianceRange = faceRadianceRange_;
     values.largestBounceShare = largestBounceShare_;

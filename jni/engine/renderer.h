@@ -52,6 +52,10 @@ class Renderer {
     // out of range.
     void resize(glm::ivec2 size);
 
+    // Shifts pictures to come by parts of a pixel, to the right and up: their mean over the square of a pixel
+    // has smooth edges. Shadow map, voxels and light stay.
+    void setPictureShift(const glm::vec2& pixels) { pictureShift_ = pixels; }
+
     // Moves what moves, in frames to come. What the pose does to cameras and lights, posed() says.
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Turns the light, in frames to come. Its strength stays, as emission is stored relative to it.
@@ -117,6 +121,7 @@ class Renderer {
     Volume volume_;
     GpuScene scene_;
     std::optional<Pose> nextPose_;
+    glm::vec2 pictureShift_{0.0F};
     gl::Buffer frameUniforms_;
     std::optional<GBuffer> gBuffer_;
     std::optional<ShadowMap> shadowMap_;

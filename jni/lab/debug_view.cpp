@@ -58,7 +58,8 @@ std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera) {
     std::vector<DebugView> parts;
     const auto add = [&](const char* name, Picture view, bool allBounces, float unit) {
         renderer.renderPart(view, camera, allBounces);
-        parts.push_back({name, readImage(renderer.output(), unit), true});
+        parts.push_back({name, readImage(renderer.output(), unit), true,
+                         view == VCT_VIEW_AO || view == VCT_VIEW_CONE_SHADOW});
     };
     const float unit = renderer.radianceScale();
     add("ambient_occlusion", VCT_VIEW_AO, true, 1.0F);

@@ -13,9 +13,10 @@ namespace vct {
 gl::ProgramDescription debugViewProgram(int view);
 
 struct DebugView {
-    std::string name;  // "g_buffer_albedo": a file name without its ending
-    Image image;       // linear RGB, scaled for the eye
-    bool hasUnits;     // false: made for the eye only, no use as data
+    std::string name;      // "g_buffer_albedo": a file name without its ending
+    Image image;           // linear RGB, scaled for the eye
+    bool hasUnits;         // false: made for the eye only, no use as data
+    bool isShare = false;  // of 1: no light, which an exposure would be of
 };
 
 // What the cones see, each alone, from `camera` when the light stands still: ambient_occlusion,

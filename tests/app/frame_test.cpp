@@ -52,8 +52,9 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     const std::string mode = GetParam();
     const Image screen = screenOf("scene=courtyard.glb pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
-    program.expectSuccess(
-        "render " VCT_SOURCE_DIR "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " + mode);
+    program.expectSuccess("render " VCT_SOURCE_DIR
+                          "/assets/courtyard.glb --grid 64 --size 120x90 --exposure 1 --out out --mode " +
+                          mode);
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
@@ -63,7 +64,7 @@ TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     ProgramRun program;
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/moving.glb --preset thesis --size 96x72 --out out "
-                          "--mode gi --time 1.5");
+                          "--exposure 1 --mode gi --time 1.5");
     EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
