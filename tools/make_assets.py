@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the scenes in assets/. Standard library only; the bytes are the same on every machine.
+"""Writes the scenes in assets/, and their skies. Standard library only; the bytes are the same on every machine.
 
     python3 tools/make_assets.py [--out DIR]
 """
@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
 from scenes import (contact, cornell, corridor, courtyard, furnace, glossy, lamp, lone_plane, moving,  # noqa: E402
-                    thin_wall)
+                    patio, thin_wall)
 
 SCENES = {
     "contact": contact.build,
@@ -24,8 +24,10 @@ SCENES = {
     "lamp": lamp.build,
     "lone_plane": lone_plane.build,
     "moving": moving.build,
+    "patio": patio.build,
     "thin_wall": thin_wall.build,
 }
+SKIES = {"patio": patio.sky}  # of a scene that lies under it
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -40,6 +42,10 @@ def main():
         path = out / f"{name}.glb"
         path.write_bytes(data)
         print(f"{path}: {len(data)} bytes, {scene.triangle_count()} triangles")
+    for name, build in SKIES.items():
+        path = out / f"{name}.hdr"
+        path.write_bytes(build())
+        print(f"{path}: {path.stat().st_size} bytes")
 
 
 if __name__ == "__main__":

@@ -5,8 +5,9 @@
     .venv/bin/python tools/references.py my.glb --size 400x400 --out out/ref  one, elsewhere
     .venv/bin/python tools/references.py --check                              are the stored ones still what comes out?
 
-Kinds, all linear RGB without tone mapping, box filter, black sky, Lambert surfaces of the base colour
-(but for `full` and `glossy`):
+Kinds, all linear RGB without tone mapping, box filter, Lambert surfaces of the base colour (but for `full` and
+`glossy`). The sky is black, or the picture SCENE.hdr beside the scene's file (equirectangular, its centre towards +X),
+and then behind the scene in `indirect` and `full`:
 
 coverage    share of the pixel in which the camera sees a surface
 direct      emission of what the camera sees + albedo E/pi n.l where nothing lies between it and the sun (a point)
@@ -40,14 +41,18 @@ import time
 
 import numpy as np
 
-from files import ROOT, write_whole
+from files import ROOT, file_sha256, write_whole
 from metrics import automatic_exposures, noise_of_halves, relmse
 from truth.exr import PictureError, read_exr, write_exr
 from truth.gltf_file import GltfError
+from truth.hdr import SkyError
+from truth.scene import sky_file
 
 # Samples per pixel; even. For noise well below the errors to be judged (relMSE of 0.0005 and more).
 SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glossy": 1024, "ao": 512,
            "sun": 256, "shadow": 512}
+# So many times as many: what glows in a sky is met by chance alone.
+UNDER_A_SKY = {"full": 4, "glossy": 4}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # of scenes with glossy materials
 INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to the sun",
@@ -78,7 +83,7 @@ def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | No
     wanted = set(kinds) | ({"direct", "indirect"} if "one-bounce" in kinds else set())
     for kind in SAMPLES:
         if kind in wanted:
-            count = samples or SAMPLES[kind]
+            count = samples or SAMPLES[kind] * (UNDER_A_SKY.get(kind, 1) if scene.sky is not None else 1)
             print(f"{scene.path.name} {kind}: {count} samples, ", end="", flush=True)
             start = time.monotonic()
             drawn[kind] = draw(world, scene, kind, size, count, SEED), count
@@ -96,6 +101,7 @@ def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
     return {
         "scene": scene.path.name,
         "scene_sha256": scene.sha256,
+        **({"sky_sha256": file_sha256(sky_file(scene.path))} if scene.sky is not None else {}),
         "size": list(size),
         "mitsuba": engine.mi.__version__,
         "variant": engine.VARIANT,
@@ -195,7 +201,7 @@ def main() -> int:
             with tempfile.TemporaryDirectory() as folder:
                 make(path, pathlib.Path(folder), args.kinds, args.size, args.spp)
                 changed = differing(out, pathlib.Path(folder))
-        except GltfError as error:
+        except (GltfError, SkyError) as error:
             sys.exit(f"error: {error}")
         print(f"{path.name}: {'differs: ' + ', '.join(changed) if changed else 'the same, bit for bit'}")
         bad += bool(changed)

@@ -6,7 +6,7 @@ import numpy as np
 import PIL.Image
 import pytest
 
-from scenes import shapes
+from scenes import radiance, shapes
 from truth.scene import triangle_corners
 
 DOWN = (0, -1, 0)
@@ -40,6 +40,31 @@ def test_a_lit_plane_is_albedo_times_irradiance_over_pi_times_cosine(maker):
     np.testing.assert_allclose(sun.mean((0, 1)), expected, rtol=1e-3)
     assert indirect.max() == 0
     assert shadow.min() == 1 and ao.min() == 1
+
+
+def test_a_sky_that_grows_along_the_axes_lights_each_side_by_its_closed_form(maker):
+    """Radiance (1 + d) / 2 in red towards +X, green towards +Y, blue towards +Z: a surface with the normal n receives
+    1/2 + n/3. (Which way a sky is turned about the vertical a floor does not tell: the next test does.)"""
+    maker.path.with_suffix(".hdr").write_bytes(radiance.picture(128, lambda *d: [(1 + c) / 2 for c in d]))
+    floor(maker, maker.grey(0.5))
+    look_down(maker)
+    full, indirect = maker.draw("full", "indirect", samples=256)
+    expected = 0.5 * np.array([1 / 2, 1 / 2 + 1 / 3, 1 / 2])
+    np.testing.assert_allclose(full.mean((0, 1)), expected, rtol=0.01)
+    np.testing.assert_allclose(indirect.mean((0, 1)), expected, rtol=0.01)
+
+
+def test_behind_the_scene_is_the_sky(maker):
+    """Looking down past a small floor: straight down is the nadir, and +x is to the right."""
+    maker.path.with_suffix(".hdr").write_bytes(radiance.picture(128, lambda x, y, z: [(1 + x) / 2, (1 + y) / 2, (1 + z) / 2]))
+    floor(maker, maker.grey(), half=0.01)
+    look_down(maker, degrees=60)
+    full, direct = maker.draw("full", "direct", samples=4)
+    edge = math.tan(math.radians(30)) * 15 / 16
+    x = edge / math.sqrt(1 + edge * edge)
+    assert full[8, 15, 0] == pytest.approx((1 + x) / 2, abs=0.03) and full[8, 0, 0] == pytest.approx((1 - x) / 2, abs=0.03)
+    assert full[0, 8, 2] == pytest.approx((1 - x) / 2, abs=0.03)  # -z is up
+    assert direct.max() == 0
 
 
 def test_the_sun_is_five_degrees_wide(maker):

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from truth.scene import sky_file
+
 MODES = ("phong", "shadow-map", "ao", "gi", "gi-cone-shadow")
 
 
@@ -65,7 +67,9 @@ class Point:
 
     def arguments(self) -> list[str]:
         """The settings as arguments of `vct render`."""
-        return [part for setting in SETTINGS for part in (setting.flag, str(self.settings[setting.name]))]
+        sky = sky_file(self.scene)
+        return [part for setting in SETTINGS for part in (setting.flag, str(self.settings[setting.name]))] + (
+            ["--environment", str(sky)] if sky else [])
 
     def key(self, identity: dict[str, str]) -> str:
         """Names the point's result: the same settings, program and scene give the same key."""

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from .engine import dr, mi
-from .kinds import ESTIMATORS, World
+from .kinds import ESTIMATORS, SHOWS_SKY, World
 from .points import pixel_offsets, point
 from .scene import Scene
 from .surfaces import unit_vector
@@ -35,7 +35,7 @@ def camera_rays(scene: Scene, size: tuple[int, int], pixel, across, down):
 @dr.syntax
 def sum_of_pass(world, scene, kind: str, size: tuple[int, int], seed: int, first: int, count: int):
     """The sum of samples [first, first + count) of every pixel, as a wavefront of pixels."""
-    estimate = ESTIMATORS[kind]
+    estimate, shows_sky = ESTIMATORS[kind], kind in SHOWS_SKY
     pixel = dr.arange(mi.UInt32, size[0] * size[1])
     offsets = pixel_offsets(pixel, dr.opaque(mi.UInt32, seed))
     state, stream = mi.sample_tea_32(pixel, dr.opaque(mi.UInt32, seed ^ (first * 0x85EBCA6B & 0xFFFFFFFF)))
@@ -48,7 +48,8 @@ def sum_of_pass(world, scene, kind: str, size: tuple[int, int], seed: int, first
         hit = world.surfaces.meet(origin, direction, mi.Bool(True), camera=True)
         surface = world.surfaces.surface(hit, direction)
         value = estimate(world, surface, numbers, random, hit.valid)
-        total += dr.select(hit.valid, value, 0)
+        behind = world.sky.radiance(direction, ~hit.valid) if shows_sky else mi.Color3f(0)
+        total += dr.select(hit.valid, value, behind)
         sample += 1
     return total
 

@@ -1,6 +1,7 @@
 """What each kind of reference is: for one camera ray's surface, an estimate of its value.
 
-All surfaces are Lambert ones of their base colour, but for `full` and `glossy`. The sky is black. A single-sided back
+All surfaces are Lambert ones of their base colour, but for `full` and `glossy`. The sky is black where the scene has no
+picture of it. A single-sided back
 reflects and emits nothing, and blocks light; the camera alone looks through it. See references.py for the kinds in
 words.
 """
@@ -9,6 +10,7 @@ import math
 from .engine import dr, mi
 from .glossy import brdf_of, reflected_sun
 from .lights import Emitters, Sun, leave, tangent_frame
+from .sky import Sky
 from .scene import AO_DISTANCE, Scene
 from .surfaces import Surface, Surfaces
 
@@ -19,6 +21,7 @@ class World:
     def __init__(self, scene: Scene):
         self.surfaces, self.sun = Surfaces(scene), Sun(scene)
         self.emitters = Emitters(scene, self.surfaces)
+        self.sky = Sky(scene.sky)
 
 
 def cosine_direction(surface: Surface, a, b):
@@ -48,6 +51,7 @@ def indirect(world, surface, numbers, random, active):
     there = world.surfaces.surface(hit, direction)
     weight = world.emitters.weight_of_hit(world.surfaces, there, hit, surface.position, pdf)
     gathered = dr.select(hit.valid, there.emission * weight + world.sun.direct(world.surfaces, there, hit.valid), 0)
+    gathered += world.sky.radiance(direction, active & leaves & ~hit.valid)
     gathered += world.emitters.light(world.surfaces, surface, numbers[4], mi.Point2f(numbers[5], numbers[6]), active)
     return surface.albedo * gathered
 
@@ -76,6 +80,7 @@ def lambert_full(world, surface, numbers, random, active):
         there = world.surfaces.surface(hit, direction)
         weight = world.emitters.weight_of_hit(world.surfaces, there, hit, here.position, pdf)
         result += dr.select(hit.valid, throughput * there.emission * weight, 0)
+        result += throughput * world.sky.radiance(direction, active & leaves & ~hit.valid)
         throughput *= there.albedo
         position, facing, normal = there.position, there.facing, there.normal
         bounce += 1
@@ -91,7 +96,8 @@ def lambert_light_along(world, surface, direction, numbers, random, active):
     hit = world.surfaces.meet(leave(surface), direction, leaves)
     there = world.surfaces.surface(hit, direction)
     fresh = [random.next_float32() for _ in numbers]
-    return dr.select(hit.valid, lambert_full(world, there, fresh, random, hit.valid), 0)
+    sky = world.sky.radiance(direction, leaves & ~hit.valid)
+    return dr.select(hit.valid, lambert_full(world, there, fresh, random, hit.valid), sky)
 
 
 def full(world, surface, numbers, random, active):
@@ -128,4 +134,5 @@ def shadow(world, surface, numbers, random, active):
     return dr.select(lit > 0, mi.Color3f(1), 0)
 
 
+SHOWS_SKY = {"indirect", "full"}  # behind the scene, as the program's pictures do
 ESTIMATORS = {f.__name__: f for f in (coverage, albedo, direct, indirect, full, glossy, ao, sun, shadow)}

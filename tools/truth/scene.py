@@ -10,6 +10,7 @@ import pathlib
 import numpy as np
 
 from .gltf_file import GltfError, GltfFile
+from .hdr import read_sky
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
 
 GRID, PADDING_VOXELS = 256, 2.5  # jni/engine/volume.cpp, at the grid of all measurements
@@ -46,6 +47,7 @@ class Scene:
     textures: list[Texture]
     camera: Camera
     sun: Sun
+    sky: np.ndarray | None  # (height, width, 3), radiance; None: black
 
     @property
     def ao_distance_world(self) -> float:
@@ -148,8 +150,9 @@ def find_camera(document: dict, placed: list, path: pathlib.Path) -> tuple[str, 
     raise GltfError(f"{path}: no perspective camera in the scene; a reference needs one")
 
 
-def find_sun(document: dict, placed: list) -> Sun:
-    """The first directional light (KHR_lights_punctual); the program's own default where there is none."""
+def find_sun(document: dict, placed: list, shines: bool) -> Sun:
+    """The first directional light (KHR_lights_punctual); the program's own default where there is none. `shines`: the
+    scene is lit by something else, and has no default."""
     lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
     for node, world in placed:
         use = node.get("extensions", {}).get("KHR_lights_punctual")
@@ -157,7 +160,13 @@ def find_sun(document: dict, placed: list) -> Sun:
         if light.get("type") == "directional":
             color = np.maximum(np.array(light.get("color", [1, 1, 1]), np.float64), 0)
             return Sun(unit(world[:3, 2]), color * max(light.get("intensity", 1.0), 0.0))
-    return Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, math.pi))
+    return Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, 0.0 if shines else math.pi))
+
+
+def sky_file(path: pathlib.Path) -> pathlib.Path | None:
+    """The picture of the sky that a scene lies under: the .hdr of its name beside it."""
+    sky = path.with_suffix(".hdr")
+    return sky if sky.is_file() else None
 
 
 def load_scene(path: pathlib.Path) -> Scene:
@@ -197,6 +206,8 @@ def build(file: GltfFile) -> Scene:
     area2 = np.linalg.norm(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]), axis=-1)
     keep = area2 > 1e-14  # a triangle without area stops no ray
     name, axes, eye, fov = find_camera(document, placed, file.path)
+    glows = any(materials[i].emissive.max() > 0 for i in set(owner.tolist()))
+    sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  owner[keep], materials, load_textures(file), Camera(name, axes, eye, (eye - centre) / side, fov),
-                 find_sun(document, placed))
+                 find_sun(document, placed, glows or sky is not None), sky)
