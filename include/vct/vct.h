@@ -76,6 +76,14 @@ struct Box {
     std::array<double, 3> min, max;
 };
 
+// A sky that is not the same in all directions: equirectangular, row 0 at the top, which is towards +Y. The
+// middle of a row is towards +X, and +Z a quarter of the width to the right of it. Read by the constructor of
+// GlobalIllumination alone. A sun of a few pixels is better a Sun.
+struct SkyPicture {
+    int width = 0, height = 0;        // twice as wide as high, at most 8192 wide
+    std::span<const float> radiance;  // three of each pixel
+};
+
 struct SceneDescription {
     std::vector<MaterialDescription> materials;
     std::vector<MeshDescription> meshes;
@@ -84,6 +92,7 @@ struct SceneDescription {
     // Of directions that leave the scene: absolute as the sun's illuminance is, so beside 100000 lux a sky of
     // 0.2 is black.
     std::array<float, 3> skyRadiance{0, 0, 0};
+    std::optional<SkyPicture> sky;  // in place of that
     // The voxels fill a cube around all instances where they are at first, and around this box. What moves
     // out of the cube neither lights nor shadows anything.
     std::optional<Box> bounds;

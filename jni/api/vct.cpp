@@ -8,12 +8,24 @@
 #include "api/embedded_shaders.h"
 #include "api/saved_state.h"
 #include "api/scene_of.h"
+#include "engine/environment.h"
 #include "engine/renderer.h"
 #include "shared/layout.h"
 
 namespace vct {
 
 namespace {
+
+std::shared_ptr<const Environment> environmentOf(const SkyPicture& sky) {
+    const std::size_t pixels = sky.radiance.size() / 3;
+    if (sky.width < 1 || sky.height < 1 || sky.radiance.size() % 3 != 0 ||
+        pixels != static_cast<std::size_t>(sky.width) * static_cast<std::size_t>(sky.height))
+        throw Error("SceneDescription::sky: give three numbers of each of its width times height pixels");
+    Image image(sky.width, sky.height);
+    for (std::size_t i = 0; i < pixels; ++i)
+        image.pixels[i] = {sky.radiance[3 * i], sky.radiance[3 * i + 1], sky.radiance[3 * i + 2]};
+    return std::make_shared<const Environment>(image, "SceneDescription::sky");
+}
 
 Settings settingsOf(const Options& options, const SceneDescription& scene,
                     const gl::Capabilities& capabilities) {
@@ -27,6 +39,7 @@ Settings settingsOf(const Options& options, const SceneDescription& scene,
             throw Error("the sky's radiance: give numbers from 0 on, below 1e30");
         settings.skyRadiance[i] = sky;
     }
+    if (scene.sky) settings.environment = environmentOf(*scene.sky);
     return forDriver(settings, capabilities);
 }
 
