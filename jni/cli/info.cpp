@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/sky_option.h"
 #include "core/error.h"
 #include "gl/capabilities.h"
 #include "lab/options.h"
@@ -20,6 +21,7 @@ struct InfoOptions {
     bool listDevices = false;
     std::string preset = "thesis";
     std::string mode = "gi-cone-shadow";
+    SkyOption sky;
     int timedFrames = 0;
 };
 
@@ -60,6 +62,7 @@ void printScene(const InfoOptions& options) {
     FrameOptions frame;
     frame.settings = options.scene.settings(options.preset);
     frame.settings.revoxelize = true;  // what every pass costs
+    options.sky.applyTo(frame.settings);
     validate(frame.settings);
     const std::vector<Mode> modes = modesFromText(options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
@@ -68,6 +71,7 @@ void printScene(const InfoOptions& options) {
     const Scene scene = loadGltf(options.scene.path);
     frame.camera = cameraFromText(options.scene.camera, scene);
     frame.light = lightFromText(options.scene.light, scene);
+    options.sky.lightScene(scene, options.scene.light, frame.light, frame.settings);
     const Context context = options.scene.backend.open();
     options.scene.fitGrid(frame.settings, scene, context.capabilities);
     const Progress progress("rendering " + scene.path + " with and without each of its features");
@@ -99,8 +103,9 @@ void addInfo(CLI::App& app, int& exitCode) {
             "Time so many frames with and without each feature, in turn; the difference of the medians")
         ->check(CLI::Range(1, 1000));
     CLI::Option* scene = options->scene.addTo(*command);
-    for (const char* ofAScene :
-         {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera", "--light", "--times"})
+    options->sky.addTo(*command);
+    for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
+                                 "--light", "--sky", "--environment", "--times"})
         command->get_option(ofAScene)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {

@@ -4,22 +4,50 @@
 #include <cstdio>
 #include <set>
 
+#include "cli/options.h"
 #include "cli/progress.h"
+#include "core/number_text.h"
 
 namespace vct::cli {
 
-PictureWriter::PictureWriter(const std::string& folder, float exposure, bool contactSheet)
-    : folder_(folder), exposure_(exposure), contactSheet_(contactSheet) {}
+void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMap) {
+    command
+        .add_option(
+            "--exposure", exposure,
+            "Scales the PNGs, never the EXRs: a factor, or auto, which brings the mean of the last mode's "
+            "first picture (of logarithms, so that a lamp hardly counts) to middle grey, and says the "
+            "factor. All pictures of a run have the same one")
+        ->check([](const std::string& text) { return text == "auto" ? std::string() : positive(text); })
+        ->capture_default_str();
+    command
+        .add_option(
+            "--tone-map", toneMap,
+            "Of the PNGs: neutral (Khronos PBR neutral: colours up to 0.8 stay, brighter ones are pressed "
+            "below white), or none (cut off at 1)")
+        ->capture_default_str();
+}
 
-void PictureWriter::write(const std::string& name, const Image& image) {
-    warnIfCutOff(name, image);
+PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
+                             bool contactSheet)
+    : folder_(folder),
+      exposure_(exposure.value_or(1.0F)),
+      toneMap_(toneMap),
+      contactSheet_(contactSheet),
+      warned_(!exposure) {}
+
+void PictureWriter::chooseExposure(const Image& image) {
+    exposure_ = automaticExposure(image);
+    say("exposure " + numberText(exposure_) + " for all PNGs, as --exposure " + numberText(exposure_) +
+        " repeats it");
+}
+
+void PictureWriter::write(const std::string& name, const Image& image, bool isShare) {
+    if (!isShare) warnIfWhite(name, image);
     writeExr(folder_.file(name + ".exr"), image);
-    Image exposed = image;
-    for (glm::vec3& pixel : exposed.pixels)
-        pixel *= exposure_;
-    writePng(folder_.file(name + ".png"), exposed);
+    Image shown = isShare ? image : toneMapped(image, toneMap_, exposure_);
+    writePng(folder_.file(name + ".png"), shown);
     folder_.keep();
-    if (contactSheet_) sheet_.emplace_back(name, std::move(exposed));
+    if (contactSheet_) sheet_.emplace_back(name, std::move(shown));
 }
 
 void PictureWriter::writeContactSheet() {
@@ -49,7 +77,7 @@ void PictureWriter::nameOlderPictures() const {
     if (!names.empty()) say("note: not of this run, but in " + folder_.path() + ": " + names);
 }
 
-void PictureWriter::warnIfCutOff(const std::string& name, const Image& image) {
+void PictureWriter::warnIfWhite(const std::string& name, const Image& image) {
     constexpr float overWhite = 1.1F;      // a sheet of paper in full light may be white
     constexpr double largeShare = 0.25;    // a window or a lamp may be too bright for the picture
     constexpr double advisedShare = 0.95;  // that the advised exposure keeps below white
@@ -66,11 +94,10 @@ void PictureWriter::warnIfCutOff(const std::string& name, const Image& image) {
     const auto limit = brightest.begin() + static_cast<std::ptrdiff_t>(advisedShare * count);
     std::nth_element(brightest.begin(), limit, brightest.end());
     char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "warning: %s.png: %.0f %% of the pixels are brighter than white and cut off; try --exposure "
-        "%.1g (the EXR has all of it)",
-        name.c_str(), 100.0 * static_cast<double>(cutOff) / count, 1.0 / double{*limit});
+    std::snprintf(text, sizeof text,
+                  "warning: %s.png: %.0f %% of the pixels are brighter than white; try --exposure %.1g (the "
+                  "EXR has all of it)",
+                  name.c_str(), 100.0 * static_cast<double>(cutOff) / count, 1.0 / double{*limit});
     say(text);
 }
 

@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
+#include "cli/sky_option.h"
 #include "core/error.h"
 #include "core/number_text.h"
 #include "engine/renderer.h"
@@ -26,7 +27,8 @@ struct RenderOptions {
     std::string out, timings, animation;
     std::string mode = "gi-cone-shadow";
     std::string preset = "thesis";
-    std::string sky = "0,0,0";
+    std::string toneMap = "neutral";
+    SkyOption sky;
     // Over the preset's, where given.
     std::optional<std::string> shadow, specular, voxelization;
     std::optional<int> shadowMap, lightFrames;
@@ -35,7 +37,8 @@ struct RenderOptions {
     // Which moments of an animated scene.
     std::optional<double> timeS, fps;
     std::optional<int> frames;
-    float exposure = 1.0F;  // of PNGs
+    std::string exposure = "auto";  // of PNGs; or a number
+    int samples = 1;                // per pixel, of pictures of one moment
     unsigned seedOrder = 0;
     bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
@@ -48,7 +51,7 @@ Settings settingsFrom(const RenderOptions& options) {
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     if (options.specular) settings.specular = specularFromText(*options.specular);
     settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
-    settings.skyRadiance = colorFromText("--sky", options.sky);
+    options.sky.applyTo(settings);
     settings.revoxelize = options.revoxelize;
     settings.activeVoxelLimit = options.activeVoxels.value_or(settings.activeVoxelLimit);
     validate(settings);
@@ -85,6 +88,24 @@ struct Placed {
     }
 };
 
+// The mean of `count` pictures whose samples lie all over each pixel's square: the R2 sequence (Roberts 2018,
+// "The Unreasonable Effectiveness of Quasirandom Sequences"), from the middle on. The light must stand still.
+Image meanOfSamples(Renderer& renderer, Mode mode, const Camera& camera, int count) {
+    const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
+    Image sum = renderer.radiance();
+    for (int i = 1; i < count; ++i) {
+        renderer.setPictureShift(glm::vec2(glm::fract(0.5 + static_cast<double>(i) * step) - 0.5));
+        renderer.frame(mode, camera);
+        const Image sample = renderer.radiance();
+        for (std::size_t pixel = 0; pixel < sum.pixels.size(); ++pixel)
+            sum.pixels[pixel] += sample.pixels[pixel];
+    }
+    renderer.setPictureShift(glm::vec2(0.0F));
+    for (glm::vec3& pixel : sum.pixels)
+        pixel /= static_cast<float>(count);
+    return sum;
+}
+
 // One mode, seen by a camera that comes to a scene whose light is there. With timings a still picture is
 // drawn several times; of a sequence each frame is one sample. Reading back and writing is not timed.
 void renderMode(const Placed& placed, Mode mode, const std::vector<double>& moments, PictureWriter& pictures,
@@ -95,13 +116,14 @@ void renderMode(const Placed& placed, Mode mode, const std::vector<double>& mome
     const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws where the list overflowed
-        pictures.write(file, renderer.radiance());
+        pictures.write(file, meanOfSamples(renderer, mode, camera, options.samples));
     };
     {
         const Settings& settings = renderer.settings();
-        const Progress progress("mode " + name + ", " + std::to_string(settings.size.x) + "x" +
-                                std::to_string(settings.size.y) + ", " + std::to_string(settings.grid) +
-                                "^3");
+        const Progress progress(
+            "mode " + name + ", " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
+            ", " + std::to_string(settings.grid) + "^3" +
+            (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples per pixel" : ""));
         renderer.renderConverged(mode, camera);
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
@@ -133,8 +155,12 @@ void render(const RenderOptions& options) {
             "--debug-views, --light-parts and --contact-sheet are of one moment; leave out --frames and "
             "--fps, "
             "and choose it by --time");
+    if (options.frames && options.samples > 1)
+        throw Error("--samples is of one moment; leave it out, or leave out --frames and --fps");
+    std::optional<float> exposure;
+    if (options.exposure != "auto") exposure = std::stof(options.exposure);
     // Before anything slow: an output that cannot be written should be known at once.
-    PictureWriter pictures(options.out, options.exposure, options.contactSheet);
+    PictureWriter pictures(options.out, exposure, toneMapFromText(options.toneMap), options.contactSheet);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
     const std::string& path = options.scene.path;
@@ -144,10 +170,8 @@ void render(const RenderOptions& options) {
     shuffleTriangles(scene, options.seedOrder);
     const std::vector<double> moments = momentsOf(options, scene);
     const Camera camera = cameraFromText(options.scene.camera, scene);
-    const DirectionalLight light = lightFromText(options.scene.light, scene);
-    if (scene.lights.empty() && scene.punctualLights.empty() &&
-        options.scene.light.find("direction") == std::string::npos)
-        say("warning: the scene has no directional light; one from the upper front right is used (--light)");
+    DirectionalLight light = lightFromText(options.scene.light, scene);
+    options.sky.lightScene(scene, options.scene.light, light, settings);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
@@ -167,14 +191,21 @@ void render(const RenderOptions& options) {
         say("received light: it stands still after " + std::to_string(settings.lightFrames) +
             " frames (--light-frames)");
     TimingsReport report;
+    const Placed placed{options, scene, camera, light, renderer};
+    if (!exposure) {
+        // By the mode that has the most of the light, where all are asked for.
+        const Progress progress(std::string("the exposure, by mode ") + modeName(modes.back()));
+        renderer.renderConverged(modes.back(), moments.empty() ? camera : placed.moveTo(moments.front()));
+        pictures.chooseExposure(renderer.radiance());
+    }
     for (const Mode mode : modes)
-        renderMode({options, scene, camera, light, renderer}, mode, moments, pictures, report);
+        renderMode(placed, mode, moments, pictures, report);
     pictures.writeContactSheet();
     report.resources = renderer.resources();
     const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
     if (options.lightParts)
         for (const DebugView& part : lightParts(renderer, seen))
-            pictures.write(part.name, part.image);
+            pictures.write(part.name, part.image, part.isShare);
     if (options.debugViews) {
         const Progress progress("debug views");
         pictures.writeDebugViews(debugViews(renderer, seen));
@@ -195,13 +226,16 @@ void render(const RenderOptions& options) {
 }
 
 constexpr const char* renderFooter =
-    "Writes DIR/<mode>.png (sRGB) and DIR/<mode>.exr (linear) for each mode, with --frames "
+    "Writes DIR/<mode>.png (to look at: exposed, tone-mapped, sRGB) and DIR/<mode>.exr (linear radiance) for "
+    "each mode, "
+    "with --frames "
     "DIR/<mode>_0000.png "
     "and so on.\nOther pictures in DIR stay.\n"
     "Examples:\n"
     "  vct render assets/cornell.glb --out out --mode all --debug-views --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
     "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
+    "  vct render assets/patio.glb --out out --preset mobile --environment assets/patio.hdr --samples 16\n"
     "  vct render assets/moving.glb --out out --mode gi --preset mobile --time 1.5\n"
     "  vct render assets/moving.glb --out out --mode gi --preset mobile --frames 96 --fps 24";
 
@@ -255,10 +289,14 @@ void addRender(CLI::App& app, int&) {
     fps->needs(frames);
     command->add_option("--animation", options->animation,
                         "Which of the scene's animations to play, by name or index (default: its first)");
-    command->add_option("--sky", options->sky, "Radiance R,G,B of what lies outside the volume")
-        ->capture_default_str();
-    command->add_option("--exposure", options->exposure, "Scales the PNGs, never the EXRs")
-        ->check(positive)
+    options->sky.addTo(*command);
+    addPngOptions(*command, options->exposure, options->toneMap);
+    command
+        ->add_option(
+            "--samples", options->samples,
+            "Pictures of one moment that differ by parts of a pixel, of which the mean is written: smooth "
+            "edges, in so many times the time of G-buffer and last pass; 16 is plenty")
+        ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     command->add_flag("--debug-views", options->debugViews,
                       "Also write every intermediate into DIR/debug_views/");

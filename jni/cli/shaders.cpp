@@ -8,6 +8,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/sky_option.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
@@ -27,6 +28,7 @@ struct ShadersOptions {
     std::string scene, out;
     glm::ivec2 size{400, 400};
     BackendOption backend;
+    SkyOption sky;
     std::vector<std::string> presets;
 };
 
@@ -130,9 +132,13 @@ void writeShaders(const ShadersOptions& options) {
     const std::vector<std::string>& presets = options.presets.empty() ? presetNames() : options.presets;
     for (const std::string& preset : presets)
         presetSettings(preset);
+    Settings sky;
+    options.sky.applyTo(sky);
     OutputFolder out(options.out);
     const Scene scene = loadGltf(options.scene);
     const Camera camera = chooseCamera(scene, "");
+    DirectionalLight light = chooseLight(scene);
+    options.sky.lightScene(scene, "", light, sky);
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
         vertices += scene.meshes[instance.mesh].vertices.size();
@@ -147,11 +153,13 @@ void writeShaders(const ShadersOptions& options) {
         const Progress progress(preset);
         Settings settings = presetSettings(preset);
         settings.size = options.size;
+        settings.skyRadiance = sky.skyRadiance;
+        settings.environment = sky.environment;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
         entry["programs"] = writeSources(variants(settings, featuresOf(scene)), settings, preset, out);
         settings.countInvocations = true;
         settings.revoxelize = true;
-        Renderer renderer(scene, chooseLight(scene), settings, context.capabilities, shaders());
+        Renderer renderer(scene, light, settings, context.capabilities, shaders());
         for (Mode mode : allModes())
             entry["counts"][modeName(mode)] = countsJson(countInvocations(renderer, mode, camera));
         manifest["presets"].push_back(std::move(entry));
@@ -177,6 +185,7 @@ void addShaders(CLI::App& app, int&) {
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
         ->delimiter(',');
     addSize(*command, options->size);
+    options->sky.addTo(*command);
     options->backend.addTo(*command);
     command->callback([options] { writeShaders(*options); });
 }

@@ -161,7 +161,7 @@ void validate(const Settings& settings) {
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "the distance of ambient occlusion must be above 0 and at most 1 (the volume's side)");
     require(!settings.environment || settings.skyRadiance == glm::vec3(0.0F),
-            "there is one sky: give either its radiance (--sky) or a picture of it (--environment)");
+            "there is one sky: give either its radiance or a picture of it");
 }
 
 }  // namespace vct

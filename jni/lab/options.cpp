@@ -88,10 +88,9 @@ Camera cameraFromText(const std::string& text, const Scene& scene) {
 }
 
 DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
-    DirectionalLight light = chooseLight(scene);
-    if (text.empty()) return light;
+    if (text.empty()) return chooseLight(scene);
     // A scene of lamps alone has a sun as soon as one is asked for.
-    if (light.color == glm::vec3(0.0F) && light.intensity > 0.0F) light = chooseLight(Scene());
+    DirectionalLight light = scene.lights.empty() ? defaultLight() : scene.lights.front();
     const auto setDirection = [&](const std::string& value) {
         const glm::dvec3 direction = threeFromText("--light: direction", value);
         if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");

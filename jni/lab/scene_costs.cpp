@@ -134,17 +134,27 @@ SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl:
     Player with(scene, options, capabilities, readShader);
     SceneCosts costs{with.cost(), {}};
     const SceneFeatures found = featuresOf(scene);
+    const auto measure = [&](SceneCosts::Row& row, Scene stripped, const FrameOptions& strippedOptions,
+                             bool takesTime) {
+        row.occurs = true;
+        Player without(std::move(stripped), strippedOptions, capabilities, readShader);
+        row.without = without.cost();
+        if (takesTime && options.timedFrames > 0) row.addedMs = addedMs(with, without, options.timedFrames);
+    };
     for (const SceneFeature& feature : allSceneFeatures()) {
         SceneCosts::Row& row = costs.rows.emplace_back();
         row.name = feature.name;
-        row.occurs = feature.occurs(found);
-        if (!row.occurs) continue;
+        if (!feature.occurs(found)) continue;
         Scene stripped = scene;
         feature.remove(stripped);
-        Player without(std::move(stripped), options, capabilities, readShader);
-        row.without = without.cost();
-        if (feature.takesTime && options.timedFrames > 0)
-            row.addedMs = addedMs(with, without, options.timedFrames);
+        measure(row, std::move(stripped), options, feature.takesTime);
+    }
+    // A sky that is the same in all directions is a number, and black costs as much.
+    costs.rows.emplace_back().name = "picture of the sky";
+    if (options.settings.environment) {
+        FrameOptions plain = options;
+        plain.settings.environment.reset();
+        measure(costs.rows.back(), scene, plain, true);
     }
     return costs;
 }

@@ -47,7 +47,7 @@ struct SceneCosts {
         std::optional<double> addedMs;  // the difference of the medians, where it occurs and takes time
     };
     FrameCost frame;
-    std::vector<Row> rows;  // of allSceneFeatures(), in that order
+    std::vector<Row> rows;  // of allSceneFeatures(), in that order, and of a picture of the sky
 };
 // Where the scene is animated it plays: each frame is of another moment.
 SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl::Capabilities& capabilities,

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/number_text.h"
+#include "scene/scene_features.h"
 
 namespace vct {
 namespace {
@@ -130,10 +131,11 @@ PunctualLight posed(PunctualLight light, const Pose& pose) {
 
 DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
-    DirectionalLight light;
-    light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
-    light.intensity = static_cast<float>(pi);
-    if (scene.punctualLights.empty()) return light;
+    DirectionalLight light = defaultLight();
+    if (scene.punctualLights.empty()) {
+        if (featuresOf(scene).has(featureEmissive)) light.intensity = 0.0F;
+        return light;
+    }
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     const double distance = std::max(0.25 * std::max({size.x, size.y, size.z}), 1e-15);
     double strongest = 0.0;  // lux
@@ -144,6 +146,20 @@ DirectionalLight chooseLight(const Scene& scene) {
     light.color = glm::vec3(0.0F);
     light.intensity = static_cast<float>(std::min(strongest, 1e30));
     return light;
+}
+
+DirectionalLight defaultLight() {
+    DirectionalLight light;
+    light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
+    light.intensity = static_cast<float>(pi);
+    return light;
+}
+
+glm::vec3 chooseSky(const Scene& scene) {
+    const bool shines =
+        !scene.lights.empty() || !scene.punctualLights.empty() || featuresOf(scene).has(featureEmissive);
+    // A quarter of the light of a floor under the default sun, of the blue of a clear day.
+    return shines ? glm::vec3(0.0F) : glm::vec3(0.2F, 0.25F, 0.35F);
 }
 
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {

@@ -45,12 +45,12 @@ TEST(Render, TellsHowLargeVoxelsAreAndWhatIsSmaller) {
                                  "(\"wall\"), less than a voxel"});
 }
 
-TEST(Render, WarnsOnceOfAPictureThatIsCutOffAtWhiteAndTheAdviceCuresIt) {
+TEST(Render, WarnsOnceOfAPictureThatIsWhiteByTheExposureThatIsGivenAndTheAdviceCuresIt) {
     ProgramRun program;
     const std::string sun =
         std::string("render ") + ProgramRun::cornell +
         " --size 16x16 --grid 64 --out out --mode phong,shadow-map --light intensity=100000";
-    program.expectSuccess(sun);
+    program.expectSuccess(sun + " --exposure 1");
     const std::size_t at = program.err.find("warning: phong.png: ");
     ASSERT_NE(at, std::string::npos) << program.err;
     EXPECT_EQ(program.err.find("warning: ", at + 1), std::string::npos) << program.err;
@@ -61,10 +61,29 @@ TEST(Render, WarnsOnceOfAPictureThatIsCutOffAtWhiteAndTheAdviceCuresIt) {
 
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/moving.glb --size 16x16 --grid 64 --out out --mode "
-                          "phong --light intensity=100000 --frames 3 --fps 2");
+                          "phong --light intensity=100000 --frames 3 --fps 2 --exposure 1");
     const std::size_t first = program.err.find("warning: phong_0000.png: ");
     ASSERT_NE(first, std::string::npos) << program.err;
     EXPECT_EQ(program.err.find("warning: ", first + 1), std::string::npos) << program.err;
+}
+
+// One for all of a run: a sun of real lux is no white picture, and nothing flickers.
+TEST(Render, ChoosesOneExposureForAllPicturesAndSaysHowToRepeatIt) {
+    ProgramRun program;
+    const std::string sun =
+        "render " VCT_SOURCE_DIR
+        "/assets/moving.glb --size 16x16 --grid 64 --out out --light intensity=100000 --mode ";
+    program.expectSuccess(sun + "phong,gi --frames 2 --fps 1");
+    const std::size_t option = program.err.find("--exposure ");
+    ASSERT_NE(option, std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("--exposure ", option + 1), std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("warning: "), std::string::npos) << program.err;
+    const std::string chosen = readBytes(program.folder.file("out/phong_0001.png"));
+    const std::string repeated = program.err.substr(option, program.err.find(" repeats", option) - option);
+    program.expectSuccess(sun + "phong --frames 2 --fps 1 " + repeated);
+    EXPECT_EQ(readBytes(program.folder.file("out/phong_0001.png")), chosen);
+    EXPECT_NE(program.run(sun + "phong --frames 2 --fps 1 --samples 4"), 0);
+    EXPECT_NE(program.err.find("--samples is of one moment"), std::string::npos) << program.err;
 }
 
 }  // namespace
