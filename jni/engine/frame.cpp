@@ -50,10 +50,10 @@ void Renderer::draw(const std::vector<Picture>& pictures, const Camera& camera, 
 
     // Depth as the sun sees it (thesis 4.2): for the direct light of pixels, and of voxels. Its coarser
     // levels are drawn where the picture shows a soft shadow.
-    const gl::Texture* shadow = nullptr;
+    ShadowTextures shadow;
     for (const Picture picture : pictures)
         if (readsShadowMap(picture))
-            shadow = &shadowMap().update(scene_, now, picture, settings_.revoxelize, timer_);
+            shadow = shadowMap().update(scene_, now, picture, settings_.revoxelize, timer_);
 
     // Albedo, normal and depth of what the camera sees (thesis 4.3, "render data"): the caller's, or ours.
     const GBuffer::Targets surface =
@@ -71,7 +71,7 @@ void Renderer::draw(const std::vector<Picture>& pictures, const Camera& camera, 
         const bool showsTheSame = showsIndirectLight(picture) && std::exchange(lightIsUpToDate, true);
         if (readsVoxels(picture))
             light = voxels().update({.scene = scene_,
-                                     .shadowMap = *shadow,
+                                     .shadowMap = *shadow.depth,
                                      .now = now,
                                      .picture = picture,
                                      .lightSteps = showsTheSame ? 0 : steps.atMost,

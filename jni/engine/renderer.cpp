@@ -92,7 +92,7 @@ GBuffer& Renderer::gBuffer() {
 
 ShadowMap& Renderer::shadowMap() {
     if (!shadowMap_)
-        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, shadowMapLevels(settings_));
+        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.shadow == Shadow::softMap);
     return *shadowMap_;
 }
 
@@ -126,6 +126,7 @@ Resources Renderer::resources() const {
     Resources resources = scene_.resources();
     add(resources, frameUniforms_);
     if (shadowMap_) add(resources, shadowMap_->texture());
+    if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
     for (const Shade& shade : shades_)

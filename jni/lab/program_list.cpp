@@ -28,9 +28,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
         directionalResolveProgram(),   directionalLevelsProgram(),   directionalClearBaseProgram(),
         directionalMipmapperProgram(), directionalClearProgram(),    lightProgram("light_inherit"),
         lightProgram("light_clear"),   lightProgram("light_blocks"), lightProgram("light_bricks"),
-        lightProgram("light_shine"),   shadowLevelProgram(),         staticResolveProgram(),
-        dirtyResolveProgram(),         dirtyMipmapperProgram(),      dirtyClearBaseProgram(),
-        clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
+        lightProgram("light_shine"),   shadowMomentsProgram(),       nextShadowMomentsProgram(),
+        staticResolveProgram(),        dirtyResolveProgram(),        dirtyMipmapperProgram(),
+        dirtyClearBaseProgram(),       clearDynamicProgram(),        clearRadianceProgram(),
+        relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
@@ -82,8 +83,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
     if (mode != Mode::phong)
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap)
-        add(Step::shadowMap, shadowLevelProgram());
+    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap) {
+        add(Step::shadowMap, shadowMomentsProgram());
+        add(Step::shadowMap, nextShadowMomentsProgram());
+    }
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;

@@ -5,6 +5,12 @@
 // the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/counters.glsl"
+#include "shared/moments.glsl"
+
+layout(binding = VCT_TEX_SHADOW_MOMENTS) uniform highp sampler2D shadowMoments;
+
+const float halfRounding = 3e-4;
+const float leastVariance = 0.0625;
 
 const int blockerTaps = 8;  // 16 gain .001 of error in the courtyard (docs/levers.md)
 
@@ -96,27 +102,29 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     stepX *= penumbra;
     stepY *= penumbra;
 
-    // Each comparison stands for its share of the penumbra. Where that is more than a texel it compares between two coarser
-    // levels of the map (shaders/passes/shadow_level.frag): what a tap tells fades as it crosses an edge, so that no tap is a step.
-    // A wider share would be smoother still, but its few texels know an edge less well.
-    const float share = inversesqrt(float(VCT_FILTER_TAPS));  // of the radius; taps are 1.8 times as far apart
-    float wide = max(min(share * size * max(stepX.x, stepY.y), size / 32.0), 1.0);  // in texels
-    float level = log2(wide);
-    // A coarse texel's depth is that of some place in it.
-    onPlane.z -= rise * 1.5 * (wide - 1.0);
-    // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
-    // that are nearer than their mean.
+    float radiusInTexels = max(stepX.x, stepY.y) * size;
+    float wide = clamp(0.5 * radiusInTexels, 2.0, size / 32.0);
+    float level = log2(0.5 * wide);
+    float spread2 = 1.0 - 1.67 * wide * wide / (radiusInTexels * radiusInTexels);
+    float spread = sqrt(max(2.0 * spread2, 0.0) * 0.25);
     const float ofCone = 0.1;
     float towardsLight = ofCone * penumbra * toNearPlane;
     float light = 0.0;
     direction = vec2(1.0, 0.0);
+    vec3 lifted = vec3(onPlane.xy, (onPlane.z - momentMiddle - halfRounding - spread * towardsLight) * momentUnit);
+    vec3 x = stepX * vec3(1.0, 1.0, momentUnit) * spread;
+    vec3 y = stepY * vec3(1.0, 1.0, momentUnit) * spread;
     for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
         COUNT(VCT_COUNTER_FILTER_TAP);
-        float radius = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS));
-        vec2 offset = radius * direction;
-        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
-        light += textureLod(shadowMap, vec3(at.xy, at.z - radius * towardsLight), level);
-        direction = goldenTurn * direction;
+        float angle = 6.2831853 * (float(i) + 0.25) / float(VCT_FILTER_TAPS);
+        vec2 offset = vec2(cos(angle), sin(angle));
+        vec3 at = lifted + x * offset.x + y * offset.y;
+        vec2 moments = textureLod(shadowMoments, at.xy, level).rg;
+        float nearer = min(moments.x - at.z, 0.0);
+        float variance = moments.y + leastVariance;
+        light += variance / (variance + nearer * nearer);
     }
-    return light / float(VCT_FILTER_TAPS);
+    light /= float(VCT_FILTER_TAPS);
+    float hard = texture(shadowMap, onPlane);
+    return mix(hard, light, clamp(radiusInTexels - 0.75, 0.0, 1.0));
 }

@@ -102,8 +102,9 @@ using glm::vec4;
 #define VCT_COUNTER_LIGHT_BLOCKS 46
 #define VCT_COUNTER_LIGHT_CLEAR_TEXEL 47
 #define VCT_COUNTER_LIGHT_CLEAR_PLACE 48
-#define VCT_COUNTER_SHADOW_LEVEL 49
-#define VCT_COUNTER_COUNT 50
+#define VCT_COUNTER_SHADOW_MOMENTS 49
+#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 50
+#define VCT_COUNTER_COUNT 51
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -120,6 +121,7 @@ using glm::vec4;
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
+#define VCT_TEX_SHADOW_MOMENTS 13
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0

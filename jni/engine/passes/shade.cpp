@@ -44,7 +44,7 @@ const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surfa
     return found->second;
 }
 
-const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
+const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const ShadowTextures& shadow,
                                const VoxelLight& light) {
     const gl::DebugGroup group("cone trace");
     program(picture, surface).use();
@@ -56,11 +56,12 @@ const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface,
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
     if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
-    if (shadowMap != nullptr) {
-        shadowMap->bind(VCT_TEX_SHADOW_MAP);
-        shadowMap->bind(VCT_TEX_SHADOW_DEPTH);
+    if (shadow.depth != nullptr) {
+        shadow.depth->bind(VCT_TEX_SHADOW_MAP);
+        shadow.depth->bind(VCT_TEX_SHADOW_DEPTH);
         plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     }
+    if (shadow.moments != nullptr) shadow.moments->bind(VCT_TEX_SHADOW_MOMENTS);
     if (light.packed != nullptr) light.packed->bind(VCT_TEX_VOXELS);
     if (light.irradiance != nullptr) {
         light.irradiance->bind(VCT_TEX_IRRADIANCE);

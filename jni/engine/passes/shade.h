@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/shadow_map.h"
 #include "engine/settings.h"
 #include "engine/voxel_volume.h"
 #include "gl/program.h"
@@ -19,7 +20,7 @@ class Shade {
 
     // What a picture does not use may be null. Returns RGBA16F: rgb
     // relative to E/pi, a 1 on surfaces.
-    const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const gl::Texture* shadowMap,
+    const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const ShadowTextures& shadow,
                             const VoxelLight& light);
 
     // Makes the texture anew; the programs stay.
