@@ -109,7 +109,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.filterTaps = 5;
+        settings.filterTaps = 4;
         return settings;
     }
     if (name == "quality") {

@@ -8,10 +8,9 @@ layout(location = 0) out vec2 outMoments;
 
 void main() {
     COUNT(VCT_COUNTER_SHADOW_MOMENTS);
-    vec2 texel = 1.0 / vec2(textureSize(finest, 0));
-    vec2 middle = 2.0 * floor(gl_FragCoord.xy) + 1.0;
-    vec4 at = vec4(middle - 1.0, middle + 1.0) * texel.xyxy;
-    vec2 moments = momentsOf(textureGather(finest, at.xy), textureGather(finest, at.zy), textureGather(finest, at.xw),
-                             textureGather(finest, at.zw));
+    vec2 at = (2.0 * gl_FragCoord.xy - 1.0) / vec2(textureSize(finest, 0));
+    vec2 moments =
+        momentsOf(textureGather(finest, at), textureGatherOffset(finest, at, ivec2(2, 0)),
+                  textureGatherOffset(finest, at, ivec2(0, 2)), textureGatherOffset(finest, at, ivec2(2, 2)));
     outMoments = vec2(moments.x - momentMiddle, moments.y * momentUnit) * momentUnit;
 }

@@ -105,11 +105,12 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float radiusInTexels = max(stepX.x, stepY.y) * size;
     float wide = clamp(0.5 * radiusInTexels, 2.0, size / 32.0);
     float level = log2(0.5 * wide);
-    float spread2 = 1.0 - 1.67 * wide * wide / (radiusInTexels * radiusInTexels);
-    float spread = sqrt(max(2.0 * spread2, 0.0) * 0.25);
+    float widening = wide / max(radiusInTexels, 1e-6);
+    float spread = min(sqrt(max(0.6 - 0.835 * widening * widening, 0.25 * widening * widening)), 0.7);
     const float ofCone = 0.1;
     float towardsLight = ofCone * penumbra * toNearPlane;
     float light = 0.0;
+    float hard = 0.0;
     direction = vec2(1.0, 0.0);
     vec3 lifted = vec3(onPlane.xy, (onPlane.z - momentMiddle - halfRounding - spread * towardsLight) * momentUnit);
     vec3 x = stepX * vec3(1.0, 1.0, momentUnit) * spread;
@@ -123,8 +124,8 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         float nearer = min(moments.x - at.z, 0.0);
         float variance = moments.y + leastVariance;
         light += variance / (variance + nearer * nearer);
+        hard += texture(shadowMap, vec3(at.xy, at.z / momentUnit + (momentMiddle + halfRounding)));
     }
-    light /= float(VCT_FILTER_TAPS);
-    float hard = texture(shadowMap, onPlane);
-    return mix(hard, light, clamp(radiusInTexels - 0.75, 0.0, 1.0));
+    light = max(light * (1.02 / float(VCT_FILTER_TAPS)) - 0.02, 0.0);
+    return mix(hard / float(VCT_FILTER_TAPS), light, clamp(0.5 * radiusInTexels - 0.875, 0.0, 1.0));
 }

@@ -12,16 +12,11 @@ const vec4 weightLowerRight = vec4(9.0, 3.0, 1.0, 3.0) / 64.0;
 const vec4 weightUpperLeft = vec4(1.0, 3.0, 9.0, 3.0) / 64.0;
 const vec4 weightUpperRight = vec4(3.0, 1.0, 3.0, 9.0) / 64.0;
 
-// Of 16 depths: their mean, and the mean square of what they differ from it.
+// Of 16 depths: their mean and their variance.
 vec2 momentsOf(vec4 lowerLeft, vec4 lowerRight, vec4 upperLeft, vec4 upperRight) {
-    float any = lowerLeft.x;
-    lowerLeft -= any;
-    lowerRight -= any;
-    upperLeft -= any;
-    upperRight -= any;
     vec4 a = weightLowerLeft * lowerLeft, b = weightLowerRight * lowerRight;
     vec4 c = weightUpperLeft * upperLeft, d = weightUpperRight * upperRight;
     float mean = dot(a + b + c + d, vec4(1.0));
     float squares = dot(a * lowerLeft + b * lowerRight + c * upperLeft + d * upperRight, vec4(1.0));
-    return vec2(any + mean, max(squares - mean * mean, 0.0));
+    return vec2(mean, squares - mean * mean);
 }
