@@ -51,11 +51,11 @@ void Renderer::draw(const std::vector<Picture>& pictures, const Camera& camera, 
     uploadFrameUniforms(camera);
 
     // Depth as the sun sees it (thesis 4.2), and as other lights do, for the direct light of pixels and of
-    // voxels. Where a picture shows the sun's soft shadow its map gets coarser levels too.
-    DirectLight direct{nullptr, others_ ? &*others_ : nullptr};
+    // voxels. Where a picture shows the sun's soft shadow its map has moments too.
+    DirectLight direct{{}, others_ ? &*others_ : nullptr};
     for (const Picture picture : pictures)
         if (readsShadowMap(picture))
-            direct.sunMap = &shadowMap().update(scene_, now, picture, settings_.revoxelize, timer_);
+            direct.sun = shadowMap().update(scene_, now, picture, settings_.revoxelize, timer_);
     if (others_) others_->update(scene_, now, settings_.revoxelize, timer_);
 
     // Albedo, normal and depth of what the camera sees (thesis 4.3, "render data").

@@ -116,7 +116,7 @@ GBuffer& Renderer::gBuffer() {
 
 ShadowMap& Renderer::shadowMap() {
     if (!shadowMap_)
-        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, shadowMapLevels(settings_));
+        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.shadow == Shadow::softMap);
     return *shadowMap_;
 }
 
@@ -151,6 +151,7 @@ Resources Renderer::resources() const {
     add(resources, frameUniforms_);
     if (environment_) add(resources, *environment_);
     if (shadowMap_) add(resources, shadowMap_->texture());
+    if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
     if (others_) add(resources, others_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());

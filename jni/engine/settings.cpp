@@ -109,7 +109,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.filterTaps = 8;
+        settings.filterTaps = 4;
         return settings;
     }
     if (name == "quality") {
@@ -152,6 +152,8 @@ void validate(const Settings& settings) {
             "the shadow map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
             "the cone angle (of the sun's disc) must be between 0.1 and 170 degrees");
+    require(settings.filterTaps >= 4 && settings.filterTaps % 4 == 0,
+            "the places of the soft shadow must be a multiple of 4");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
             "the light frames (until the light stands still) must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,

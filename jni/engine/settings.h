@@ -106,7 +106,7 @@ struct Settings {
     int shadowMapSize = 512;             // texels along a side
     float shadowConeAngleDeg = 5.0F;     // full opening angle of the cone towards the light
     Shadow shadow = Shadow::cone;        // of mode 5
-    int filterTaps = 16;                 // of softMap: comparisons in a penumbra
+    int filterTaps = 8;                  // of softMap: places in a penumbra; a multiple of 4
     float aoDistance = 0.045F;           // of the volume's side
     glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
     // In place of skyRadiance: a picture of all directions, in the scene's unit of radiance.

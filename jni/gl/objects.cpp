@@ -19,6 +19,7 @@ std::size_t texelBytes(GLenum format) {
         case GL_RGBA8:
         case GL_SRGB8_ALPHA8:
         case GL_RG16UI:
+        case GL_RG16F:
         case GL_R32UI:
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:

@@ -29,9 +29,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
         directionalResolveProgram(),   directionalLevelsProgram(),   directionalClearBaseProgram(),
         directionalMipmapperProgram(), directionalClearProgram(),    lightProgram("light_inherit"),
         lightProgram("light_clear"),   lightProgram("light_blocks"), lightProgram("light_bricks"),
-        shadowLevelProgram(),          staticResolveProgram(),       dirtyResolveProgram(),
-        dirtyMipmapperProgram(),       dirtyClearBaseProgram(),      clearDynamicProgram(),
-        clearRadianceProgram(),        relightResolveProgram()};
+        shadowMomentsProgram(),        nextShadowMomentsProgram(),   staticResolveProgram(),
+        dirtyResolveProgram(),         dirtyMipmapperProgram(),      dirtyClearBaseProgram(),
+        clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));
@@ -94,8 +94,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
     if (mode != Mode::phong)
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap)
-        add(Step::shadowMap, shadowLevelProgram());
+    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap) {
+        add(Step::shadowMap, shadowMomentsProgram());
+        add(Step::shadowMap, nextShadowMomentsProgram());
+    }
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;

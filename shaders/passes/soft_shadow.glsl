@@ -1,12 +1,15 @@
 // The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
-// directional light. A search for what blocks the sun gives the width of the penumbra, over which the map is then
-// compared. Reads the hard shadow's four texels, blockerTaps plain depths and, where there is a blocker,
-// VCT_FILTER_TAPS compared ones, of the level of the map that is as coarse as they are apart: the price does not grow with
-// the penumbra.
+// directional light. A search for what blocks the sun gives the width of the penumbra, over which the map's moments
+// (shared/moments.glsl) are then asked, as variance shadow maps are (Donnelly and Lauritzen 2006). Reads the hard shadow's four
+// texels, blockerTaps plain depths and, where something blocks, VCT_FILTER_TAPS places of two levels of the moments: the
+// price does not grow with the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/counters.glsl"
+#include "shared/moments.glsl"
 
-const int blockerTaps = 8;  // 16 gain .001 of error in the courtyard (docs/levers.md)
+layout(binding = VCT_TEX_SHADOW_MOMENTS) uniform highp sampler2D shadowMoments;
+
+const int blockerTaps = 7;  // with 6 a penumbra has steps where the search loses its edge; 16 gain .001 in the courtyard
 
 // From one sample of a Vogel disc (1979) to the next: the golden angle.
 const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
@@ -88,35 +91,57 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         near += within * within / max(distance, 1e-4);
         direction = goldenTurn * direction;
     }
-    if (blockers == 0.0) return 1.0;
+    float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
+    float penumbra;
+    if (blockers > 0.0) {
+        // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it
+        // to where the sun is, and light the creases of a room; one too narrow hardens the edge of the farther one.
+        penumbra = blockers / near;
+    } else {
+        // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
+        // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.
+        vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
+        float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
+        const float leastShare = 0.001;
+        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
+    }
 
-    // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it to
-    // where the sun is, and light the creases of a room; one too narrow hardens the edge of the farther one.
-    float penumbra = blockers / near;
-    stepX *= penumbra;
-    stepY *= penumbra;
-
-    // Each comparison stands for its share of the penumbra. Where that is more than a texel it compares between two coarser
-    // levels of the map (shaders/passes/shadow_level.frag): what a tap tells fades as it crosses an edge, so that no tap is a step.
-    // A wider share would be smoother still, but its few texels know an edge less well.
-    const float share = inversesqrt(float(VCT_FILTER_TAPS));  // of the radius; taps are 1.8 times as far apart
-    float wide = max(min(share * size * max(stepX.x, stepY.y), size / 32.0), 1.0);  // in texels
-    float level = log2(wide);
-    // A coarse texel's depth is that of some place in it.
-    onPlane.z -= rise * 1.5 * (wide - 1.0);
+    // A place stands for what the moments' filter mixes there, half of the penumbra's radius wide: wide enough that four
+    // places leave no gaps, and that what is in the middle of the disc weighs most. The places' distance makes up the
+    // variance of the disc, R^2/4: that of the filter, .42 texels of its level, is .42 wide^2.
+    float radius = penumbra * coneInTexels;
+    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // texels of the map, up to one of the coarsest level
+    float level = log2(0.5 * wide);
+    float ofRadius = wide / max(radius, 1e-6);
+    float distance = sqrt(max(0.6 - 0.835 * ofRadius * ofRadius, 0.25 * ofRadius * ofRadius));
+    distance = min(distance, 0.7) * penumbra;
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.
     const float ofCone = 0.1;
-    float towardsLight = ofCone * penumbra * toNearPlane;
-    float light = 0.0;
-    direction = vec2(1.0, 0.0);
-    for (int i = 0; i < VCT_FILTER_TAPS; ++i) {
+    vec3 middle = vec3(onPlane.xy, onPlane.z - ofCone * toNearPlane * distance);
+    vec4 light = vec4(0.0);
+    vec4 compared = vec4(0.0);
+    for (int i = 0; i < VCT_FILTER_TAPS / 4; ++i) {
         COUNT(VCT_COUNTER_FILTER_TAP);
-        float radius = sqrt((float(i) + 0.5) / float(VCT_FILTER_TAPS));
-        vec2 offset = radius * direction;
-        vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
-        light += textureLod(shadowMap, vec3(at.xy, at.z - radius * towardsLight), level);
-        direction = goldenTurn * direction;
+        float angle = radians(90.0) * (0.25 + float(i) / float(VCT_FILTER_TAPS / 4));
+        vec3 x = (stepX * cos(angle) + stepY * sin(angle)) * distance;
+        vec3 y = (stepY * cos(angle) - stepX * sin(angle)) * distance;
+        vec3 a = middle + x, b = middle + y, c = middle - x, d = middle - y;
+        compared += vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
+        vec2 ofA = textureLod(shadowMoments, a.xy, level).rg, ofB = textureLod(shadowMoments, b.xy, level).rg;
+        vec2 ofC = textureLod(shadowMoments, c.xy, level).rg, ofD = textureLod(shadowMoments, d.xy, level).rg;
+        vec4 plane = (vec4(a.z, b.z, c.z, d.z) - (momentMiddle + momentRounding)) * momentUnit;
+        vec4 nearer = min(vec4(ofA.x, ofB.x, ofC.x, ofD.x) - plane, 0.0);
+        vec4 variance = vec4(ofA.y, ofB.y, ofC.y, ofD.y);
+        // Chebyshev's bound: exact where one blocker covers a part of a receiver, whatever its share.
+        light += variance / (variance + nearer * nearer);
     }
-    return light / float(VCT_FILTER_TAPS);
+    // A blocker that slants has a variance of its own, which the bound takes for light.
+    const float bleeding = 0.02;
+    light = light * (1.0 + bleeding) - 0.25 * bleeding * float(VCT_FILTER_TAPS);
+    // A penumbra of a few texels is compared with the map itself: the moments' finest filter is as wide as that, and
+    // past the surface's border looks too far for a crease.
+    vec4 both = mix(compared, light, clamp(0.5 * radius - 0.875, 0.0, 1.0));
+    return max(dot(both, vec4(1.0 / float(VCT_FILTER_TAPS))), 0.0);
 }

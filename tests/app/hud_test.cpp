@@ -144,7 +144,7 @@ TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
     android.run();
     expectMentions(android.errors(), {"does not compile"});
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
-    EXPECT_GT(glm::length(android.screen.at(window.x / 2, window.y * 11 / 16)), 0.2F)
+    EXPECT_GT(glm::length(android.screen.at(window.x / 2, window.y * 11 / 16)), 0.1F)
         << "the picture is gone";
 }
 

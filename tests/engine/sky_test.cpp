@@ -66,7 +66,7 @@ glm::dvec3 receivedByPlane(const Context& context, const std::string& preset, co
 }
 
 class Sky : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Presets, Sky, testing::Values("thesis", "mobile", "quality"),
+INSTANTIATE_TEST_SUITE_P(Presets, Sky, testing::Values("thesis", "mobile"),
                          [](const auto& test) { return test.param; });
 
 TEST_P(Sky, ALonePlaneReceivesAConstantSkyExactly) {

@@ -47,7 +47,7 @@ std::string madeBy(Renderer& renderer, Mode mode, const Camera& camera) {
     // Levels whose lists are there.
     if (groups.count("relight") > 0 && groups.count("mipmap again") > 0) groups.insert("mipmap");
     for (const char* step :
-         {"shadow map", "shadow map's levels", "voxelize", "relight", "mipmap", "irradiance"})
+         {"shadow map", "shadow map's moments", "voxelize", "relight", "mipmap", "irradiance"})
         if (groups.count(step) > 0) made += (made.empty() ? "" : ", ") + std::string(step);
     return made;
 }
@@ -93,7 +93,7 @@ TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
     EXPECT_EQ(made(), "everything");
     EXPECT_EQ(made(), "nothing");
     EXPECT_EQ(made(Mode::gi, "eye=1,2,3,target=0,0,0,fov=40"), "nothing");
-    EXPECT_EQ(made(Mode::giConeShadow), packed() ? "nothing" : "shadow map's levels");
+    EXPECT_EQ(made(Mode::giConeShadow), packed() ? "nothing" : "shadow map's moments");
     EXPECT_EQ(made(Mode::giConeShadow), "nothing");
     renderer_.setShadowConeAngle(10.0F);
     EXPECT_EQ(made(Mode::giConeShadow), "nothing");
@@ -129,7 +129,7 @@ TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
     EXPECT_EQ(made(Mode::phong), "nothing");
     EXPECT_EQ(made(), "nothing");
     // The soft shadow's levels are those of the map that there is.
-    const std::string levels = packed() ? "nothing" : "shadow map's levels";
+    const std::string levels = packed() ? "nothing" : "shadow map's moments";
     EXPECT_EQ(made(Mode::giConeShadow), levels);
     renderer_.setLightDirection(glm::dvec3(-0.2, 1.0, 0.1));
     EXPECT_EQ(made(), itsLight());

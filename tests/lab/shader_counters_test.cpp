@@ -75,10 +75,10 @@ TEST(ShaderCounters, AreThoseOfTheActiveVoxels) {
 TEST(ShaderCounters, OfTheSoftShadowAreItsTaps) {
     Settings settings = smallSettings(64, pixelsAlongASide);
     settings.shadow = Shadow::softMap;
-    settings.filterTaps = 7;
+    settings.filterTaps = 12;
     const StageCount tracer = stage(countedOfCornell(settings).counts, "passes/shade.frag");
-    const double searches = iterations(tracer, "blocker tap") / 8.0;
-    const double penumbrae = iterations(tracer, "filter tap") / 7.0;
+    const double searches = iterations(tracer, "blocker tap") / 7.0;
+    const double penumbrae = iterations(tracer, "filter tap") / 3.0;
     EXPECT_EQ(searches, std::floor(searches));
     EXPECT_EQ(penumbrae, std::floor(penumbrae));
     EXPECT_LT(penumbrae, searches);  // none where nothing blocks the sun

@@ -76,7 +76,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& pa
                                       DirectionalVoxels& voxels) const {
     projection_.use();
     voxels.bindLists();
-    light.sunMap->bind(VCT_TEX_SHADOW_DEPTH);
+    light.sun.depth->bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     light.bindOthers();
     voxels.index().texture().bind(VCT_TEX_VOXELS);

@@ -36,7 +36,7 @@ void Relighter::run(const GpuScene& scene, const DirectLight& light, const Direc
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 
     projection_.use();
-    light.sunMap->bind(VCT_TEX_SHADOW_DEPTH);
+    light.sun.depth->bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     light.bindOthers();
     index.texture().bind(VCT_TEX_VOXELS);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/gpu_scene.h"
+#include "engine/passes/shadow_map.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
 #include "gl/objects.h"
@@ -77,7 +78,7 @@ class PunctualLights {
 
 // What lights surfaces without a detour, and what stands in its way.
 struct DirectLight {
-    const gl::Texture* sunMap = nullptr;     // null where the picture does not read it
+    ShadowTextures sun;                      // null where the picture does not read them
     const PunctualLights* others = nullptr;  // null where the sun is the only light
 
     void bindOthers() const {

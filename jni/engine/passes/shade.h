@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/shadow_map.h"
 #include "engine/settings.h"
 #include "engine/voxel_volume.h"
 #include "gl/program.h"

@@ -1,5 +1,7 @@
 #include "engine/passes/shadow_map.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "engine/programs.h"
@@ -16,42 +18,57 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
             featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
 }
 
-gl::ProgramDescription shadowLevelProgram() {
-    return {"shadow_level", {"passes/full_screen.vert", "passes/shadow_level.frag"}, {}};
+gl::ProgramDescription shadowMomentsProgram() {
+    return {"shadow_moments", {"passes/full_screen.vert", "passes/shadow_moments.frag"}, {}};
 }
 
-int shadowMapLevels(const Settings& settings) {
-    if (settings.shadow != Shadow::softMap) return 1;
+gl::ProgramDescription nextShadowMomentsProgram() {
+    return {"shadow_moments_next", {"passes/full_screen.vert", "passes/shadow_moments_next.frag"}, {}};
+}
+
+namespace {
+
+// Down to 16 texels a side, as wide as a hundredth of any scene.
+int momentLevels(int mapSize) {
     int levels = 1;
-    while (settings.shadowMapSize >> levels >= 16)
+    while (mapSize >> (levels + 1) >= 16)
         ++levels;
     return levels;
 }
 
-ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, int levels)
+}  // namespace
+
+ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft)
     : shaders_(shaders),
       programs_(shaders, scene, shadowMapProgram),
       // A texel of a map is 16 times as wide as a step of 16 bits; the thesis's bias is left as it was.
-      depth_(gl::Texture::make2d("shadow map", levels > 1 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, size,
-                                 size, levels)),
+      depth_(
+          gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, size, size)),
       framebuffer_("shadow map", {}, &depth_) {
-    // With a comparison: four taps of a level, weighted.
-    depth_.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
+    // With a comparison: four taps, weighted.
+    depth_.setFilter(GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    if (!soft) return;
+    moments_ = gl::Texture::make2d("shadow map's moments", GL_RG16F, std::max(size / 2, 1),
+                                   std::max(size / 2, 1), momentLevels(size));
+    moments_->setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    for (int level = 0; level < moments_->levels(); ++level)
+        momentTargets_.emplace_back("shadow map's moments, level " + std::to_string(level),
+                                    std::vector<const gl::Texture*>{&*moments_}, nullptr, level);
 }
 
-const gl::Texture& ShadowMap::update(const GpuScene& scene, const SceneState& now, Picture picture,
-                                     bool remake, StepTimer& timer) {
+ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
+                                 StepTimer& timer) {
     if (remake || drawn_ != now) {
         drawn_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
-        levelsAreDrawn_ = false;
+        momentsAreDrawn_ = false;
         drawn_ = now;
     }
-    if (showsSoftShadow(picture) && depth_.levels() > 1 && !std::exchange(levelsAreDrawn_, true))
-        timer.time(Step::shadowMap, [&] { makeLevels(); });
-    return depth_;
+    if (showsSoftShadow(picture) && moments_ && !std::exchange(momentsAreDrawn_, true))
+        timer.time(Step::shadowMap, [&] { drawMoments(); });
+    return {&depth_, moments()};
 }
 
 const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
@@ -67,28 +84,29 @@ const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
     return depth_;
 }
 
-void ShadowMap::makeLevels() {
-    const gl::DebugGroup group("shadow map's levels");
-    if (!levelProgram_) levelProgram_.emplace(shaders_, shadowLevelProgram());
-    for (int level = static_cast<int>(coarser_.size()) + 1; level < depth_.levels(); ++level)
-        coarser_.emplace_back("shadow map's level " + std::to_string(level),
-                              std::vector<const gl::Texture*>{}, &depth_, level);
-    levelProgram_->use();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_ALWAYS);
-    gl::DepthMask(GL_TRUE);
+void ShadowMap::drawMoments() {
+    const gl::DebugGroup group("shadow map's moments");
+    if (!momentsProgram_) {
+        momentsProgram_.emplace(shaders_, shadowMomentsProgram());
+        nextMomentsProgram_.emplace(shaders_, nextShadowMomentsProgram());
+    }
+    gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);
     depth_.bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
-    // Only the finest is read: what is drawn to must be out of the shader's reach.
-    depth_.setParameter(GL_TEXTURE_MAX_LEVEL, 0);
+    moments_->bind(VCT_TEX_SHADOW_MOMENTS);
     noVertices_.bind();
-    for (int level = 1; level < depth_.levels(); ++level) {
-        coarser_[static_cast<std::size_t>(level) - 1].bind();
-        gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+    momentsProgram_->use();
+    for (int level = 0; level < moments_->levels(); ++level) {
+        if (level == 1) nextMomentsProgram_->use();
+        // What is drawn to must be out of the shader's reach.
+        for (const GLenum limit : {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL})
+            moments_->setParameter(limit, std::max(level - 1, 0));
+        momentTargets_[static_cast<std::size_t>(level)].bind();
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
     }
-    depth_.setParameter(GL_TEXTURE_MAX_LEVEL, depth_.levels() - 1);
+    moments_->setParameter(GL_TEXTURE_BASE_LEVEL, 0);
+    moments_->setParameter(GL_TEXTURE_MAX_LEVEL, moments_->levels() - 1);
 }
 
 }  // namespace vct

@@ -13,44 +13,46 @@
 
 namespace vct {
 
-// Of its texture, for ShadowMap::makeLevels(): down to 16 texels a side, as wide as a hundredth of any scene.
-int shadowMapLevels(const Settings& settings);
-
 gl::ProgramDescription shadowMapProgram(unsigned features);
-gl::ProgramDescription shadowLevelProgram();
+gl::ProgramDescription shadowMomentsProgram();
+gl::ProgramDescription nextShadowMomentsProgram();
+
+struct ShadowTextures {
+    const gl::Texture* depth = nullptr;    // compare function LEQUAL, hardware filter, ready to be sampled
+    const gl::Texture* moments = nullptr;  // shaders/shared/moments.glsl; null without a soft shadow
+};
 
 class ShadowMap {
   public:
-    // `levels`: those of the texture; draw() writes the finest, and makeLevels() the others.
-    ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, int levels = 1);
+    ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false);
 
     // Draws the map where pose or sun have changed since it was drawn, or where `remake` asks for it, and the
-    // coarser levels where `picture` shows a soft shadow. Returns the texture as draw() does.
-    const gl::Texture& update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
-                              StepTimer& timer);
+    // moments where `picture` shows a soft shadow.
+    ShadowTextures update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
+                          StepTimer& timer);
     // What there is may be wrong, as a frame failed: the next update draws it anew.
     void forget() { drawn_.reset(); }
 
     // Returns the depth texture: compare function LEQUAL, hardware filter, ready to be sampled.
     const gl::Texture& draw(const GpuScene& scene);
 
-    // For the soft shadow, whose comparisons are far apart where the penumbra is wide.
-    // shaders/passes/shadow_level.frag.
-    void makeLevels();
-
     const gl::Texture& texture() const { return depth_; }
+    const gl::Texture* moments() const { return moments_ ? &*moments_ : nullptr; }
 
   private:
+    void drawMoments();
+
     gl::ShaderLibrary shaders_;
     MaterialPrograms programs_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
-    std::optional<gl::Program> levelProgram_;
-    std::vector<gl::Framebuffer> coarser_;
+    std::optional<gl::Texture> moments_;
+    std::vector<gl::Framebuffer> momentTargets_;
+    std::optional<gl::Program> momentsProgram_, nextMomentsProgram_;
     gl::PlainSampler plainDepth_;
     gl::VertexArray noVertices_;
     std::optional<SceneState> drawn_;  // of what the map is; nothing where it was not drawn
-    bool levelsAreDrawn_ = false;
+    bool momentsAreDrawn_ = false;
 };
 
 }  // namespace vct
