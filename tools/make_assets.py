@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
 from scenes import (contact, cornell, corridor, courtyard, furnace, glossy, lamp, lone_plane, moving,  # noqa: E402
-                    patio, thin_wall)
+                    night, patio, thin_wall)
 
 SCENES = {
     "contact": contact.build,
@@ -24,6 +24,7 @@ SCENES = {
     "lamp": lamp.build,
     "lone_plane": lone_plane.build,
     "moving": moving.build,
+    "night": night.build,
     "patio": patio.build,
     "thin_wall": thin_wall.build,
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Path-traced references of glTF scenes, by Mitsuba 3, for the scene's first camera and first directional light.
+"""Path-traced references of glTF scenes, by Mitsuba 3, for the scene's first camera and all its lights.
 
     scripts/python.sh && .venv/bin/python tools/references.py                 all scenes of assets/
     .venv/bin/python tools/references.py my.glb --size 400x400 --out out/ref  one, elsewhere
@@ -10,16 +10,19 @@ Kinds, all linear RGB without tone mapping, box filter, Lambert surfaces of the 
 and then behind the scene in `indirect` and `full`:
 
 coverage    share of the pixel in which the camera sees a surface
-direct      emission of what the camera sees + albedo E/pi n.l where nothing lies between it and the sun (a point)
+direct      emission of what the camera sees + albedo E/pi n.l where nothing lies between it and a light: the sun, which
+            is the first directional light (as a point), and all others of KHR_lights_punctual
 indirect    albedo x the cosine-weighted mean over the hemisphere of the `direct` of what is seen there: light that
             leaves a surface once more, the emission of other surfaces included, the seen surface's own not
 one-bounce  direct + indirect, exactly
 full        all bounces, ended by Russian roulette from the fourth on. A surface of roughness below 1 is glossy where
             the camera sees it, and a Lambert one wherever else light meets it: what a point sun throws off metal onto
             walls is noise to a path tracer, and the renderer under test has no such light
-glossy      the part of `full` that such surfaces reflect specularly, but of the sun; only of scenes that have any
+glossy      the part of `full` that such surfaces reflect specularly, but of the sun and the
+            other lights without a size; only of scenes that have any
 ao          cosine-weighted share of the hemisphere free of surfaces nearer than 0.045 of the voxel volume's side
-sun         direct, of a sun of 5 degrees full opening and the same irradiance E on a surface that faces it
+sun         direct, of a sun of 5 degrees full opening and the same irradiance E on a surface that faces it, and of the
+            other lights as they are
 shadow      share of that sun's disc that the surface sees; 0 where n.l <= 0
 
 n is the interpolated vertex normal; nothing arrives from behind a triangle. ao, shadow and coverage count the sky's
@@ -55,8 +58,8 @@ SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glos
 UNDER_A_SKY = {"full": 4, "glossy": 4}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # of scenes with glossy materials
-INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to the sun",
-               "indirect": "one cosine-distributed ray and one emitter, power heuristic; shadow ray to the sun",
+INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to each light",
+               "indirect": "one cosine-distributed ray and one emitter, power heuristic; shadow ray to each light",
                "one-bounce": "direct + indirect", "full": "path tracing, power heuristic, Russian roulette",
                "glossy": "a visible normal of GGX, then path tracing as full",
                "ao": "one cosine-distributed ray", "sun": "one shadow ray into the disc",
@@ -109,6 +112,7 @@ def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
                    "right_up_back": scene.camera.axes.tolist(), "vertical_fov_rad": scene.camera.vertical_fov_rad},
         "light": {"towards": scene.sun.towards.tolist(), "irradiance": scene.sun.irradiance.tolist(),
                   "sun_opening_deg": 5.0},
+        **({"punctual_lights": len(scene.punctual)} if scene.punctual else {}),
         "volume_side_world": scene.side_world,
         "ao_distance_world": scene.ao_distance_world,
         "hdr_flip_exposures": automatic_exposures(brightest[0].image),

@@ -38,6 +38,10 @@ def test_a_light_that_is_off_cannot_move(root):
     assert not changed_scenes.has_sun(root / "assets/lamp.glb")
 
 
+def test_a_lamp_is_no_sun(root):
+    assert not changed_scenes.has_sun(root / "assets/night.glb")
+
+
 def motion(program: str, out: Path, *more: str) -> subprocess.CompletedProcess[str]:
     root = Path(__file__).resolve().parents[2]
     return subprocess.run([sys.executable, str(root / "tools/motion.py"), "--program", program, "--out", str(out), "--presets",

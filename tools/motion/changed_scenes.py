@@ -26,11 +26,12 @@ def read_glb(path: Path) -> Glb:
 
 
 def sun_node(glb: Glb) -> int | None:
-    """The node of the light, which hangs on nothing; None where there is no light, or where it is off."""
+    """The node of the sun, which hangs on nothing; None where there is none, or where it is off."""
     lights = glb.json.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
     for index in glb.json["scenes"][glb.json.get("scene", 0)]["nodes"]:
         use = glb.json["nodes"][index].get("extensions", {}).get("KHR_lights_punctual")
-        if use and lights[use["light"]].get("intensity", 1) > 0:
+        light = lights[use["light"]] if use else {}
+        if light.get("type") == "directional" and light.get("intensity", 1) > 0:
             return index
     return None
 

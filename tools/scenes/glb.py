@@ -116,11 +116,23 @@ class Glb:
         return self.node(name, translation=list(eye), rotation=look_along(forward), camera=camera)
 
     def directional_light(self, name, travels, color, lux):
+        return self._light(name, None, color, lux, {"type": "directional"}, rotation=look_along(travels))
+
+    def point_light(self, name, place, color, candela, parent=None, **properties):
+        """`properties` are glTF's own: range, in metres."""
+        return self._light(name, parent, color, candela, {"type": "point", **properties}, translation=list(place))
+
+    def spot_light(self, name, place, travels, color, candela, inner=None, outer=None):
+        """Half angles in rad; without them glTF's, 0 and pi / 4."""
+        cone = {key: tidy(angle) for key, angle in (("innerConeAngle", inner), ("outerConeAngle", outer)) if angle is not None}
+        return self._light(name, None, color, candela, {"type": "spot", "spot": cone}, translation=list(place),
+                           rotation=look_along(travels))
+
+    def _light(self, name, parent, color, intensity, kind, **place):
         self._use("KHR_lights_punctual")
         lights = self.json.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
-        lights.append({"name": name, "type": "directional", "color": list(color), "intensity": lux})
-        return self.node(name, rotation=look_along(travels),
-                         extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
+        lights.append({"name": name, **kind, "color": list(color), "intensity": intensity})
+        return self.node(name, parent, **place, extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
 
     def animate(self, animation, node, path, times, values, interpolation="LINEAR"):
         """Adds a channel to the animation of that name. `values`: one per time, three with CUBICSPLINE."""

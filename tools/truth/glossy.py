@@ -83,8 +83,18 @@ def brdf_of(surface):
     return Brdf(surface.normal, surface.albedo, surface.metallic, surface.roughness, surface.seen_from)
 
 
+def reflected_punctual(world, surface, brdf, active):
+    def reflectance(direction):
+        diffuse, specular, _ = brdf.evaluate(direction)
+        return diffuse + specular
+
+    return world.punctual.reflected(world.surfaces, surface, reflectance, active)
+
+
 def reflected_sun(world, surface, brdf, active):
     """Reflected light of the sun as a point."""
+    if not world.sun.shines:
+        return mi.Color3f(0)
     diffuse, specular, _ = brdf.evaluate(world.sun.towards)
     active = active & (world.sun.cosine(surface, world.sun.towards) > 0)
     blocked = world.surfaces.blocked(leave(surface), world.sun.towards, mi.Float(dr.inf), active)

@@ -8,10 +8,11 @@ words.
 import math
 
 from .engine import dr, mi
-from .glossy import brdf_of, reflected_sun
+from .glossy import brdf_of, reflected_punctual, reflected_sun
 from .lights import Emitters, Sun, leave, tangent_frame
-from .sky import Sky
+from .punctual import Punctual
 from .scene import AO_DISTANCE, Scene
+from .sky import Sky
 from .surfaces import Surface, Surfaces
 
 FIRST_ROULETTE, LARGEST_SURVIVAL, MOST_BOUNCES = 3, 0.95, 128
@@ -22,6 +23,17 @@ class World:
         self.surfaces, self.sun = Surfaces(scene), Sun(scene)
         self.emitters = Emitters(scene, self.surfaces)
         self.sky = Sky(scene.sky)
+        self.punctual = Punctual(scene)
+
+    def direct(self, surface: Surface, active):
+        """What a Lambert surface reflects of all lights without a size."""
+        return self.sun.direct(self.surfaces, surface, active) + self.lambert_punctual(surface, active)
+
+    def lambert_punctual(self, surface: Surface, active):
+        def reflectance(direction):
+            return surface.albedo * (Sun.cosine(surface, direction) / math.pi)
+
+        return self.punctual.reflected(self.surfaces, surface, reflectance, active)
 
 
 def cosine_direction(surface: Surface, a, b):
@@ -42,7 +54,7 @@ def albedo(world, surface, numbers, random, active):
 
 
 def direct(world, surface, numbers, random, active):
-    return surface.emission + world.sun.direct(world.surfaces, surface, active)
+    return surface.emission + world.direct(surface, active)
 
 
 def indirect(world, surface, numbers, random, active):
@@ -50,7 +62,7 @@ def indirect(world, surface, numbers, random, active):
     hit = world.surfaces.meet(leave(surface), direction, active & leaves)
     there = world.surfaces.surface(hit, direction)
     weight = world.emitters.weight_of_hit(world.surfaces, there, hit, surface.position, pdf)
-    gathered = dr.select(hit.valid, there.emission * weight + world.sun.direct(world.surfaces, there, hit.valid), 0)
+    gathered = dr.select(hit.valid, there.emission * weight + world.direct(there, hit.valid), 0)
     gathered += world.sky.radiance(direction, active & leaves & ~hit.valid)
     gathered += world.emitters.light(world.surfaces, surface, numbers[4], mi.Point2f(numbers[5], numbers[6]), active)
     return surface.albedo * gathered
@@ -67,7 +79,7 @@ def lambert_full(world, surface, numbers, random, active):
     active = mi.Bool(active)
     while active:
         here = Surface(position, facing, normal, throughput, mi.Color3f(0))
-        lit = world.sun.direct(world.surfaces, here, active)  # throughput stands in albedo's place
+        lit = world.direct(here, active)  # throughput stands in albedo's place
         result += lit + throughput * world.emitters.light(world.surfaces, here, choice, mi.Point2f(e1, e2), active)
 
         survival = dr.minimum(dr.max(throughput), LARGEST_SURVIVAL)
@@ -105,7 +117,7 @@ def full(world, surface, numbers, random, active):
         return lambert_full(world, surface, numbers, random, active)
     brdf = brdf_of(surface)
     direction, weight = brdf.sample(numbers[4], numbers[2], numbers[3])
-    return (surface.emission + reflected_sun(world, surface, brdf, active)
+    return (surface.emission + reflected_sun(world, surface, brdf, active) + reflected_punctual(world, surface, brdf, active)
             + weight * lambert_light_along(world, surface, direction, numbers, random, active))
 
 
@@ -125,7 +137,7 @@ def ao(world, surface, numbers, random, active):
 
 def sun(world, surface, numbers, random, active):
     _, lit = world.sun.disc(world.surfaces, surface, mi.Point2f(numbers[2], numbers[3]), active)
-    return surface.emission + world.sun.disc_light(surface, lit)
+    return surface.emission + world.sun.disc_light(surface, lit) + world.lambert_punctual(surface, active)
 
 
 def shadow(world, surface, numbers, random, active):

@@ -27,14 +27,18 @@ class Sun:
     def __init__(self, scene: Scene):
         self.towards = mi.Vector3f(scene.sun.towards.tolist())
         self.radiance_unit = mi.Color3f((scene.sun.irradiance / math.pi).tolist())  # E/pi
+        self.shines = scene.sun.irradiance.max() > 0
 
-    def cosine(self, surface: Surface, direction):
+    @staticmethod
+    def cosine(surface: Surface, direction):
         """0 behind the surface, and behind the triangle: it stands in its own light."""
         return dr.select(dr.dot(surface.facing, direction) > 0,
                          dr.maximum(dr.dot(surface.normal, direction), 0), 0)
 
     def direct(self, surfaces: Surfaces, surface: Surface, active):
         """Reflected light of the sun as a point: albedo E/pi n.l, or 0 in shadow."""
+        if not self.shines:
+            return mi.Color3f(0)
         cosine = self.cosine(surface, self.towards)
         active = active & (cosine > 0)
         blocked = surfaces.blocked(leave(surface), self.towards, mi.Float(dr.inf), active)

@@ -33,6 +33,18 @@ class Sun:
 
 
 @dataclasses.dataclass
+class PunctualLight:
+    """A point, a spot, or a directional light that is not the sun. In trace space lengths are shares of the volume's side s,
+    so that a candela is 1 / s^2 of itself: the irradiance I / d^2 is the world's."""
+    position: np.ndarray | None  # None: directional
+    towards: np.ndarray  # unit; light travels the other way
+    intensity: np.ndarray  # RGB: irradiance of a surface that faces a directional light, or at distance 1
+    range: float
+    cone_scale: float  # fall-off: clip(cos * cone_scale + cone_offset, 0, 1)^2
+    cone_offset: float
+
+
+@dataclasses.dataclass
 class Scene:
     path: pathlib.Path
     sha256: str
@@ -47,6 +59,7 @@ class Scene:
     textures: list[Texture]
     camera: Camera
     sun: Sun
+    punctual: list[PunctualLight]
     sky: np.ndarray | None  # (height, width, 3), radiance; None: black
 
     @property
@@ -150,17 +163,41 @@ def find_camera(document: dict, placed: list, path: pathlib.Path) -> tuple[str, 
     raise GltfError(f"{path}: no perspective camera in the scene; a reference needs one")
 
 
-def find_sun(document: dict, placed: list, shines: bool) -> Sun:
-    """The first directional light (KHR_lights_punctual); the program's own default where there is none. `shines`: the
-    scene is lit by something else, and has no default."""
+def placed_lights(document: dict, placed: list) -> list[tuple[dict, np.ndarray]]:
+    """(light, worldFromNode) of KHR_lights_punctual, in the order of the nodes."""
     lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
-    for node, world in placed:
-        use = node.get("extensions", {}).get("KHR_lights_punctual")
-        light = lights[use["light"]] if use else {}
-        if light.get("type") == "directional":
-            color = np.maximum(np.array(light.get("color", [1, 1, 1]), np.float64), 0)
-            return Sun(unit(world[:3, 2]), color * max(light.get("intensity", 1.0), 0.0))
-    return Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, 0.0 if shines else math.pi))
+    uses = [(node.get("extensions", {}).get("KHR_lights_punctual"), world) for node, world in placed]
+    return [(lights[use["light"]], world) for use, world in uses if use]
+
+
+def light_color(light: dict) -> np.ndarray:
+    """Times intensity: lux or candela."""
+    return np.maximum(np.array(light.get("color", [1, 1, 1]), np.float64), 0) * max(light.get("intensity", 1.0), 0.0)
+
+
+def find_lights(document: dict, placed: list, centre: np.ndarray, side: float,
+                shines: bool) -> tuple[Sun, list[PunctualLight]]:
+    """The sun is the first directional light. A scene without any light has the program's own default; one whose lights
+    are points and spots has none that shines, nor has one that `shines`: is lit by something else."""
+    lights, sun, rest = placed_lights(document, placed), None, []
+    for light, world in lights:
+        towards, color = unit(world[:3, 2]), light_color(light)
+        if light["type"] == "directional" and sun is None:
+            sun = Sun(towards, color)
+        elif light["type"] == "directional":
+            rest.append(PunctualLight(None, towards, color, math.inf, 0.0, 1.0))
+        else:
+            scale, offset = cone_falloff(light.get("spot", {})) if light["type"] == "spot" else (0.0, 1.0)
+            rest.append(PunctualLight((world[:3, 3] - centre) / side, towards, color / side ** 2,
+                                      light.get("range", math.inf) / side, scale, offset))
+    return sun or Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, 0.0 if rest or shines else math.pi)), rest
+
+
+def cone_falloff(spot: dict) -> tuple[float, float]:
+    """Scale and offset as the extension recommends."""
+    inner, outer = (math.cos(spot.get(name, usual)) for name, usual in (("innerConeAngle", 0.0), ("outerConeAngle", math.pi / 4)))
+    scale = 1 / max(0.001, inner - outer)
+    return scale, -outer * scale
 
 
 def sky_file(path: pathlib.Path) -> pathlib.Path | None:
@@ -210,4 +247,4 @@ def build(file: GltfFile) -> Scene:
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  owner[keep], materials, load_textures(file), Camera(name, axes, eye, (eye - centre) / side, fov),
-                 find_sun(document, placed, glows or sky is not None), sky)
+                 *find_lights(document, placed, centre, side, glows or sky is not None), sky)
