@@ -6,7 +6,7 @@ namespace vct {
 
 namespace {
 
-constexpr GLuint lastUnit = VCT_TEX_ENVIRONMENT;  // of those that passes read from
+constexpr GLuint lastUnit = VCT_TEX_SHADOW_MOMENTS;  // of those that passes read from
 
 // The samplers of the embedding program would be read through in place of the textures' own parameters.
 void unbindSamplers() {
