@@ -31,7 +31,8 @@ def add_stored(apk: zipfile.ZipFile, name: str, data: bytes) -> None:
 def add_folder(apk: zipfile.ZipFile, folder: pathlib.Path, name: str) -> None:
     """Every shader or scene below the folder, compressed."""
     for path in sorted(folder.rglob("*")):
-        if path.is_file() and path.suffix != ".md":
+        # Pages are not for the app, nor skies, which it does not read.
+        if path.is_file() and path.suffix not in (".md", ".hdr"):
             info = zipfile.ZipInfo(f"assets/{name}/{path.relative_to(folder).as_posix()}", TIME)
             apk.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)
 
