@@ -9,8 +9,17 @@ layout(location = 0) out vec2 outMoments;
 void main() {
     COUNT(VCT_COUNTER_SHADOW_MOMENTS);
     vec2 at = (2.0 * gl_FragCoord.xy - 1.0) / vec2(textureSize(finest, 0));
-    vec2 moments =
-        momentsOf(textureGather(finest, at), textureGatherOffset(finest, at, ivec2(2, 0)),
-                  textureGatherOffset(finest, at, ivec2(0, 2)), textureGatherOffset(finest, at, ivec2(2, 2)));
+    vec4 a = textureGather(finest, at), b = textureGatherOffset(finest, at, ivec2(2, 0));
+    vec4 c = textureGatherOffset(finest, at, ivec2(0, 2)), d = textureGatherOffset(finest, at, ivec2(2, 2));
+    // Where there is no surface no point asks, but its depth would light the borders of what is beside: creases of walls without
+    // thickness. It is the nearest one around in its place.
+    vec4 nearestOfFour = min(min(a, b), min(c, d));
+    vec4 nearest = vec4(min(min(nearestOfFour.x, nearestOfFour.y), min(nearestOfFour.z, nearestOfFour.w)));
+    vec4 nothing = vec4(1.0);  // the map's far plane
+    a = mix(a, nearest, equal(a, nothing));
+    b = mix(b, nearest, equal(b, nothing));
+    c = mix(c, nearest, equal(c, nothing));
+    d = mix(d, nearest, equal(d, nothing));
+    vec2 moments = momentsOf(a, b, c, d);
     outMoments = vec2(moments.x - momentMiddle, moments.y * momentUnit + leastVariance / momentUnit) * momentUnit;
 }

@@ -52,9 +52,8 @@ Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
 // A map knows a wide penumbra in a crease by 16 samples, of which three may go astray.
 constexpr float hardLeak = 0.02F, softLeak = 0.2F;
 // Share of the dark pixels in creases. The soft shadow can't afford the hard one's look at the texel beyond
-// the four, and the moments' finest filter is two texels wide. What was measured, not what is right, which is
-// 0: .31 % (184 of 58,500).
-constexpr double softLeaks = 0.0035;
+// the four, and the moments' finest filter is two texels wide.
+constexpr double softLeaks = 0.0015;
 constexpr float sunDeg = 2.0F;
 
 struct Count {
