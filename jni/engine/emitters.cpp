@@ -10,8 +10,10 @@ namespace vct {
 
 namespace {
 
-// Of a part, in voxels: what is wider is divided. The cones towards it end four voxels before it.
+// Of a part, in voxels: what is wider is divided.
 constexpr double largestRadius = 5.0;
+// The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
+constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
 constexpr std::size_t mostPartsOfLamp = 16;
 // Triangles are cut into pieces before they are sorted into parts, an instance into about so many.
@@ -278,7 +280,7 @@ void Emitters::upload(const Pose* pose) const {
                              part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),
-                                std::max(4.0, halfDepth * volume_.grid + 2.0) / volume_.grid);
+                                (halfDepth * volume_.grid + freeVoxels) / volume_.grid);
     }
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);

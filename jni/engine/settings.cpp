@@ -109,6 +109,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
+        settings.gather.height = 0.35F;
         settings.filterTaps = 4;
         return settings;
     }

@@ -12,9 +12,7 @@ const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
 // Radiance (premultiplied) and coverage that a ray meets around a position (volume space) at a whole mip level: of the
 // faces that look against its direction; `share`: that of each axis in it. Coverage up to 1.73, where it meets three faces
-// of a corner. Each face covers its projection, the ray's share of its axis; but shines by the square of that, as an ambient
-// cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what a ray meets at a slant may be the far side of something
-// round, lit where the ray cannot see.
+// of a corner. Each face covers its projection, the ray's share of its axis.
 mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, float level) {
     // No texel of the next block may leak in.
     float margin = 0.5 * exp2(level) / float(frame.gridSide);
@@ -23,10 +21,7 @@ mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, floa
     mediump vec4 x = textureLod(faces, p + vec3(0.0, side.x, 0.0), level);
     mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, side.y, 0.0), level);
     mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, side.z, 0.0), level);
-    mediump vec3 square = share * share;
-    mediump vec4 shining = square.x * x + square.y * y + square.z * z;
-    mediump float coverage = dot(share, vec3(x.a, y.a, z.a));
-    return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
+    return share.x * x + share.y * y + share.z * z;
 }
 
 struct ConeResult {
@@ -46,8 +41,9 @@ vec3 ownFaces(vec3 normal, bool hasBack) {
 }
 
 // One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
-// in voxels.
-ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach) {
+// in voxels. `spread`: scales its width. Where a cone goes from one level to the next, what it meets counts for up to 15 %
+// too much or too little; so a set of cones should do that at many heights.
+ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
     float grid = float(frame.gridSide);
     ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
@@ -61,7 +57,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
         // footprint.
         float height = VCT_GATHER_START + distance * rise;
-        float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), 0.0);
+        float level = max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
         // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = mix(abs(direction), vec3(0.0), own);
