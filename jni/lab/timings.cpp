@@ -56,6 +56,7 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"voxelization", voxelizationName(s.voxelization)},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
+            {"light_radius", s.lightRadius},
             {"shadow", shadowName(s.shadow)},
             {"filter_taps", s.filterTaps},
             {"ao_distance", s.aoDistance},
