@@ -57,6 +57,7 @@ class App {
     void draw();
     void drawMessage();
     void drawScene();
+    void expose(const Renderer& renderer);
     void drawHud(double passedS);
     void show();
     // Runs a part of a frame; returns why it failed, or "". Throws gl::ContextLost where that is the reason:
@@ -87,6 +88,8 @@ class App {
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
     std::optional<OrbitView> view_;
+    float exposure_ = 1.0F;  // of the scene, once its light is there
+    int sceneFrames_ = 0;    // of it that have been drawn
 
     Choices choices_;
     double animationS_ = 0.0;       // what has been played, of any scene

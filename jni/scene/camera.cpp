@@ -158,8 +158,12 @@ DirectionalLight defaultLight() {
 glm::vec3 chooseSky(const Scene& scene) {
     const bool shines =
         !scene.lights.empty() || !scene.punctualLights.empty() || featuresOf(scene).has(featureEmissive);
-    // A quarter of the light of a floor under the default sun, of the blue of a clear day.
-    return shines ? glm::vec3(0.0F) : glm::vec3(0.2F, 0.25F, 0.35F);
+    return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
+}
+
+glm::vec3 plainSky(const DirectionalLight& light) {
+    const float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
+    return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
 }
 
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {
