@@ -288,6 +288,27 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
     }
 }
 
+// No object's new place tells that its maps are old.
+TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0.4, 0.5, -0.2}}, {"scale", {0.6, 1.0, 0.3}}});
+    json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"type", "point"}, {"intensity", 4}});
+    const int lamp =
+        builder.node({{"translation", {0.2, 1.6, 0.4}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+    builder.animate(lamp, "translation", {0, 2}, {0.2F, 1.6F, 0.4F, -1.2F, 1.2F, -0.5F});
+    Scene scene = load(builder);
+    ASSERT_EQ(scene.punctualLights.size(), 1U);
+    // So near to what stands still that it alone decides what 8 bits hold.
+    scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
+    const Settings settings = mobileAt(64);
+    PlayingScene stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.5, 0.5, 1.6})
+        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+}
+
 TEST(PunctualLights, MoreThanThereIsRoomForIsAnError) {
     const Context context = openContext(Backend::egl);
     const Scene scene = roomAtNight(std::vector<PunctualLight>(
