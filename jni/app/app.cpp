@@ -7,7 +7,6 @@
 #include "app/activity.h"
 #include "app/log.h"
 #include "gl/debug.h"
-#include "image/tone_map.h"
 #include "scene/camera.h"
 
 namespace vct::app {
@@ -137,7 +136,7 @@ void App::draw() {
         drawScene();
     const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
     if (renderer != nullptr)
-        gl_->presenter().draw(*renderer, exposure_, surface_->size());
+        gl_->presenter().draw(*renderer, exposure_.value(), surface_->size());
     else
         clearWindow(surface_->size(), background);
     drawHud(passedS);
@@ -189,7 +188,7 @@ void App::drawHud(double passedS) {
     if (actions.rescan) scenes_.rescan();
     if (actions.resetView && scene_) {
         view_.emplace(*scene_);
-        sceneFrames_ = 0;
+        exposure_ = {};
     }
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
@@ -213,7 +212,7 @@ void App::drawScene() {
         const glm::dvec2 size(settingsFor(choices_, wanted.window).size);
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(size.x / size.y));
-        expose(renderer);
+        exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
             const StepTimes times = renderer.timer().stopRecording();
@@ -225,14 +224,6 @@ void App::drawScene() {
     if (!failure.empty()) return revert(failure);
     good_ = wanted;
     failed_.reset();
-}
-
-// As `vct render` does, by the scene's first picture, and again when its light stands still. Then it stays:
-// a light that is switched off is seen to be off. Reading a picture back takes too long for every frame.
-void App::expose(const Renderer& renderer) {
-    if (sceneFrames_ == 0 || sceneFrames_ == renderer.settings().lightFrames)
-        exposure_ = automaticExposure(renderer.radiance());
-    ++sceneFrames_;
 }
 
 std::string App::failureOf(const std::function<void()>& part) {
@@ -323,8 +314,7 @@ void App::takeLoadedScene() {
     if (!loaded) return;
     if (scene_) choices_.lightsOff.reset();  // else it is as the intent has it
     scene_ = loaded;
-    exposure_ = 1.0F;
-    sceneFrames_ = 0;
+    exposure_ = {};
     for (const std::string& warning : scene_->warnings)
         log(LogLevel::warning, warning);
     log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");

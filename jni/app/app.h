@@ -57,7 +57,6 @@ class App {
     void draw();
     void drawMessage();
     void drawScene();
-    void expose(const Renderer& renderer);
     void drawHud(double passedS);
     void show();
     // Runs a part of a frame; returns why it failed, or "". Throws gl::ContextLost where that is the reason:
@@ -88,8 +87,7 @@ class App {
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
     std::optional<OrbitView> view_;
-    float exposure_ = 1.0F;  // of the scene, once its light is there
-    int sceneFrames_ = 0;    // of it that have been drawn
+    Exposure exposure_;
 
     Choices choices_;
     double animationS_ = 0.0;       // what has been played, of any scene

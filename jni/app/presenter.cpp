@@ -5,6 +5,7 @@
 
 #include "app/app_programs.h"
 #include "gl/debug.h"
+#include "image/tone_map.h"
 
 namespace vct::app {
 
@@ -25,6 +26,12 @@ glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
 }
 
 }  // namespace
+
+void Exposure::follow(const Renderer& renderer) {
+    if (frames_ == 0 || frames_ == renderer.settings().lightFrames)
+        value_ = automaticExposure(renderer.radiance());
+    ++frames_;
+}
 
 Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
 

@@ -6,6 +6,20 @@
 
 namespace vct::app {
 
+// Of a scene: as that of `vct render` by its first picture, and again by the one in which its light stands
+// still. Then it stays, so that a light that is switched off is seen to be off; and reading a picture back
+// takes too long for every frame.
+class Exposure {
+  public:
+    // After each frame.
+    void follow(const Renderer& renderer);
+    float value() const { return value_; }
+
+  private:
+    float value_ = 1.0F;
+    int frames_ = 0;
+};
+
 class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
