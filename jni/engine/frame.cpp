@@ -87,7 +87,7 @@ void Renderer::draw(const std::vector<Picture>& pictures, const Camera& camera, 
 
         // The light of every pixel, or the part of it that the picture shows (thesis 4.6), into a texture of
         // the picture's own: Renderer::output().
-        if (i == shades_.size()) shades_.emplace_back(shaders_, others_.has_value(), settings_);
+        if (i == shades_.size()) shades_.emplace_back(shaders_, sources(), settings_);
         timer_.time(Step::trace, [&] { shades_[i].draw(picture, surface, direct, light); });
     }
 

@@ -47,11 +47,12 @@ bool isMirrored(const glm::dmat4& worldFromObject) {
     return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
 }
 
-shared::DrawUniforms materialUniforms(const Material& material, float radianceUnit) {
+shared::DrawUniforms materialUniforms(const Material& material, bool lamp, float radianceUnit) {
     shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
-    uniforms.surface = glm::vec4(material.alphaCutoff, material.metallic, material.roughness, 0.0F);
+    uniforms.surface =
+        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, lamp ? 0.0F : 1.0F);
     return uniforms;
 }
 
@@ -103,8 +104,8 @@ class Indices {
 
 }  // namespace
 
-GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
-                   Voxelization voxelization)
+GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Volume& volume,
+                   float radianceUnit, int uniformAlignment, Voxelization voxelization)
     : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
@@ -129,7 +130,9 @@ GpuScene::GpuScene(const Scene& scene, const Volume& volume, float radianceUnit,
         draw.mirrored = isMirrored(instance.worldFromObject);
         draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
         draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
-        shared::DrawUniforms values = materialUniforms(material, radianceUnit);
+        const auto place = static_cast<std::size_t>(&instance - scene.instances.data());
+        shared::DrawUniforms values =
+            materialUniforms(material, !lamps.empty() && lamps[place], radianceUnit);
         vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
         if (instance.moves()) {

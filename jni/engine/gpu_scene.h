@@ -26,10 +26,11 @@ struct ScenePart {
 
 class GpuScene {
   public:
-    // The scene is at rest. `radianceUnit`: E/pi of the light, to which emission is made relative. With
-    // Voxelization::sortedAxes the triangles of each instance are sorted by their axis (axis_sort.h).
-    GpuScene(const Scene& scene, const Volume& volume, float radianceUnit, int uniformAlignment,
-             Voxelization voxelization);
+    // The scene is at rest. `lamps`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
+    // E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes the triangles of
+    // each instance are sorted by their axis (axis_sort.h).
+    GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Volume& volume, float radianceUnit,
+             int uniformAlignment, Voxelization voxelization);
 
     // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.
     void setPose(const Pose& pose);

@@ -60,12 +60,13 @@ double cosineOverSquare(const std::vector<Triangle>& triangles, const glm::dvec3
 
 }  // namespace
 
-LampLight lampLight(const Scene& scene, double voxelSize) {
+LampLight lampLight(const Scene& scene, const std::vector<EmitterPart>& emitters, double voxelSize) {
     LampLight sums;
-    if (scene.punctualLights.empty()) return sums;
+    const std::size_t lights = scene.punctualLights.size() + emitters.size();
+    if (lights == 0) return sums;
     const std::vector<Triangle> triangles = trianglesOf(scene);
-    const double rays = std::clamp(
-        mostTests / static_cast<double>(triangles.size() * scene.punctualLights.size() + 1), 16.0, 256.0);
+    const double rays =
+        std::clamp(mostTests / static_cast<double>(triangles.size() * lights + 1), 16.0, 256.0);
     // Radiance of a white surface where rays of the lamps meet it, and each ray's flux over pi.
     std::vector<std::pair<double, double>> lit;
     for (const PunctualLight& light : scene.punctualLights) {
@@ -86,6 +87,26 @@ LampLight lampLight(const Scene& scene, double voxelSize) {
             const double met =
                 cosineOverSquare(triangles, glm::dvec3(light.worldFromLight[3]), direction, voxelSize);
             lit.emplace_back(light.intensity * met / glm::pi<double>(), fluxOverPi / std::floor(rays));
+        }
+    }
+    for (const EmitterPart& part : emitters) {
+        const double radiance = std::max({part.radiance.r, part.radiance.g, part.radiance.b});
+        sums.fluxOverPi += part.flux();
+        for (int i = 0; i < static_cast<int>(rays); ++i) {
+            const double turn = 2.399963229728653 * i, at = (i + 0.5) / std::floor(rays);
+            // To all sides, or weighted by the cosine with what it faces.
+            const double cosine = part.isRound() ? 1.0 - 2.0 * at : std::sqrt(1.0 - at);
+            const double sine = std::sqrt(1.0 - cosine * cosine);
+            const glm::dvec3 axis = part.isRound() ? glm::dvec3(0, 1, 0) : glm::normalize(part.facing);
+            const glm::dvec3 aside = glm::normalize(
+                glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+            const glm::dvec3 direction = cosine * axis + sine * std::cos(turn) * aside +
+                                         sine * std::sin(turn) * glm::cross(axis, aside);
+            const double seen = part.isRound() ? 0.25 * part.area : glm::length(part.facing) * cosine;
+            const glm::dvec3 from = part.centre + 1.01 * part.halfDepth * direction;
+            const double met = cosineOverSquare(triangles, from, direction,
+                                                std::max(voxelSize, std::sqrt(seen / glm::pi<double>())));
+            lit.emplace_back(radiance * seen * met / glm::pi<double>(), part.flux() / std::floor(rays));
         }
     }
     // The least that cuts off no more than it may.

@@ -35,9 +35,11 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }
 
-std::vector<std::string> skyDefines(bool environment) {
-    if (environment) return {"VCT_ENVIRONMENT"};
-    return {};
+std::vector<std::string> sourceDefines(const LightSources& sources) {
+    std::vector<std::string> defines;
+    if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
+    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
+    return defines;
 }
 
 gl::ProgramDescription voxelizing(const std::string& name, std::vector<std::string> defines,

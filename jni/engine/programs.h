@@ -20,8 +20,14 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used,
 
 // The constants of directional/cones.glsl.
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
-// What shaders/shared/sky.glsl is told of the sky.
-std::vector<std::string> skyDefines(bool environment);
+// What shines besides the sun and a sky that is the same in all directions.
+struct LightSources {
+    bool punctual = false;     // other lights of the file (passes/punctual_lights.h)
+    bool environment = false;  // a picture of the sky (environment.h)
+    bool emitters = false;     // lamps (emitters.h)
+};
+// What shaders of the received light are told of them.
+std::vector<std::string> sourceDefines(const LightSources& sources);
 // A number as ESSL writes it, so that it comes back as it was.
 std::string number(float value);
 

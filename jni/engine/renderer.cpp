@@ -24,6 +24,15 @@ LightSize lightSize(const Settings& settings) {
     return {settings.lightRadius, settings.shadowConeAngleDeg};
 }
 
+// Where the voxels leave small emitters to cones of their own, and the scene has any.
+std::optional<Emitters> lampsOf(const Scene& scene, const Volume& volume, const Settings& settings,
+                                float radianceUnit) {
+    if (settings.voxels != Voxels::directional) return {};
+    const std::vector<EmitterPart> parts = emitterParts(scene, volume);
+    if (parts.empty()) return {};
+    return Emitters(scene, parts, volume, radianceUnit);
+}
+
 }  // namespace
 
 Settings forDriver(Settings settings, const gl::Capabilities& capabilities) {
@@ -42,8 +51,9 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       faceRadianceRange_(faceRadianceRange(scene, light, brightestSky(settings), settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
-      scene_(scene, volume_, radianceUnit(light), capabilities.uniformBufferOffsetAlignment,
-             settings.voxelization),
+      emitters_(lampsOf(scene, volume_, settings, radianceUnit(light))),
+      scene_(scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_, radianceUnit(light),
+             capabilities.uniformBufferOffsetAlignment, settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.
@@ -57,7 +67,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
     if (!scene.punctualLights.empty())
         others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
                         glm::pi<double>() * radianceUnit(light), lightSize(settings));
-    shades_.emplace_back(shaders_, others_.has_value(), settings_);
+    shades_.emplace_back(shaders_, sources(), settings_);
     gl::checkErrors("setting up the renderer");
 }
 
@@ -94,6 +104,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     if (environment_) environment_->bind(VCT_TEX_ENVIRONMENT);
+    if (emitters_) emitters_->bind();
 }
 
 void Renderer::forgetWhatWasMade() {
@@ -105,11 +116,16 @@ void Renderer::forgetWhatWasMade() {
 void Renderer::setPoseNow(const Pose& pose) {
     scene_.setPose(pose);
     if (others_) others_->setPose(pose);
+    if (emitters_) emitters_->setPose(pose);
 }
 
 SceneState Renderer::state() const {
     return {scene_.placements(), light_.towardsLight,
             others_ ? others_->states() : std::vector<PunctualLightState>()};
+}
+
+LightSources Renderer::sources() const {
+    return {others_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -135,7 +151,8 @@ VoxelVolume& Renderer::voxels() {
     if (packed)
         voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_);
     else
-        voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, volume_, boundsWorld_);
+        voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, volume_, boundsWorld_,
+                                                      sources());
     return *voxels_;
 }
 
@@ -155,6 +172,7 @@ Resources Renderer::resources() const {
     Resources resources = scene_.resources();
     add(resources, frameUniforms_);
     if (environment_) add(resources, *environment_);
+    if (emitters_) add(resources, emitters_->uniforms());
     if (shadowMap_) add(resources, shadowMap_->texture());
     if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
     if (others_) add(resources, others_->resources());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/directional/directional_volume.h"
+#include "engine/emitters.h"
 #include "engine/gpu_scene.h"
 #include "engine/packed/packed_volume.h"
 #include "engine/passes/g_buffer.h"
@@ -101,6 +102,7 @@ class Renderer {
     };
     void draw(const std::vector<Picture>& pictures, const Camera& camera, LightSteps steps,
               const GBuffer::Targets* callersSurface = nullptr);
+    LightSources sources() const;
     void uploadFrameUniforms(const Camera& camera);
     void forgetWhatWasMade();
     void setPoseNow(const Pose& pose);
@@ -119,6 +121,8 @@ class Renderer {
     std::optional<gl::Texture> environment_;  // the sky, where it is not the same in all directions
     float faceRadianceRange_, largestBounceShare_;
     Volume volume_;
+    std::optional<Emitters>
+        emitters_;  // where the scene has lamps, and voxels are of the kind that need them
     GpuScene scene_;
     std::optional<Pose> nextPose_;
     glm::vec2 pictureShift_{0.0F};

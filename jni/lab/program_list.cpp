@@ -1,6 +1,8 @@
 #include "lab/program_list.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <tuple>
 
 #include "engine/directional/directional_volume.h"
@@ -16,6 +18,9 @@ namespace vct {
 
 namespace {
 
+constexpr std::array lightPrograms{"light_inherit", "light_clear", "light_bricks", "light_blocks",
+                                   "light_shine"};
+
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
 }
@@ -24,14 +29,13 @@ bool possible(unsigned features) {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(),      packedClearProgram(),         voxelViewProgram(),
+        packedMipmapperProgram(),      packedClearProgram(),       voxelViewProgram(),
 
-        directionalResolveProgram(),   directionalLevelsProgram(),   directionalClearBaseProgram(),
-        directionalMipmapperProgram(), directionalClearProgram(),    lightProgram("light_inherit"),
-        lightProgram("light_clear"),   lightProgram("light_blocks"), lightProgram("light_bricks"),
-        shadowMomentsProgram(),        nextShadowMomentsProgram(),   staticResolveProgram(),
-        dirtyResolveProgram(),         dirtyMipmapperProgram(),      dirtyClearBaseProgram(),
-        clearDynamicProgram(),         clearRadianceProgram(),       relightResolveProgram()};
+        directionalResolveProgram(),   directionalLevelsProgram(), directionalClearBaseProgram(),
+        directionalMipmapperProgram(), directionalClearProgram(),  shadowMomentsProgram(),
+        nextShadowMomentsProgram(),    staticResolveProgram(),     dirtyResolveProgram(),
+        dirtyMipmapperProgram(),       dirtyClearBaseProgram(),    clearDynamicProgram(),
+        clearRadianceProgram(),        relightResolveProgram()};
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));
@@ -57,19 +61,26 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.back().environment = sky;
     }
     for (const bool environment : {false, true})
-        programs.push_back(lightShineProgram(environment));
+        for (const bool emitters : {false, true})
+            for (const char* name : lightPrograms)
+                programs.push_back(lightProgram(name, {false, environment, emitters}));
     for (const Settings& settings : variants) {
         const bool faces = settings.voxels == Voxels::directional;
         for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_IRRADIANCE); ++mode)
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
-                    for (bool otherLights : {false, true})
-                        if (faces || !gloss)
-                            programs.push_back(shadeProgram(mode, {emissive, gloss}, otherLights, settings));
+                    for (bool punctual : {false, true})
+                        for (bool emitters : {false, true})
+                            if (faces || (!gloss && !emitters))
+                                programs.push_back(shadeProgram(
+                                    mode, {emissive, gloss},
+                                    {punctual, settings.environment != nullptr, emitters}, settings));
         if (settings.voxels != Voxels::directional) continue;
-        for (const GatherOf of : {GatherOf::light, GatherOf::occlusion})
-            programs.push_back(irradianceProgram(of == GatherOf::light ? settings.gather : settings.occlusion,
-                                                 of, settings.environment != nullptr));
+        for (const bool emitters : {false, true})
+            programs.push_back(irradianceProgram(settings.gather, GatherOf::light,
+                                                 {false, settings.environment != nullptr, emitters}));
+        programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion, {}));
+        programs.push_back(emittersProgram(settings.gather));
     }
     for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
         programs.push_back(debugViewProgram(view));
@@ -91,6 +102,9 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         programs.push_back({step, program});
     };
     const ExtraTargets targets = extraTargets(features, settings.specular);
+    // What glows is a lamp, unless it is large: then there are less.
+    const LightSources sources{features.has(featurePunctualLights), settings.environment != nullptr,
+                               settings.voxels == Voxels::directional && features.has(featureEmissive)};
     if (mode != Mode::phong)
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
@@ -110,29 +124,25 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         }
         add(Step::voxelize, directionalResolveProgram());
         add(Step::mipmap, directionalLevelsProgram());
-        const bool occlusion = mode == Mode::ao, environment = settings.environment != nullptr;
-        add(Step::irradiance, lightProgram("light_inherit"));
-        add(Step::irradiance, lightProgram("light_clear"));
-        add(Step::irradiance, lightProgram("light_bricks"));
-        if (!occlusion) {
-            add(Step::irradiance, lightShineProgram(environment));
-            add(Step::irradiance, directionalMipmapperProgram());
-        }
+        const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
+        const LightSources received = sourcesOf(of, sources);
+        for (const char* name : lightPrograms)
+            if (of == GatherOf::light || name != std::string("light_shine"))
+                add(Step::irradiance, lightProgram(name, received));
+        if (received.emitters) add(Step::irradiance, emittersProgram(settings.gather));
+        if (of == GatherOf::light) add(Step::irradiance, directionalMipmapperProgram());
         add(Step::irradiance,
-            irradianceProgram(occlusion ? settings.occlusion : settings.gather,
-                              occlusion ? GatherOf::occlusion : GatherOf::light, environment));
-        add(Step::irradiance, lightProgram("light_blocks"));
+            irradianceProgram(of == GatherOf::light ? settings.gather : settings.occlusion, of, received));
     } else if (voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)
             add(Step::voxelize, packedVoxelizerProgram(f, settings.voxelization));
         add(Step::mipmap, packedMipmapperProgram());
     }
-    const bool otherLights = features.has(featurePunctualLights);
-    if (otherLights && mode != Mode::phong)
+    if (sources.punctual && mode != Mode::phong)
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, lightMapProgram(f));
-    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, otherLights, settings));
+    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, sources, settings));
     return programs;
 }
 

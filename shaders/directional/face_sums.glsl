@@ -127,3 +127,9 @@ float faceCoverage(uint slot, int face) {
 SurfacePlane facePlane(uint slot, int face) {
     return unpackPlane(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_PLANE]);
 }
+
+// Whether the face's surface, of that plane, is one side of a sheet or a thin plate. (Two walls of an edge look to opposite sides
+// too, but not against each other.)
+bool hasBack(uint slot, int face, SurfacePlane plane) {
+    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) && dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
+}

@@ -36,13 +36,12 @@ vec3 gatherDirection(int i) {
 
 // The cones of a step are the next of the set of directions; the 16 faces of a flat block look into 16 in a row. From one to
 // the next it is the golden section of a turn, nearly: any few in a row are spread over the hemisphere.
-Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, bool hasBack, int cones) {
+Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
     ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
     int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
-    vec3 ownBelow = ownFaces(plane.normal, hasBack);
     Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
@@ -127,12 +126,10 @@ void main() {
         SurfacePlane plane = facePlane(slot, listed.face);
         float known = min(stepsOf(i), lightStep.memory);
         float coverage = faceCoverage(slot, listed.face);
-        // Two walls of an edge look to opposite sides too, but not against each other.
-        bool hasBack = faceCoverage(slot, listed.face ^ 1) > 0.5 * coverage &&
-                       dot(facePlane(slot, listed.face ^ 1).normal, plane.normal) < -0.8;
         // A face without a memory looks into more directions, unless there is hardly anything of it.
         bool isNew = known == 0.0 && coverage > 0.02;
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, hasBack, int(isNew ? lightStep.conesOfNew : lightStep.cones));
+        vec3 ownBelow = ownFaces(plane.normal, hasBack(slot, listed.face, plane));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : lightStep.cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             for (uint c = 0u; c < sums; ++c) {
@@ -144,7 +141,8 @@ void main() {
         Received mean = nextMean(receivedOf(i), known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
         storeReceived(i, mean);
         vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-        storeInBricks(listed, vec4(smoothed(mean.light, mean.nearness, listed, inVoxels), 1.0) * coverage);
+        vec3 all = smoothed(mean.light, mean.nearness, listed, inVoxels) + fromEmitters(i);
+        storeInBricks(listed, vec4(all, 1.0) * coverage);
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)

@@ -69,11 +69,13 @@ void main() {
         FaceSum sum = faceSum(slot, listed.face);
         before += inUnits(sum.coverage * mean.light);
         reflected += inUnits(lightStep.reflected * sum.albedo * mean.light);
-        direct += inUnits(sum.radiance);
-        vec3 radiance = sum.radiance + lightStep.reflected * sum.albedo * mean.light;
+        vec3 own = sum.radiance + lightStep.reflected * sum.albedo * fromEmitters(i);
+        direct += inUnits(min(own, 1.0));
+        vec3 radiance = own + lightStep.reflected * sum.albedo * mean.light;
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
         imageStore(faces, texel, storedFace(vec4(radiance, sum.coverage), texel, lightStep.frame));
-    }    add(VCT_SUM_BEFORE, before);
+    }
+    add(VCT_SUM_BEFORE, before);
     add(VCT_SUM_REFLECTED, reflected);
     add(VCT_SUM_DIRECT, direct);
     barrier();

@@ -17,8 +17,14 @@ struct Received {
     float nearness;  // mean of 1 / distance of what is around, in voxels
 };
 
+// Words of a face.
+#ifdef VCT_EMITTERS
+#define VCT_RECEIVED_WORDS 6u
+#else
+#define VCT_RECEIVED_WORDS 4u
+#endif
 uint receivedIndex(uint face) {
-    return VCT_LIGHT_HEADER + 4u * face;
+    return VCT_LIGHT_HEADER + VCT_RECEIVED_WORDS * face;
 }
 
 Received receivedOf(uint face) {
@@ -38,6 +44,23 @@ void storeReceived(uint face, Received value) {
     received[at + 2u] = packHalf2x16(value.atStart.rg);
     received[at + 3u] = packHalf2x16(vec2(value.atStart.b, value.nearness));
 }
+
+// And what it receives of lamps (directional/emitters.comp), which is no mean: the same in all steps.
+#ifdef VCT_EMITTERS
+vec3 fromEmitters(uint face) {
+    uint at = receivedIndex(face) + 4u;
+    return vec3(unpackHalf2x16(received[at]), unpackHalf2x16(received[at + 1u]).x);
+}
+void storeFromEmitters(uint face, vec3 light) {
+    uint at = receivedIndex(face) + 4u;
+    received[at] = packHalf2x16(light.rg);
+    received[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
+}
+#else
+vec3 fromEmitters(uint face) {
+    return vec3(0.0);
+}
+#endif
 
 // The sums of a step, each weighted by coverage: what the faces received before it, what they send on of that, and what they
 // send of their own, three words each; what they received in it from other faces; and what they saw of the sky

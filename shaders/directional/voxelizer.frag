@@ -45,7 +45,7 @@ void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo,
         if (fixedCoverage(abs(weights[axis])) > 0u) marked |= 1u << uint(2 * axis + (weights[axis] > 0.0 ? 0 : 1));
     if (!relight && marked != 0u) {
         markFaces(slot, marked);
-        if (materialEmits) markGlowing(slot, marked);
+        if (materialEmits && draw.surface.w > 0.0) markGlowing(slot, marked);
     }
     // Most surfaces face along one axis.
     for (uint left = marked; left != 0u; left &= left - 1u) {
@@ -73,7 +73,7 @@ void main() {
     if (slot >= voxelPlaces()) return;  // no room in the list: reported by the program
 
     vec3 normal = safeNormalize(fragmentNormal);
-    vec3 emissive = materialEmissive();
+    vec3 emissive = materialEmissive() * draw.surface.w;
     vec3 fromMiddle = positionVoxels - vec3(voxel) - 0.5;
     addSide(slot, coverage, normal, fromMiddle, baseColor.rgb, directRadiance(baseColor.rgb, normal) + emissive);
     if (materialIsDoubleSided)

@@ -44,6 +44,7 @@ using glm::vec4;
 #define VCT_UBO_DIRTY_BLOCKS 2
 #define VCT_UBO_LIGHT 3
 #define VCT_UBO_PUNCTUAL_LIGHTS 4
+#define VCT_UBO_EMITTERS 5
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
@@ -105,7 +106,11 @@ using glm::vec4;
 #define VCT_COUNTER_LIGHT_CLEAR_PLACE 48
 #define VCT_COUNTER_SHADOW_MOMENTS 49
 #define VCT_COUNTER_SHADOW_MOMENTS_NEXT 50
-#define VCT_COUNTER_COUNT 51
+#define VCT_COUNTER_EMITTERS 51
+#define VCT_COUNTER_EMITTERS_FACE 52
+#define VCT_COUNTER_EMITTERS_CONE 53
+#define VCT_COUNTER_EMITTERS_STEP 54
+#define VCT_COUNTER_COUNT 55
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -154,6 +159,7 @@ using glm::vec4;
 
 #define VCT_MAX_PUNCTUAL_LIGHTS 16
 #define VCT_MAX_LIGHT_MAPS 96  // six for each of them
+#define VCT_MAX_EMITTER_PARTS 32
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
@@ -219,6 +225,17 @@ struct PunctualLightBlock {
     LightMap map[VCT_MAX_LIGHT_MAPS];
 };
 
+// A part of a lamp (jni/engine/emitters.h). Lengths and areas in sides of the volume.
+struct EmitterPartUniforms {
+    vec4 place;     // xyz: its middle, volume space; w: its radius
+    vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see seenArea() in shared/emitters.glsl
+    vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
+};
+struct EmitterBlock {
+    ivec4 count;  // x: of parts
+    EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
+};
+
 // One step of the received light towards its final value (jni/engine/directional/irradiance.h).
 struct LightStep {
     uint frame;          // counts steps
@@ -244,7 +261,7 @@ struct DrawUniforms {
     mat4 normalFromObject;  // upper 3x3: inverse transpose
     vec4 baseColor;
     vec4 emissive;  // rgb: relative to E/pi
-    vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness
+    vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness, w: 1, or 0 where voxels leave its emission to jni/engine/emitters.h
 };
 
 // One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,

@@ -139,14 +139,15 @@ TEST_P(LampsWithASize, LeavePenumbraeAsRaysSay) {
 TEST(SoftLights, AreCompiledWhereTheyAreAskedForOnly) {
     Settings settings = presetSettings("mobile");
     const ExtraTargets none{};
-    const auto before = [&](Picture mode, bool otherLights) {
-        return shadeProgram(mode, none, otherLights, presetSettings("mobile")).defines;
+    const auto before = [&](Picture mode, const LightSources& sources) {
+        return shadeProgram(mode, none, sources, presetSettings("mobile")).defines;
     };
     settings.lightRadius = 0.1F;
     for (const Picture mode : {VCT_MODE_PHONG, VCT_MODE_GI, VCT_MODE_GI_CONE_SHADOW, VCT_VIEW_CONE_SHADOW})
         for (const bool otherLights : {false, true}) {
-            const bool differs =
-                shadeProgram(mode, none, otherLights, settings).defines != before(mode, otherLights);
+            LightSources sources;
+            sources.punctual = otherLights;
+            const bool differs = shadeProgram(mode, none, sources, settings).defines != before(mode, sources);
             EXPECT_EQ(differs, mode == VCT_MODE_GI_CONE_SHADOW && otherLights) << mode;
         }
 }

@@ -7,9 +7,10 @@ namespace vct {
 
 DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                                      const Settings& settings, const Volume& volume,
-                                     const Bounds& boundsWorld)
+                                     const Bounds& boundsWorld, const LightSources& sources)
     : shaders_(shaders),
       settings_(settings),
+      sources_(sources),
       shadowTexel_(glm::length(boundsWorld.max - boundsWorld.min) / settings.shadowMapSize / volume.side),
       voxels_(shaders, settings.grid, settings.activeVoxelLimit),
       voxelizer_(shaders, scene, settings.grid, settings.voxelization),
@@ -97,7 +98,7 @@ Irradiance& DirectionalVolume::irradiance(GatherOf of, const GpuScene& scene) {
     std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
     if (!pass)
         pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, scene.moves(), settings_.environment != nullptr);
+                     settings_.lightFrames, scene.moves(), sourcesOf(of, sources_));
     return *pass;
 }
 

@@ -41,7 +41,10 @@ float faceSumUnits(std::size_t triangles) {
 
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
                         int grid) {
-    const LampLight lamps = lampLight(scene, volumeAround(scene.boundsWorld, grid).voxelSize());
+    const Volume volume = volumeAround(scene.boundsWorld, grid);
+    const std::vector<EmitterPart> emitters = emitterParts(scene, volume);
+    const std::vector<bool> isLamp = lampsAmong(scene, emitters);
+    const LampLight lamps = lampLight(scene, emitters, volume.voxelSize());
     // What all emitters send, and what all surfaces absorb of it.
     double sent = lamps.fluxOverPi, absorbed = 0.0;
     auto brightest = static_cast<float>(lamps.brightest);
@@ -50,9 +53,11 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
         const Material& material = scene.materials[mesh.material];
         const float emission = std::max({material.emissive.r, material.emissive.g, material.emissive.b});
         const float albedo = std::max({material.baseColor.r, material.baseColor.g, material.baseColor.b});
-        brightest = std::max(brightest, emission);
         const double area = areaWorld(mesh, instance);
-        sent += area * emission;
+        if (!isLamp[static_cast<std::size_t>(&instance - scene.instances.data())]) {
+            brightest = std::max(brightest, emission);
+            sent += area * emission;
+        }
         absorbed += area * (1.0 - std::min(albedo, 0.95F));
     }
     const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});

@@ -43,6 +43,9 @@ glm::ivec3 blocksSize(int grid) {
     return grid / VCT_BRICK_SIDE * glm::ivec3(DirectionalVoxels::blocksX, DirectionalVoxels::blocksY, 1);
 }
 
+// In each step a quarter of the faces look at the lamps anew (shaders/directional/emitters.comp).
+constexpr int stepsOfEmitters = 4;
+
 // In groups of 4^3.
 void dispatchOver(const glm::ivec3& texels) {
     const glm::uvec3 groups = (texels + 3) / 4;
@@ -51,21 +54,27 @@ void dispatchOver(const glm::ivec3& texels) {
 
 }  // namespace
 
-gl::ProgramDescription lightProgram(const std::string& name) {
-    return {name, {"directional/" + name + ".comp"}, {}};
+gl::ProgramDescription lightProgram(const std::string& name, const LightSources& sources) {
+    return {name, {"directional/" + name + ".comp"}, sourceDefines(sources)};
 }
 
-gl::ProgramDescription lightShineProgram(bool environment) {
-    return {"light_shine", {"directional/light_shine.comp"}, skyDefines(environment)};
+LightSources sourcesOf(GatherOf of, const LightSources& sources) {
+    return of == GatherOf::light ? sources : LightSources();
 }
 
-gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of, bool environment) {
+gl::ProgramDescription emittersProgram(const GatherSettings& settings) {
+    std::vector<std::string> defines = gatherDefines(settings);
+    defines.emplace_back("VCT_EMITTERS");
+    return {"emitters", {"directional/emitters.comp"}, defines};
+}
+
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of,
+                                         const LightSources& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
     defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
                                                    : "VCT_GATHER_OCCLUSION false");
-    // How open the surroundings are does not depend on the sky.
-    for (const std::string& define : skyDefines(environment && of == GatherOf::light))
+    for (const std::string& define : sourceDefines(sources))
         defines.push_back(define);
     return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
             {"directional/irradiance.comp"},
@@ -73,22 +82,26 @@ gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherO
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
-                       int lightFrames, bool voxelsChange, bool environment)
+                       int lightFrames, bool voxelsChange, const LightSources& sources)
     : settings_(settings),
       lightFrames_(lightFrames),
       voxelsChange_(voxelsChange),
-      inherit_(shaders, lightProgram("light_inherit")),
-      clear_(shaders, lightProgram("light_clear")),
-      placeBricks_(shaders, lightProgram("light_bricks")),
-      gather_(shaders, irradianceProgram(settings, of, environment)),
-      gatherBlocks_(shaders, lightProgram("light_blocks")),
+      inherit_(shaders, lightProgram("light_inherit", sources)),
+      clear_(shaders, lightProgram("light_clear", sources)),
+      placeBricks_(shaders, lightProgram("light_bricks", sources)),
+      gather_(shaders, irradianceProgram(settings, of, sources)),
+      gatherBlocks_(shaders, lightProgram("light_blocks", sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
-    if (of == GatherOf::light) shine_.emplace(shaders, lightShineProgram(environment));
+    if (of == GatherOf::light) shine_.emplace(shaders, lightProgram("light_shine", sources));
+    if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings));
     forget();
 }
 
 void Irradiance::note(const Change& change) {
-    if (change.keptFaces) firstNew_ = std::min(*change.keptFaces, firstNew_.value_or(*change.keptFaces));
+    if (change.keptFaces) {
+        firstNew_ = std::min(*change.keptFaces, firstNew_.value_or(*change.keptFaces));
+        emitterSteps_ = stepsOfEmitters;
+    }
     changed_ = true;
     if (!change.light) return;
     age_ = std::min(age_, memoryInChange);
@@ -97,6 +110,7 @@ void Irradiance::note(const Change& change) {
 
 void Irradiance::forget() {
     firstNew_ = 0U;
+    emitterSteps_ = stepsOfEmitters;
     age_ = 0.0F;
     stepsLeft_ = lightFrames_;
     lastShare_ = 0.0F;
@@ -130,6 +144,13 @@ void Irradiance::step(DirectionalVoxels& voxels, DirectionalMipmapper& mipmapper
     if (listsChanged) placeBricks(voxels);
     // Four faces for each invocation: what they add up is added to the sums of all once.
     const GLuint groups = counts_[0].faceCount / (4 * VCT_LIST_GROUP) + 1;
+    if (emitters_ && emitterSteps_ > 0) {
+        --emitterSteps_;
+        emitters_->use();
+        gl::Uniform1ui(VCT_UNIFORM_LEVEL, 0);
+        gl::DispatchCompute(groups, 1, 1);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     if (shine_) {
         shine_->use();
         voxels.bindLevel(VCT_IMAGE_FACES, 0);
@@ -180,8 +201,8 @@ void Irradiance::makeRoomForFaces(std::uint32_t faces, std::uint32_t blocks) {
     const bool first = facePlaces_ == 0;
     facePlaces_ = places(faces, facePlaces_);
     blockPlaces_ = places(blocks, blockPlaces_);
-    const std::vector<std::uint32_t> zeros(VCT_LIGHT_HEADER +
-                                           4 * (std::size_t{facePlaces_} + std::size_t{blockPlaces_}));
+    const std::vector<std::uint32_t> zeros(VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{facePlaces_} +
+                                           4 * std::size_t{blockPlaces_});
     gl::Buffer larger("received light", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
     if (!first) {
@@ -219,7 +240,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.direction = direction_;
     values.cones = static_cast<std::uint32_t>(cones());
     values.conesOfNew = std::max(conesOfNew, values.cones);
-    values.firstNew = firstNew_.value_or(0);
+    values.firstNew = firstNew_.value_or(VCT_NO_ENTRY);
     values.beginsRound = stepOfRound() == 0 ? 1 : 0;
     values.shareInRound = stepOfRound() >= 0 ? shareOfStep() : 0.0F;
     values.bricksAlong = bricksAlong_;
@@ -229,7 +250,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.reflected = allBounces ? bounceGain : 0.0F;
     values.amplitude = lastShare_;
     values.towardsBalance = stepOfRound() >= 0 ? lastShare_ : std::max(lastShare_, 0.5F);
-    values.blockSums = VCT_LIGHT_HEADER + 4 * facePlaces_;
+    values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * facePlaces_;
     values.smoothing = smoothing_;
     values.sumUnits = std::min(65536.0F, 2147483648.0F / static_cast<float>(facePlaces_));
     uniforms_.bind(GL_UNIFORM_BUFFER);

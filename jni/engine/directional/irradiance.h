@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/directional/directional_mipmapper.h"
-#include "engine/settings.h"
+#include "engine/programs.h"
 
 namespace vct {
 
@@ -14,18 +14,20 @@ namespace vct {
 // closed room where nothing is absorbed would have no bound.
 float largestBounceShare(const Scene& scene);
 
-// `name`: light_inherit, light_clear, light_bricks or light_blocks.
-gl::ProgramDescription lightProgram(const std::string& name);
-// `environment`: whether the sky is a picture.
-gl::ProgramDescription lightShineProgram(bool environment);
-gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of, bool environment);
+// `name`: light_inherit, light_clear, light_bricks, light_blocks or light_shine.
+gl::ProgramDescription lightProgram(const std::string& name, const LightSources& sources);
+gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of,
+                                         const LightSources& sources);
+gl::ProgramDescription emittersProgram(const GatherSettings& settings);
+// How open the surroundings are depends on no light.
+LightSources sourcesOf(GatherOf of, const LightSources& sources);
 
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light stands still. `voxelsChange`: others are occupied
-    // from frame to frame. `environment`: the sky is a picture.
+    // from frame to frame.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool voxelsChange, bool environment);
+               bool voxelsChange, const LightSources& sources);
 
     // What happened to the voxels since the last step:
     struct Change {
@@ -56,6 +58,8 @@ class Irradiance {
   private:
     // How many steps a round has, in which each face looks into all directions once.
     int round() const { return settings_.directions / settings_.cones; }
+    // Of the received light.
+    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     // How many cones each face traces in the next step.
     int cones() const { return changed_ ? 1 : settings_.cones; }
     // Which step of a round the next one is, or -1.
@@ -71,7 +75,9 @@ class Irradiance {
     int lightFrames_;
     bool voxelsChange_;
     gl::Program inherit_, clear_, placeBricks_, gather_, gatherBlocks_;
-    std::optional<gl::Program> shine_;  // of light
+    std::optional<gl::Program> shine_;     // of light
+    std::optional<gl::Program> emitters_;  // likewise, where the scene has lamps
+    int emitterSteps_ = 0;                 // until all faces have looked at them anew
     gl::Buffer uniforms_, received_;
     std::optional<gl::Texture> irradiance_, bricks_, blockLight_;
     glm::ivec3 irradianceSize_{0};

@@ -1,26 +1,27 @@
 #include "engine/passes/shade.h"
 
-#include "engine/programs.h"
 #include "gl/debug.h"
 #include "shared/layout.h"
 
 namespace vct {
 
-gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, bool otherLights,
+gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const LightSources& sources,
                                     const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
     if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
     const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
     if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
-    if (otherLights && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
-    if (otherLights && mode == VCT_MODE_GI_CONE_SHADOW && settings.lightRadius > 0.0F)
+    if (sources.punctual && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
+    if (sources.punctual && mode == VCT_MODE_GI_CONE_SHADOW && settings.lightRadius > 0.0F)
         defines.emplace_back("VCT_SOFT_LIGHTS");
     const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
     if (softShadow && settings.shadow == Shadow::softMap) {
         defines.emplace_back("VCT_SOFT_SHADOW");
         defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
     }
-    for (const std::string& define : skyDefines(settings.environment != nullptr))
+    // Only reflections meet lamps here: what faces received has their light already.
+    for (const std::string& define :
+         sourceDefines({false, sources.environment, sources.emitters && targets.gloss && reflects}))
         defines.push_back(define);
     const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
     if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
@@ -30,8 +31,8 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, bool oth
     return {"shade " + std::to_string(mode), {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }
 
-Shade::Shade(gl::ShaderLibrary shaders, bool otherLights, const Settings& settings)
-    : shaders_(std::move(shaders)), otherLights_(otherLights), settings_(settings) {
+Shade::Shade(gl::ShaderLibrary shaders, const LightSources& sources, const Settings& settings)
+    : shaders_(std::move(shaders)), sources_(sources), settings_(settings) {
     resize(settings.size);
 }
 
@@ -46,8 +47,7 @@ const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surfa
     auto found = programs_.find(key);
     if (found == programs_.end())
         found =
-            programs_
-                .emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, otherLights_, settings_)))
+            programs_.emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, sources_, settings_)))
                 .first;
     return found->second;
 }

@@ -6,19 +6,18 @@
 
 #include "engine/passes/g_buffer.h"
 #include "engine/passes/shadow_map.h"
-#include "engine/settings.h"
+#include "engine/programs.h"
 #include "engine/voxel_volume.h"
 #include "gl/program.h"
 
 namespace vct {
 
-// `otherLights`: whether the scene has lights besides the sun.
-gl::ProgramDescription shadeProgram(Picture picture, ExtraTargets targets, bool otherLights,
+gl::ProgramDescription shadeProgram(Picture picture, ExtraTargets targets, const LightSources& sources,
                                     const Settings& settings);
 
 class Shade {
   public:
-    Shade(gl::ShaderLibrary shaders, bool otherLights, const Settings& settings);
+    Shade(gl::ShaderLibrary shaders, const LightSources& sources, const Settings& settings);
 
     // What a picture does not use may be null. Returns RGBA16F: rgb relative to E/pi, a 1 on surfaces.
     const gl::Texture& draw(Picture picture, const GBuffer::Targets& surface, const DirectLight& direct,
@@ -32,7 +31,7 @@ class Shade {
     const gl::Program& program(Picture picture, const GBuffer::Targets& surface);
 
     gl::ShaderLibrary shaders_;
-    bool otherLights_;
+    LightSources sources_;
     Settings settings_;
     std::map<std::tuple<int, bool, bool>, gl::Program> programs_;  // compiled when first asked for
     gl::Texture radiance_;
