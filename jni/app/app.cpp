@@ -136,7 +136,7 @@ void App::draw() {
         drawScene();
     const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
     if (renderer != nullptr)
-        gl_->presenter().draw(*renderer, surface_->size());
+        gl_->presenter().draw(*renderer, exposure_.value(), surface_->size());
     else
         clearWindow(surface_->size(), background);
     drawHud(passedS);
@@ -169,6 +169,9 @@ void App::drawHud(double passedS) {
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
     content.animated = scene_ && !scene_->animation.channels.empty();
+    if (scene_)
+        for (const PunctualLight& light : scene_->punctualLights)
+            content.lights.push_back(light.name);
     content.measuring = request_.has_value();
     if (scenes_.loading())
         content.status = "loading " + scenes_.loaded().name;
@@ -183,7 +186,10 @@ void App::drawHud(double passedS) {
 
     if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
     if (actions.rescan) scenes_.rescan();
-    if (actions.resetView && scene_) view_.emplace(*scene_);
+    if (actions.resetView && scene_) {
+        view_.emplace(*scene_);
+        exposure_ = {};
+    }
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
         endMeasuring("stopped by hand");
@@ -206,6 +212,7 @@ void App::drawScene() {
         const glm::dvec2 size(settingsFor(choices_, wanted.window).size);
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(size.x / size.y));
+        exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
             const StepTimes times = renderer.timer().stopRecording();
@@ -305,7 +312,9 @@ void App::takeLoadedScene() {
         return request_ ? endMeasuring(error.what()) : fail(error.what());
     }
     if (!loaded) return;
+    if (scene_) choices_.lightsOff.reset();  // else it is as the intent has it
     scene_ = loaded;
+    exposure_ = {};
     for (const std::string& warning : scene_->warnings)
         log(LogLevel::warning, warning);
     log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");

@@ -87,6 +87,7 @@ class App {
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
     std::optional<OrbitView> view_;
+    Exposure exposure_;
 
     Choices choices_;
     double animationS_ = 0.0;       // what has been played, of any scene

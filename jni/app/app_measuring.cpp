@@ -4,6 +4,8 @@
 #include "app/app.h"
 #include "app/log.h"
 #include "core/error.h"
+#include "lab/options.h"
+#include "scene/camera.h"
 
 namespace vct::app {
 
@@ -45,10 +47,13 @@ void App::measure() {
         if (!bench_) {
             gl_->dropRenderer();
             stepMs_.reset();
+            Settings sky;
+            if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
-                BenchRun::Input{*request_, scene_, gl_->capabilities(),
-                                shadersFromAssets(glue_.activity->assetManager), "android",
-                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
+                BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
+                                gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager),
+                                "android", selfTestJson(*selfTest_),
+                                [](const std::string& line) { log(line); }},
                 results_->path());
         }
         more = bench_->advance();

@@ -33,10 +33,12 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
                                  glm::ivec2 window) {
-    const Settings settings = forDriver(settingsFor(choices, window), capabilities_);
+    Settings settings = forDriver(settingsFor(choices, window), capabilities_);
+    settings.skyRadiance = skyRadianceFor(choices, *scene);
     const DirectionalLight light = lightFor(choices, *scene);
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
-        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size) {
+        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size ||
+        settings.skyRadiance != renderer_->settings().skyRadiance) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
@@ -45,6 +47,8 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
     }
     renderer_->setLightDirection(light.towardsLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);
+    for (std::size_t i = 0; i < scene->punctualLights.size(); ++i)
+        renderer_->setLightOn(i, !choices.lightsOff.test(i));
     return *renderer_;
 }
 

@@ -43,5 +43,27 @@ TEST(Choices, RevoxelizeIsOfTheSettings) {
     EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
 }
 
+TEST(Choices, LampsAreSwitchedAndTheSkyIsChosenInWords) {
+    const Choices choices = showRequestFromText("show sky=plain lights-off=1,16").choices;
+    EXPECT_EQ(choices.sky, Sky::plain);
+    EXPECT_EQ(choices.lightsOff.to_ulong(), 0x8001UL);
+    EXPECT_NE(choices, Choices());
+    for (const char* wrong :
+         {"show sky=blue", "show sky=", "show lights-off=0", "show lights-off=17", "show lights-off=1,a"})
+        EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
+}
+
+TEST(Choices, ASkyIsOfTheScenesLightUnlessItIsDark) {
+    Scene lit;
+    lit.lights.push_back({{0, 1, 0}, glm::vec3(1.0F), 3000.0F});
+    Choices choices;
+    EXPECT_EQ(skyRadianceFor(choices, lit), glm::vec3(0.0F));
+    EXPECT_GT(skyRadianceFor(choices, Scene()).b, 0.1F) << "nothing shines";
+    choices.sky = Sky::plain;
+    EXPECT_NEAR(skyRadianceFor(choices, lit).g, 3000.0F * 0.25F / 3.14159265F, 0.1F);
+    choices.sky = Sky::dark;
+    EXPECT_EQ(skyRadianceFor(choices, Scene()), glm::vec3(0.0F));
+}
+
 }  // namespace
 }  // namespace vct::app
