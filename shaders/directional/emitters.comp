@@ -57,7 +57,9 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         vec3 light = part.radiance.rgb * (share / frame.radianceRange);
         if (max(light.r, max(light.g, light.b)) < 1e-5) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
-        float reach = (distance - part.radiance.w) * grid;
+        // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
+        float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
+        float reach = (distance - part.radiance.w / rising) * grid;
         sum += light * transmittanceTo(start, plane.normal, ownBelow, towards, reach, coneWidth * part.place.w / distance);
     }
     return sum;

@@ -48,7 +48,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int co
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
         // From half a level less to half a level more, evenly, and otherwise than the directions follow each other.
-        float spread = exp2(fract(0.7548777 * float(i & (VCT_GATHER_DIRECTIONS - 1))) - 0.5);
+        float spread = exp2(float(i * 49471 & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;
         // The directions share the hemisphere, weighted by the cosine.
