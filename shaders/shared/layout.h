@@ -229,6 +229,7 @@ struct PunctualLightBlock {
 struct EmitterPartUniforms {
     vec4 place;     // xyz: its middle, volume space; w: its radius
     vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see seenArea() in shared/emitters.glsl
+    vec4 side;      // xyz: half of one side of the rectangle that it is nearly; zero where it is round
     vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
 };
 struct EmitterBlock {
