@@ -35,6 +35,7 @@ struct RenderOptions {
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg;
     float lightRadius = 0.0F;
+    float emission = 1.0F;
     // Which moments of an animated scene.
     std::optional<double> timeS, fps;
     std::optional<int> frames;
@@ -167,6 +168,8 @@ void render(const RenderOptions& options) {
 
     const std::string& path = options.scene.path;
     Scene scene = loadGltf(path, readFileFromDisk, options.animation);
+    for (Material& material : scene.materials)
+        material.emissive *= options.emission;
     for (const std::string& warning : scene.warnings)
         say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
@@ -297,6 +300,10 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--animation", options->animation,
                         "Which of the scene's animations to play, by name or index (default: its first)");
     options->sky.addTo(*command);
+    command
+        ->add_option("--emission", options->emission, "Scales what all surfaces emit; 0 switches lamps off")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
     addPngOptions(*command, options->exposure, options->toneMap);
     command
         ->add_option(
