@@ -130,7 +130,8 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
         uv += area * x * y;
         vv += area * y * y;
     }
-    const double turn = std::abs(uv) > 1e-6 * (uu + vv) ? 0.5 * std::atan2(2.0 * uv, uu - vv) : 0.0;
+    const bool oblong = std::hypot(uu - vv, 2.0 * uv) > 0.02 * (uu + vv);
+    const double turn = oblong ? 0.5 * std::atan2(2.0 * uv, uu - vv) : 0.0;
     const double c = std::cos(turn), s = std::sin(turn);
     const double first = std::sqrt(std::max(c * c * uu + 2.0 * c * s * uv + s * s * vv, 0.0));
     const double second = std::sqrt(std::max(s * s * uu - 2.0 * c * s * uv + c * c * vv, 0.0));

@@ -12,7 +12,9 @@ const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
 // Radiance (premultiplied) and coverage that a ray meets around a position (volume space) at a whole mip level: of the
 // faces that look against its direction; `share`: that of each axis in it. Coverage up to 1.73, where it meets three faces
-// of a corner. Each face covers its projection, the ray's share of its axis.
+// of a corner. Each face covers its projection, the ray's share of its axis; but shines by the square of that, as an ambient
+// cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what a ray meets at a slant may be the far side of something
+// round, lit where the ray cannot see.
 mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, float level) {
     // No texel of the next block may leak in.
     float margin = 0.5 * exp2(level) / float(frame.gridSide);
@@ -21,7 +23,10 @@ mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, floa
     mediump vec4 x = textureLod(faces, p + vec3(0.0, side.x, 0.0), level);
     mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, side.y, 0.0), level);
     mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, side.z, 0.0), level);
-    return share.x * x + share.y * y + share.z * z;
+    mediump vec3 square = share * share;
+    mediump vec4 shining = square.x * x + square.y * y + square.z * z;
+    mediump float coverage = dot(share, vec3(x.a, y.a, z.a));
+    return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
 }
 
 struct ConeResult {

@@ -68,14 +68,9 @@ void main() {
         storeReceived(i, mean);
         FaceSum sum = faceSum(slot, listed.face);
         before += inUnits(sum.coverage * mean.light);
-        // A slanted surface stands in up to three faces, which together cover what it covers to a ray against its normal; but
-        // to rays aside of that more, so that they would send up to 1.7 times its light, and also behind it. Scaled by the
-        // normal's component they would send as much as it does, and be too dark from the front: between the two errors
-        // lies the root.
-        float shining = sqrt(abs(facePlane(slot, listed.face).normal[listed.face >> 1]));
-        vec3 reflecting = (shining * lightStep.reflected) * sum.albedo;
+        vec3 reflecting = lightStep.reflected * sum.albedo;
         reflected += inUnits(reflecting * mean.light);
-        vec3 own = shining * sum.radiance + reflecting * fromEmitters(i);
+        vec3 own = sum.radiance + reflecting * fromEmitters(i);
         direct += inUnits(min(own, 1.0));
         vec3 radiance = own + reflecting * mean.light;
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);

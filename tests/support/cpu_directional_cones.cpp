@@ -69,13 +69,15 @@ glm::dvec4 CpuFaceCones::faceAt(const glm::dvec3& texel, int face, int level) co
 CpuFaceCones::Met CpuFaceCones::sample(const glm::dvec3& positionVoxels, const glm::dvec3& direction,
                                        const glm::dvec3& share, int level) const {
     const glm::dvec3 texel = positionVoxels / std::exp2(level) - 0.5;
-    glm::dvec4 sum(0.0);
+    glm::dvec4 shining(0.0);
+    double coverage = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         // The face that looks against the ray.
         const glm::dvec4 face = faceAt(texel, 2 * axis + (direction[axis] > 0.0 ? 1 : 0), level);
-        sum += share[axis] * face;
+        shining += share[axis] * share[axis] * face;
+        coverage += share[axis] * face.a;
     }
-    return {glm::dvec3(sum), sum.a};
+    return {glm::dvec3(shining) * (coverage / std::max(shining.a, 1e-4)), coverage};
 }
 
 CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
