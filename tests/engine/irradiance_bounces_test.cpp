@@ -101,7 +101,7 @@ TEST(ClosedRoom, LightThatNothingAbsorbsIsBounded) {
     const Context context = openContext(Backend::egl);
     const double first = lampSide * lampSide / 24.0;
     const double times = receivedByWalls(context, roomWithLamp(1.0F), 3 * presetFrames).mean / first;
-    EXPECT_LE(times, 1.1 / (1.0 - 0.95));
+    EXPECT_LE(times, 1.12 / (1.0 - 0.95));
     EXPECT_GE(times, 3.0);
 }
 

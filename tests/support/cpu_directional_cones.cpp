@@ -132,11 +132,13 @@ CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane&
     const bool hasBack = back != nullptr && glm::dot(back->normal, plane.normal) < -0.8 &&
                          levels_[0].at(voxel, number ^ 1).a > 0.5 * levels_[0].at(voxel, number).a;
     Gathered sum;
+    const int ofFace = 4096 * (voxel[(axis + 1) % 3] & 3) + 4 * 4096 * (voxel[(axis + 2) % 3] & 3);
     for (int i = first; i < first + cones; ++i) {
+        const int chance = (i & (settings_.directions - 1)) * 49471 + ofFace;
         const Gathered cone =
             trace(start, n, hasBack,
                   frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions),
-                  std::exp2((i * 49471 & 65535) / 65536.0 - 0.5));
+                  std::exp2((chance & 65535) / 65536.0 - 0.5));
         sum.light += cone.light / static_cast<double>(cones);
         sum.sky += cone.sky / cones;
     }
