@@ -183,7 +183,7 @@ void App::drawHud(double passedS) {
 
     if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
     if (actions.rescan) scenes_.rescan();
-    if (actions.resetView && scene_) view_.emplace(*scene_);
+    if (actions.resetView && scene_) view_.emplace(*scene_, aspectOf(surface_->size()));
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
         endMeasuring("stopped by hand");
@@ -283,7 +283,7 @@ void App::revert(const std::string& why) {
     choices_ = good_->choices;
     if (scene_ != good_->scene) {
         scene_ = good_->scene;
-        view_.emplace(*scene_);
+        view_.emplace(*scene_, aspectOf(surface_->size()));
     }
 }
 
@@ -309,7 +309,10 @@ void App::takeLoadedScene() {
     for (const std::string& warning : scene_->warnings)
         log(LogLevel::warning, warning);
     log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");
-    view_.emplace(*scene_);
+    const double aspect = aspectOf(surface_->size());
+    view_.emplace(*scene_, aspect);
+    const std::string note = cameraNote(*scene_, "", view_->camera(aspect), aspect);
+    if (!note.empty()) log(note);
     choices_.lightAnglesDeg.reset();
     message_.clear();
 }

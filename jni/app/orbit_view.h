@@ -8,8 +8,8 @@ namespace vct::app {
 
 class OrbitView {
   public:
-    // The scene's first camera, or one that sees all of it.
-    explicit OrbitView(const Scene& scene);
+    // The scene's first camera, or one that sees all of it in a picture of `aspect` (width over height).
+    OrbitView(const Scene& scene, double aspect);
 
     // The scene's camera, where an animation has moved it: the view goes with it until fingers move the view,
     // and again after a double tap.
@@ -18,8 +18,8 @@ class OrbitView {
     // `viewport`: pixels in which the gesture was made.
     void apply(const Gesture& gesture, glm::ivec2 viewport);
 
-    // In a picture of `aspect` (width over height). One that is higher than wide shows at least the square
-    // that the scene's camera shows, or a phone held upright would see a slit.
+    // In a picture of `aspect`. One that is narrower than the scene's camera is made for shows all that it
+    // frames: at least a square, or a phone held upright would see a slit.
     Camera camera(double aspect) const;
 
   private:

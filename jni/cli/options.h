@@ -40,6 +40,8 @@ struct SceneOptions {
     BackendOption backend;
 
     CLI::Option* addTo(CLI::App& command);  // returns the scene's
+    // Says what is to be said of it.
+    Camera cameraOf(const Scene& loaded) const;
     // The preset's, with the size and a grid that is given as a number.
     Settings settings(const std::string& preset) const;
     // Sets a grid that follows from the scene. Prints how large the voxels are, and why.

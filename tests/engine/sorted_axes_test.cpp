@@ -83,7 +83,7 @@ TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
 
 std::size_t indexBytes(const Scene& scene) {
     const Volume volume = volumeAround(scene.boundsWorld, 64);
-    const GpuScene gpu(scene, volume, 1.0F, 256, Voxelization::sortedAxes);
+    const GpuScene gpu(scene, {}, volume, 1.0F, 256, Voxelization::sortedAxes);
     return bytesOf(gpu.resources(), "indices");
 }
 
