@@ -20,15 +20,6 @@ glm::dvec3 FirstSurfaces::direction(std::size_t sample) const {
                                       (2.0 * (y + 0.5) / resolution - 1.0) * tanHalfHeight, -1.0);
 }
 
-std::size_t FirstSurfaces::sampleTowards(const glm::dvec3& world) const {
-    const glm::dvec3 p = glm::transpose(worldFromView) * (world - eye);
-    const auto index = [&](double across, double tanHalf) {
-        const double position = 0.5 * resolution * (1.0 - across / (p.z * tanHalf));
-        return static_cast<std::size_t>(std::clamp(position, 0.0, resolution - 1.0));
-    };
-    return index(p.y, tanHalfHeight) * resolution + index(p.x, tanHalfWidth);
-}
-
 double FirstSurfaces::solidAngle(std::size_t sample) const {
     const glm::dvec3 d = direction(sample);
     const double area = 4.0 * tanHalfWidth * tanHalfHeight / (1.0 * resolution * resolution);
@@ -65,6 +56,8 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], bool doubleSided, 
     // edge.
     const glm::dvec3 edges[3] = {glm::cross(p[1], p[2]), glm::cross(p[2], p[0]), glm::cross(p[0], p[1])};
     const double side = front ? -1.0 : 1.0;
+    const double area = 0.5 * glm::length(normal);
+    const glm::dvec3 seenNormal = worldFromView * glm::normalize(-side * normal);
     const glm::dvec2 step = 2.0 * glm::dvec2(tanHalfWidth, tanHalfHeight) / static_cast<double>(resolution);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
@@ -72,12 +65,12 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], bool doubleSided, 
             if (side * glm::dot(d, edges[0]) < 0.0 || side * glm::dot(d, edges[1]) < 0.0 ||
                 side * glm::dot(d, edges[2]) < 0.0)
                 continue;
-            const double along = glm::dot(d, normal);
-            const double depth = height / along;
+            const double depth = height / glm::dot(d, normal);
             Sample& sample = samples[static_cast<std::size_t>(y) * resolution + x];
-            if (!(depth > 0.0) || (sample.depth > 0.0 && sample.depth <= depth)) continue;
-            const double cosine = std::abs(along) / (glm::length(normal) * glm::length(d));
-            sample = {depth, cosine, instance, front};
+            if (!(depth > 0.0)) continue;
+            const bool same = std::abs(sample.depth - depth) < 1e-6 * depth;
+            if (sample.depth > 0.0 && (same ? sample.area >= area : sample.depth < depth)) continue;
+            sample = {depth, seenNormal, instance, area};
         }
     }
 }

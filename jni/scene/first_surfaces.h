@@ -9,13 +9,14 @@
 namespace vct {
 
 // A small picture, of `resolution` x `resolution` directions, of the surfaces that are met first. As in a
-// rendered picture, the backs of single-sided triangles are looked through; holes of alpha masks are not.
+// rendered picture, the backs of single-sided triangles are looked through; holes of alpha masks are not. Of
+// two triangles that lie in one another, a floor and the underside of what stands on it, the larger is met.
 struct FirstSurfaces {
     struct Sample {
-        double depth = 0.0;   // along the view axis, world units; 0: nothing is met
-        double cosine = 1.0;  // between the surface's normal and the direction, above 0
-        int instance = -1;    // index into Scene::instances
-        bool front = false;   // which side of the triangle
+        double depth = 0.0;      // along the view axis, world units; 0: nothing is met
+        glm::dvec3 normal{0.0};  // world, unit, of the side that is seen
+        int instance = -1;       // index into Scene::instances
+        double area = 0.0;       // of the triangle, square metres
     };
 
     glm::dvec3 eye{0.0};            // world
@@ -29,8 +30,6 @@ struct FirstSurfaces {
 
     // World space, its component along the view axis 1: `eye` + depth times it is on the surface.
     glm::dvec3 direction(std::size_t sample) const;
-    // The sample whose direction is nearest to that of a point before the eye.
-    std::size_t sampleTowards(const glm::dvec3& world) const;
     // Steradians that a sample stands for.
     double solidAngle(std::size_t sample) const;
 

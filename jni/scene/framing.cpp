@@ -130,8 +130,10 @@ double areaSeen(const FirstSurfaces& view) {
     double area = 0.0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
         const FirstSurfaces::Sample& sample = view.samples[i];
+        if (sample.depth == 0.0) continue;
         const glm::dvec3 d = sample.depth * view.direction(i);
-        area += glm::dot(d, d) * view.solidAngle(i) / std::max(sample.cosine, 0.5);
+        const double cosine = -glm::dot(sample.normal, d) / glm::length(d);
+        area += glm::dot(d, d) * view.solidAngle(i) / std::max(cosine, 0.5);
     }
     return area;
 }
@@ -170,27 +172,16 @@ Enclosure enclosureOf(const Around& around) {
     return enclosure;
 }
 
-const FirstSurfaces& viewTowards(const Around& around, const glm::dvec3& world) {
-    const glm::dvec3 d = world - around.front().eye;
-    return *std::max_element(around.begin(), around.end(), [&](const auto& a, const auto& b) {
-        return glm::dot(a.worldFromView[2], d) > glm::dot(b.worldFromView[2], d);
-    });
-}
-
-// Whether what is seen from outside is mostly another surface, or its other side, than what is seen from
-// inside: a wall's back, or a bottle's.
-bool hidesItsInside(const FirstSurfaces& outside, const Around& inside) {
+// Whether what is seen from outside mostly turns its back on a place inside: walls that hide the room, or a
+// bottle's outside.
+bool hidesItsInside(const FirstSurfaces& outside, const glm::dvec3& inside) {
     int met = 0, hiding = 0;
     for (std::size_t i = 0; i < outside.samples.size(); ++i) {
         const FirstSurfaces::Sample& sample = outside.samples[i];
         if (sample.depth == 0.0) continue;
         ++met;
         const glm::dvec3 point = outside.eye + sample.depth * outside.direction(i);
-        const FirstSurfaces& view = viewTowards(inside, point);
-        const std::size_t towardsPoint = view.sampleTowards(point);
-        const FirstSurfaces::Sample& from = view.samples[towardsPoint];
-        const double depth = -glm::dot(view.worldFromView[2], point - view.eye);
-        if (from.depth > 0.0 && (depth > 1.1 * from.depth || from.front != sample.front)) ++hiding;
+        if (glm::dot(sample.normal, inside - point) < 0.0) ++hiding;
     }
     return 2 * hiding > met;
 }
@@ -234,7 +225,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside) {
         widest = &around;
     }
     if (widest == nullptr) return false;
-    return !hidesItsInside(outside.front(), *widest) || thingsSeen(*widest) > thingsSeen(outside);
+    return !hidesItsInside(outside.front(), widest->front().eye) || thingsSeen(*widest) > thingsSeen(outside);
 }
 
 // Cubic metres before a view with these axes, from all that is around it.

@@ -10,6 +10,7 @@
 #include "lab/cpu_mips.h"
 #include "lab/read_back.h"
 #include "scene/camera.h"
+#include "scene/framing.h"
 #include "support/faces.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"
