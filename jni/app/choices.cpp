@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "lab/options.h"
-#include "scene/camera.h"
 
 namespace vct::app {
 
@@ -78,8 +77,7 @@ Settings settingsFor(const Choices& choices, glm::ivec2 window) {
     return settings;
 }
 
-DirectionalLight lightFor(const Choices& choices, const Scene& scene) {
-    DirectionalLight light = chooseLight(scene);
+DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {
     if (choices.lightAnglesDeg) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
         light.node = -1;  // stays there

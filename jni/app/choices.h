@@ -52,8 +52,8 @@ void choosePreset(Choices& choices, const std::string& name);
 
 Settings settingsFor(const Choices& choices, glm::ivec2 window);
 
-// The scene's light, turned to where it was chosen to come from.
-DirectionalLight lightFor(const Choices& choices, const Scene& scene);
+// A scene's light, turned to where it was chosen to come from.
+DirectionalLight lightFor(const Choices& choices, DirectionalLight light);
 glm::vec2 lightAnglesDeg(const DirectionalLight& light);
 
 }  // namespace vct::app

@@ -19,7 +19,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     for (int i = 0; i < 64 && gl::GetError() != GL_NO_ERROR; ++i) {
     }
     gl::installDebugCallback();
-    log(gl::describe(capabilities_));
+    log(LogLevel::detail, gl::describe(capabilities_));
     try {
         capabilities_.requireAll();
     } catch (const Error& error) {
@@ -31,17 +31,16 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     gl::checkErrors("setting up the display");
 }
 
-Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
-                                 glm::ivec2 window) {
-    const Settings settings = forDriver(settingsFor(choices, window), capabilities_);
-    const DirectionalLight light = lightFor(choices, *scene);
-    if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
-        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size) {
+Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
+                                 const Settings& wanted, const std::string& preset) {
+    const Settings settings = forDriver(wanted, capabilities_);
+    if (!renderer_ || scene != scene_ || preset != preset_ || settings.grid != renderer_->settings().grid ||
+        settings.size != renderer_->settings().size) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
         scene_ = scene;
-        preset_ = choices.preset;
+        preset_ = preset;
     }
     renderer_->setLightDirection(light.towardsLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);

@@ -16,15 +16,15 @@ constexpr double highestRad = 0.49 * pi;  // short of straight up or down, where
 
 }  // namespace
 
-OrbitView::OrbitView(const Scene& scene, double aspect)
+OrbitView::OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect)
     : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)),
       size_(std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9)) {
-    if (scene.cameras.empty()) {
-        Camera framing = frameScene(scene, aspect);
-        framing.aspectRatio = aspect;
-        start(framing);
-    } else {
+    if (!first && !scene.cameras.empty()) {
         start(scene.cameras.front());
+    } else {
+        Camera fitting = first ? *first : frameScene(scene, aspect);
+        fitting.aspectRatio = aspect;
+        start(fitting);
     }
     reset();
 }
@@ -66,6 +66,11 @@ void OrbitView::apply(const Gesture& gesture, glm::ivec2 viewport) {
     const glm::dvec3 forward(-now_.worldFromCamera[2]);
     now_.worldFromCamera[3] += glm::dvec4(moved + forward * (distance_ - distance), 0.0);
     distance_ = distance;
+}
+
+void OrbitView::walk(const glm::dvec3& shares) {
+    moved_ = true;
+    now_.worldFromCamera[3] += glm::dvec4(glm::dmat3(now_.worldFromCamera) * (size_ * shares), 0.0);
 }
 
 void OrbitView::orbit(double yawRad, double pitchRad) {

@@ -28,7 +28,7 @@ glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
 
 Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
 
-void Presenter::draw(const Renderer& renderer, glm::ivec2 window) const {
+void Presenter::draw(const Renderer& renderer, glm::ivec2 window, float exposure) const {
     const gl::DebugGroup group("present");
     const gl::Texture& frame = renderer.output();
     const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
@@ -43,7 +43,7 @@ void Presenter::draw(const Renderer& renderer, glm::ivec2 window) const {
     program_.use();
     frame.bind(radianceUnit);
     const glm::vec4 r(rectangle);
-    gl::Uniform4f(scaleUniform, renderer.radianceScale(), 0.0F, 0.0F, 0.0F);
+    gl::Uniform4f(scaleUniform, exposure * renderer.radianceScale(), 0.0F, 0.0F, 0.0F);
     gl::Uniform4f(rectangleUniform, r.x, r.y, r.z, r.w);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);

@@ -10,9 +10,10 @@ class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
 
-    // Scales the renderer's last frame to the window that is current, `window` pixels, and encodes it as
-    // sRGB: the picture that a PNG of it holds. A frame of another shape keeps it, with black beside it.
-    void draw(const Renderer& renderer, glm::ivec2 window) const;
+    // Scales the renderer's last frame to the window that is current, `window` pixels, exposes and tone-maps
+    // it, and encodes it as sRGB: the picture that a PNG of it holds. A frame of another shape keeps it, with
+    // black beside it.
+    void draw(const Renderer& renderer, glm::ivec2 window, float exposure) const;
 
   private:
     gl::Program program_;

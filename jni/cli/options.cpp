@@ -55,6 +55,12 @@ Context BackendOption::open() const {
 }
 
 CLI::Option* SceneOptions::addTo(CLI::App& command) {
+    CLI::Option* const sceneOption = addWithoutBackendTo(command);
+    backend.addTo(command);
+    return sceneOption;
+}
+
+CLI::Option* SceneOptions::addWithoutBackendTo(CLI::App& command) {
     CLI::Option* sceneOption = command.add_option("scene", path, "Scene, .gltf or .glb");
     CLI::Option* gridOption =
         command
@@ -77,7 +83,6 @@ CLI::Option* SceneOptions::addTo(CLI::App& command) {
         "--light", light,
         "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
         "each part may be left out");
-    backend.addTo(command);
     return sceneOption;
 }
 
