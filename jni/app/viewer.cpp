@@ -220,7 +220,8 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         const double aspect = aspectOf(settingsFor(choices_, window).size);
         show(loaded, surroundings_.lookOf(*loaded, aspect), window);
         if (!look_.camera) {
-            const std::string note = cameraNote(*scene_, "", view_->camera(aspect), aspect);
+            const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
+            const std::string note = cameraNote(*scene_, "", seen, aspect);
             if (!note.empty()) log(note);
         }
         choices_.lightAnglesDeg.reset();

@@ -81,6 +81,9 @@ class Viewer {
     void startMeasuring(const std::string& command);  // "bench ...", lab/bench_run.h
     void fail(const std::string& message);            // shows it, and logs it
 
+    // Whether the scene that it began with could not be loaded, and no other is there.
+    bool hasNothingToShow() const { return !scene_ && !scenes_.loading() && !message_.empty(); }
+
     // What is on the screen, but for the display. Nothing where no scene is shown.
     struct Seen {
         std::string path;  // of the scene's file

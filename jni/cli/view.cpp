@@ -25,7 +25,10 @@ namespace vct {
 // What the viewer says.
 void app::log(LogLevel level, const std::string& text) {
     if (level == LogLevel::detail) return;
-    cli::say((level == LogLevel::error ? "error: " : level == LogLevel::warning ? "warning: " : "") + text);
+    cli::say((level == LogLevel::error     ? "vct: error: "
+              : level == LogLevel::warning ? "warning: "
+                                           : "") +
+             text);
 }
 #endif
 
@@ -109,7 +112,8 @@ void save(const app::Viewer::Seen& seen, const app::Choices& choices, const View
     say("saved " + file);
 }
 
-void view(const ViewOptions& options) {
+// Returns whether there was something to see.
+bool view(const ViewOptions& options) {
     const std::string& path = options.scene.path;
     desktop::WindowRequest request;
     app::Choices& choices = request.show.choices;
@@ -126,7 +130,11 @@ void view(const ViewOptions& options) {
     validate(app::settingsFor(choices, options.scene.size));
     Settings sky;
     options.sky.applyTo(sky);
-    readFileFromDisk(path);  // before a window opens, what is no file should be known
+    // Before a window opens, what is wrong in the options should be known.
+    const std::string& camera = options.scene.camera;
+    if (camera.find('=') != std::string::npos) cameraFromText(camera, {});
+    lightFromText(options.scene.light, {});
+    readFileFromDisk(path);
 
     request.title = "vct: " + std::filesystem::path(path).filename().string();
     request.size = options.scene.size;
@@ -165,10 +173,10 @@ void view(const ViewOptions& options) {
     request.save = [&options](const app::Viewer::Seen& seen, const app::Choices& now) {
         save(seen, now, options);
     };
-    desktop::runWindow(std::move(request));
+    return desktop::runWindow(std::move(request));
 }
 #else
-void view(const ViewOptions&) {
+bool view(const ViewOptions&) {
     throw Error(
         "this vct was built without GLFW, so it opens no window; install libglfw3-dev (scripts/setup.sh "
         "does) and "
@@ -178,7 +186,7 @@ void view(const ViewOptions&) {
 
 }  // namespace
 
-void addView(CLI::App& app, int&) {
+void addView(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window, to walk through");
     const auto options = std::make_shared<ViewOptions>();
     options->scene.size = {800, 600};
@@ -199,7 +207,9 @@ void addView(CLI::App& app, int&) {
 #ifdef VCT_HAS_GLFW
     command->footer(std::string(desktop::windowKeys) + "\nExample:\n  vct view assets/courtyard.glb");
 #endif
-    command->callback([options] { view(*options); });
+    command->callback([options, &exitCode] {
+        if (!view(*options)) exitCode = 1;
+    });
 }
 
 }  // namespace cli

@@ -92,7 +92,7 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    void run() {
+    bool run() {
         while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
             glfwPollEvents();
             const glm::ivec2 size = pixels();
@@ -106,7 +106,9 @@ class Window {
             if (save_) save();
             glfwSwapBuffers(window_);
             viewer_->shown();
+            if (viewer_->hasNothingToShow()) return false;
         }
+        return true;
     }
 
   private:
@@ -229,10 +231,9 @@ class Window {
 
 }  // namespace
 
-void runWindow(WindowRequest request) {
+bool runWindow(WindowRequest request) {
     const Glfw glfw;
-    Window window(std::move(request));
-    window.run();
+    return Window(std::move(request)).run();
 }
 
 }  // namespace vct::desktop

@@ -16,8 +16,9 @@ struct WindowRequest {
     std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // by key
 };
 
-// Until the window is closed. Throws vct::Error where there is no display, or no context for it.
-void runWindow(WindowRequest request);
+// Until the window is closed; or until the scene cannot be loaded, which was logged: then it returns false.
+// Throws vct::Error where there is no display, or no context for it.
+bool runWindow(WindowRequest request);
 
 // What each key and button does, for --help.
 extern const char* const windowKeys;
