@@ -117,8 +117,10 @@ void Viewer::drawScene(glm::ivec2 window) {
             const Pose pose = poseAt(scene_->animation, sceneTimeS());
             renderer.setPose(pose);
             renderer.setLightDirection(posed(light(), pose).towardsLight);
-            if (!scene_->cameras.empty() && !look_.camera)
-                view_->follow(posed(scene_->cameras.front(), pose));
+            const Camera* const first = look_.camera              ? &*look_.camera
+                                        : scene_->cameras.empty() ? nullptr
+                                                                  : &scene_->cameras.front();
+            if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
         }
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(aspect_));

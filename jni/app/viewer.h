@@ -23,7 +23,7 @@ namespace vct::app {
 
 // How a scene is shown before anybody touches anything.
 struct Look {
-    std::optional<Camera> camera;  // else OrbitView's
+    std::optional<Camera> camera;  // for the window's shape; else OrbitView's
     DirectionalLight light;
     glm::vec3 skyRadiance{0.0F};
     std::shared_ptr<const Environment> environment;

@@ -155,8 +155,10 @@ bool view(const ViewOptions& options) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
         app::Look look;
-        if (named && !options.scene.camera.empty())
+        if (named && !options.scene.camera.empty()) {
             look.camera = cameraFromText(options.scene.camera, scene, aspect);
+            look.camera->aspectRatio = aspect;  // to which it was fitted
+        }
         Settings settings = sky;
         look.light = lightFromText(light, scene);
         options.sky.lightScene(scene, light, look.light, settings);

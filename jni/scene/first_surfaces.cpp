@@ -26,17 +26,18 @@ double FirstSurfaces::solidAngle(std::size_t sample) const {
     return area / std::pow(glm::dot(d, d), 1.5);
 }
 
-void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], bool doubleSided, int instance) {
+void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& normalWorld, bool doubleSided,
+                         int instance) {
+    // Of the eye below the front, times the normal's length: what is culled costs no more than this.
+    const double height = glm::dot(cornersWorld[0] - eye, normalWorld);
+    const bool front = height < 0.0;
+    if (height == 0.0 || (!front && !doubleSided)) return;
     const glm::dmat3 viewFromWorld = glm::transpose(worldFromView);
     glm::dvec3 p[3];
     for (int i = 0; i < 3; ++i)
         p[i] = viewFromWorld * (cornersWorld[i] - eye);
     const double nearest = std::max({p[0].z, p[1].z, p[2].z}), farthest = std::min({p[0].z, p[1].z, p[2].z});
     if (farthest >= 0.0) return;
-    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-    const double height = glm::dot(p[0], normal);  // of the eye below the front, times the normal's length
-    const bool front = height < 0.0;
-    if (height == 0.0 || (!front && !doubleSided)) return;
 
     glm::ivec2 first(0), last(resolution - 1);
     if (nearest < 0.0) {  // all before the eye: what it covers is between its corners
@@ -51,13 +52,15 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], bool doubleSided, 
         };
         first = glm::max(first, glm::ivec2(glm::ceil(pixel(low))));
         last = glm::min(last, glm::ivec2(glm::floor(pixel(high))));
+        if (first.x > last.x || first.y > last.y) return;
     }
     // A direction meets the triangle where it is on the same side of the three planes through the eye and an
     // edge.
     const glm::dvec3 edges[3] = {glm::cross(p[1], p[2]), glm::cross(p[2], p[0]), glm::cross(p[0], p[1])};
     const double side = front ? -1.0 : 1.0;
-    const double area = 0.5 * glm::length(normal);
-    const glm::dvec3 seenNormal = worldFromView * glm::normalize(-side * normal);
+    const glm::dvec3 normal = viewFromWorld * normalWorld;
+    const double area = 0.5 * glm::length(normalWorld);
+    const glm::dvec3 seenNormal = glm::normalize(-side * normalWorld);
     const glm::dvec2 step = 2.0 * glm::dvec2(tanHalfWidth, tanHalfHeight) / static_cast<double>(resolution);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
@@ -88,8 +91,9 @@ void drawFirstSurfaces(const Scene& scene, std::vector<FirstSurfaces>& views) {
                 corners[k] = glm::dvec3(instance.worldFromObject *
                                         glm::dvec4(mesh.centre + glm::dvec3(vertex.position), 1.0));
             }
+            const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
             for (FirstSurfaces& view : views)
-                view.draw(corners, doubleSided, static_cast<int>(i));
+                view.draw(corners, normal, doubleSided, static_cast<int>(i));
         }
     }
 }

@@ -33,8 +33,10 @@ struct FirstSurfaces {
     // Steradians that a sample stands for.
     double solidAngle(std::size_t sample) const;
 
-    // The corners are counter-clockwise on the front.
-    void draw(const glm::dvec3 (&cornersWorld)[3], bool doubleSided, int instance);
+    // The corners are counter-clockwise on the front, where `normalWorld`, twice as long as the area is
+    // large, points away.
+    void draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& normalWorld, bool doubleSided,
+              int instance);
 };
 
 // Draws the scene, at rest, into each.

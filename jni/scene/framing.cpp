@@ -59,13 +59,12 @@ struct Reach {
     glm::dmat3 axes;
     glm::dvec2 tanHalf;
     glm::dvec2 upper{-HUGE_VAL}, lower{-HUGE_VAL};
-    double lowest = HUGE_VAL, highest = -HUGE_VAL;  // along `back`
+    double highest = -HUGE_VAL;  // along `back`
 
     void include(const glm::dvec3& fromCentre) {
         const glm::dvec3 p = glm::transpose(axes) * fromCentre;
         upper = glm::max(upper, glm::dvec2(p) + tanHalf * p.z);
         lower = glm::max(lower, tanHalf * p.z - glm::dvec2(p));
-        lowest = std::min(lowest, p.z);
         highest = std::max(highest, p.z);
     }
     // The nearest place from which all of it is between the planes; from the centre of the bounds.
