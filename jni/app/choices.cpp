@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "core/error.h"
 #include "lab/options.h"
+#include "scene/camera.h"
 
 namespace vct::app {
 
@@ -15,6 +17,15 @@ const std::vector<Resolution>& resolutions() {
                                              {"1/4 of the window", 4, {}},
                                              {"400x400, as the thesis", 0, {400, 400}}};
     return all;
+}
+
+const std::vector<Sky>& skies() {
+    static const std::vector<Sky> all{Sky::scene, Sky::dark, Sky::plain};
+    return all;
+}
+
+const char* skyName(Sky sky) {
+    return sky == Sky::scene ? "scene" : sky == Sky::dark ? "dark" : "plain";
 }
 
 ShowRequest showRequestFromText(const std::string& text) {
@@ -42,6 +53,18 @@ ShowRequest showRequestFromText(const std::string& text) {
         if (request.timeS < 0.0) throw Error("show: time is a number of seconds from 0 on, not " + value);
         choices.play = false;
     };
+    const auto setSky = [&](const std::string& value) {
+        const auto found =
+            std::find_if(skies().begin(), skies().end(), [&](Sky sky) { return value == skyName(sky); });
+        if (found == skies().end()) throw Error("show: sky is scene, dark or plain, not '" + value + "'");
+        choices.sky = *found;
+    };
+    const auto setLightsOff = [&](const std::string& value) {
+        std::istringstream numbers(value);
+        for (std::string number; std::getline(numbers, number, ',');)
+            choices.lightsOff.set(static_cast<std::size_t>(
+                wholeNumberFromText("show: lights-off", number, VCT_MAX_PUNCTUAL_LIGHTS) - 1));
+    };
     setFromWords(
         text, {{"scene", [&](const auto& value) { request.scene = value; }},
                {"preset", [&](const auto& value) { choosePreset(choices, value); }},
@@ -55,6 +78,8 @@ ShowRequest showRequestFromText(const std::string& text) {
                {"display", setSwitch("display", request.display)},
                {"steps", setSwitch("steps", choices.timeSteps)},
                {"revoxelize", setSwitch("revoxelize", choices.revoxelize)},
+               {"sky", setSky},
+               {"lights-off", setLightsOff},
                {"time", setTime}});
     if (grid) request.choices.grid = *grid;
     validate(settingsFor(request.choices, glm::ivec2(1)));
@@ -75,6 +100,11 @@ Settings settingsFor(const Choices& choices, glm::ivec2 window) {
     settings.size =
         resolution.divisor > 0 ? glm::max(window / resolution.divisor, glm::ivec2(1)) : resolution.fixed;
     return settings;
+}
+
+glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light) {
+    if (choices.sky == Sky::scene) return sceneSky;
+    return choices.sky == Sky::plain ? plainSky(light) : glm::vec3(0.0F);
 }
 
 DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {

@@ -1,6 +1,7 @@
 // What the display lets a person change, and what it means for the renderer.
 #pragma once
 
+#include <bitset>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -19,6 +20,15 @@ struct Resolution {
 };
 const std::vector<Resolution>& resolutions();
 
+// What is outside the scene.
+enum class Sky {
+    scene,  // dark, but a plain sky around a scene in which nothing shines (scene/camera.h)
+    dark,
+    plain,
+};
+const std::vector<Sky>& skies();
+const char* skyName(Sky sky);  // "scene", "dark", "plain"
+
 struct Choices {
     std::string preset = "thesis";
     Mode mode = Mode::giConeShadow;
@@ -27,6 +37,8 @@ struct Choices {
     int resolution = 2;  // index into resolutions()
     // Where the light comes from: degrees from +Z towards +X, and above the horizon. Empty: as in the scene.
     std::optional<glm::vec2> lightAnglesDeg;
+    std::bitset<VCT_MAX_PUNCTUAL_LIGHTS> lightsOff;  // of Scene::punctualLights
+    Sky sky = Sky::scene;
     bool timeSteps = true;
     bool play = true;  // the scene's animation; else it stands still
     bool revoxelize = false;
@@ -35,8 +47,9 @@ struct Choices {
 };
 
 // What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off
-// steps=off time=1.5 revoxelize=on", each but the first word may be left out; pixels: 1 to 4, the divisor of
-// the window's sides, or thesis; time: where the animation stands still, in seconds.
+// steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3", each but the first word may be left out;
+// pixels: 1 to 4, the divisor of the window's sides, or thesis; time: where the animation stands still, in
+// seconds; lights-off: which of the lights besides the sun, counted from 1.
 struct ShowRequest {
     std::string scene;
     Choices choices;
@@ -50,7 +63,11 @@ ShowRequest showRequestFromText(const std::string& text);
 // vct::Error.
 void choosePreset(Choices& choices, const std::string& name);
 
+// But for the sky.
 Settings settingsFor(const Choices& choices, glm::ivec2 window);
+
+// The sky's radiance: `sceneSky` where the scene's own was chosen; a plain sky is as of `light`.
+glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light);
 
 // A scene's light, turned to where it was chosen to come from.
 DirectionalLight lightFor(const Choices& choices, DirectionalLight light);

@@ -32,18 +32,22 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
 }
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
-                                 const Settings& wanted, const std::string& preset) {
+                                 const Settings& wanted, const Choices& choices) {
     const Settings settings = forDriver(wanted, capabilities_);
-    if (!renderer_ || scene != scene_ || preset != preset_ || settings.grid != renderer_->settings().grid ||
-        settings.size != renderer_->settings().size) {
+    if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
+        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size ||
+        settings.skyRadiance != renderer_->settings().skyRadiance ||
+        settings.environment != renderer_->settings().environment) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
         scene_ = scene;
-        preset_ = preset;
+        preset_ = choices.preset;
     }
     renderer_->setLightDirection(light.towardsLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);
+    for (std::size_t i = 0; i < scene->punctualLights.size(); ++i)
+        renderer_->setLightOn(i, !choices.lightsOff.test(i));
     return *renderer_;
 }
 

@@ -210,6 +210,8 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     ImGui::SliderFloat("cone", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
                        ImGuiSliderFlags_AlwaysClamp);
     buildLight(content);
+    if (!content.lights.empty()) buildLights(content);
+    if (const Sky* chosen = choose("sky", skies(), skyName(choices.sky), skyName)) choices.sky = *chosen;
     ImGui::PopItemWidth();
     ImGui::Checkbox("time each step", &choices.timeSteps);
     if (content.animated) {
@@ -230,6 +232,23 @@ void Hud::buildLight(const HudContent& content) const {
     changed |= ImGui::SliderFloat("light up", &angles.y, -90.0F, 90.0F, "%.0f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) content.choices->lightAnglesDeg = angles;
+}
+
+void Hud::buildLights(const HudContent& content) const {
+    auto& off = content.choices->lightsOff;
+    const std::size_t count = std::min(content.lights.size(), off.size());
+    std::size_t shining = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        shining += off.test(i) ? 0 : 1;
+    const std::string on = std::to_string(shining) + " of " + std::to_string(count) + " on";
+    if (!ImGui::BeginCombo("lamps", on.c_str(), ImGuiComboFlags_HeightLargest)) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        bool shines = !off.test(i);
+        // Two lights may have one name, which ImGui would take for one widget.
+        const std::string label = std::to_string(i + 1) + " " + content.lights[i];
+        if (ImGui::Checkbox(label.c_str(), &shines)) off.set(i, !shines);
+    }
+    ImGui::EndCombo();
 }
 
 // A finger that began on no widget moves a panel that is higher than the screen.

@@ -25,9 +25,10 @@ struct HudContent {
     double frameMs = 0.0;                                   // between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // null: not timed
     glm::ivec2 renderSize{0};
-    bool animated = false;  // the scene
-    std::string status;     // what is going on: loading, measuring
-    std::string message;    // what went wrong
+    bool animated = false;            // the scene
+    std::vector<std::string> lights;  // of the scene besides the sun, by name
+    std::string status;               // what is going on: loading, measuring
+    std::string message;              // what went wrong
     bool measuring = false;
 };
 
@@ -71,6 +72,7 @@ class Hud {
     void buildTimes(const HudContent& content) const;
     void buildChoices(const HudContent& content, HudActions& actions) const;
     void buildLight(const HudContent& content) const;
+    void buildLights(const HudContent& content) const;
     void scrollByTouch() const;
 
     ImGuiContext* context_;

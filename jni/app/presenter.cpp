@@ -5,6 +5,7 @@
 
 #include "app/app_programs.h"
 #include "gl/debug.h"
+#include "image/tone_map.h"
 
 namespace vct::app {
 
@@ -26,9 +27,15 @@ glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
 
 }  // namespace
 
+void Exposure::follow(const Renderer& renderer) {
+    if (frames_ == 0 || frames_ == renderer.settings().lightFrames)
+        value_ = automaticExposure(renderer.radiance());
+    ++frames_;
+}
+
 Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
 
-void Presenter::draw(const Renderer& renderer, glm::ivec2 window, float exposure) const {
+void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window) const {
     const gl::DebugGroup group("present");
     const gl::Texture& frame = renderer.output();
     const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);

@@ -6,14 +6,28 @@
 
 namespace vct::app {
 
+// Of a scene: as that of `vct render` by its first picture, and again by the one in which its light stands
+// still. Then it stays, so that a light that is switched off is seen to be off; and reading a picture back
+// takes too long for every frame.
+class Exposure {
+  public:
+    // After each frame.
+    void follow(const Renderer& renderer);
+    float value() const { return value_; }
+
+  private:
+    float value_ = 1.0F;
+    int frames_ = 0;
+};
+
 class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
 
-    // Scales the renderer's last frame to the window that is current, `window` pixels, exposes and tone-maps
-    // it, and encodes it as sRGB: the picture that a PNG of it holds. A frame of another shape keeps it, with
-    // black beside it.
-    void draw(const Renderer& renderer, glm::ivec2 window, float exposure) const;
+    // Scales the renderer's last frame to the window that is current, `window` pixels, multiplies it by the
+    // exposure, and maps and encodes it for the screen: the picture that a PNG of it holds. A frame of
+    // another shape keeps it, with black beside it.
+    void draw(const Renderer& renderer, float exposure, glm::ivec2 window) const;
 
   private:
     gl::Program program_;

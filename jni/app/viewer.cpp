@@ -5,7 +5,6 @@
 
 #include "app/log.h"
 #include "gl/debug.h"
-#include "image/tone_map.h"
 #include "scene/camera.h"
 
 namespace vct::app {
@@ -54,7 +53,7 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
         drawScene(window);
     const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
     if (renderer != nullptr)
-        gl_->presenter().draw(*renderer, window, bench_ ? 1.0F : exposure_);
+        gl_->presenter().draw(*renderer, exposure(), window);
     else
         clearWindow(window, background);
     drawHud(window, free, passedS);
@@ -84,6 +83,9 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
     content.animated = scene_ && !scene_->animation.channels.empty();
+    if (scene_)
+        for (const PunctualLight& light : scene_->punctualLights)
+            content.lights.push_back(light.name);
     content.measuring = request_.has_value();
     if (scenes_.loading())
         content.status = "loading " + scenes_.loaded().name;
@@ -112,7 +114,7 @@ void Viewer::drawScene(glm::ivec2 window) {
     const std::string failure = failureOf([&] {
         const Settings settings = settingsOf(window);
         aspect_ = aspectOf(settings.size);
-        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_.preset);
+        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_);
         if (!scene_->animation.channels.empty()) {
             const Pose pose = poseAt(scene_->animation, sceneTimeS());
             renderer.setPose(pose);
@@ -124,6 +126,7 @@ void Viewer::drawScene(glm::ivec2 window) {
         }
         if (choices_.timeSteps) renderer.timer().startRecording();
         renderer.frame(choices_.mode, view_->camera(aspect_));
+        if (!look_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
             const StepTimes times = renderer.timer().stopRecording();
@@ -131,7 +134,6 @@ void Viewer::drawScene(glm::ivec2 window) {
             for (std::size_t i = 0; i < stepCount; ++i)
                 (*stepMs_)[i] = times.stepMs[i].back();
         }
-        chooseExposure(renderer);
     });
     if (!failure.empty()) return revert(failure, window);
     good_ = wanted;
@@ -139,24 +141,19 @@ void Viewer::drawScene(glm::ivec2 window) {
     failed_.reset();
 }
 
-// By the first picture, and again when what surfaces receive of each other stands still.
-void Viewer::chooseExposure(Renderer& renderer) {
-    ++framesOfScene_;
-    if (look_.exposure)
-        exposure_ = *look_.exposure;
-    else if (framesOfScene_ == 1 || framesOfScene_ == renderer.settings().lightFrames + 1)
-        exposure_ = automaticExposure(renderer.radiance());
-}
-
 Settings Viewer::settingsOf(glm::ivec2 window) const {
     Settings settings = settingsFor(choices_, window);
-    settings.skyRadiance = look_.skyRadiance;
-    settings.environment = look_.environment;
+    settings.skyRadiance = skyRadianceFor(choices_, look_.skyRadiance, light());
+    if (choices_.sky == Sky::scene) settings.environment = look_.environment;
     return settings;
 }
 
 DirectionalLight Viewer::light() const {
     return lightFor(choices_, look_.light);
+}
+
+float Viewer::exposure() const {
+    return look_.exposure.value_or(exposure_.value());
 }
 
 double Viewer::sceneTimeS() const {
@@ -220,7 +217,9 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
             log(LogLevel::warning, warning);
         log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
         const double aspect = aspectOf(settingsFor(choices_, window).size);
-        show(loaded, surroundings_.lookOf(*loaded, aspect), window);
+        const Look look = surroundings_.lookOf(*loaded, aspect);
+        if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
+        show(loaded, look, window);
         if (!look_.camera) {
             const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
             const std::string note = cameraNote(*scene_, "", seen, aspect);
@@ -237,14 +236,16 @@ void Viewer::show(std::shared_ptr<const Scene> scene, const Look& look, glm::ive
     scene_ = std::move(scene);
     look_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
-    framesOfScene_ = 0;
+    exposure_ = {};
     aspect_ = aspectOf(settingsFor(choices_, window).size);
     view_.emplace(*scene_, look_.camera, aspect_);
 }
 
 void Viewer::reset() {
     choices_.lightAnglesDeg.reset();
-    if (scene_) view_.emplace(*scene_, look_.camera, aspect_);
+    if (!scene_) return;
+    view_.emplace(*scene_, look_.camera, aspect_);
+    exposure_ = {};
 }
 
 void Viewer::turnLight(const glm::vec2& deg) {
@@ -263,14 +264,14 @@ void Viewer::walk(const glm::dvec3& shares) {
 }
 
 std::optional<Viewer::Seen> Viewer::seen() {
-    if (!scene_ || !gl_ || gl_->renderer() == nullptr || framesOfScene_ == 0) return {};
+    if (!scene_ || !gl_ || gl_->renderer() == nullptr || !good_ || good_->scene != scene_) return {};
     Renderer& renderer = *gl_->renderer();
     Seen seen{scene_->path,
               renderer.settings().size,
               view_->camera(aspect_),
               light(),
               renderer.settings(),
-              exposure_,
+              exposure(),
               {},
               {},
               renderer.radiance()};

@@ -25,6 +25,7 @@ namespace vct::app {
 struct Look {
     std::optional<Camera> camera;  // for the window's shape; else OrbitView's
     DirectionalLight light;
+    // The scene's own sky, which may be replaced by a dark or a plain one.
     glm::vec3 skyRadiance{0.0F};
     std::shared_ptr<const Environment> environment;
     std::optional<float> exposure;  // else by the picture
@@ -73,7 +74,7 @@ class Viewer {
     Choices& choices() { return choices_; }
     void toggleDisplay() { hud_.toggle(); }
     void showOtherScene(int step);         // of the list
-    void reset();                          // view and light
+    void reset();                          // view, light and exposure
     void turnLight(const glm::vec2& deg);  // around, and up
     // Right, up and back, in shares of the scene's size.
     void walk(const glm::dvec3& shares);
@@ -118,7 +119,7 @@ class Viewer {
     Settings settingsOf(glm::ivec2 window) const;  // of the scene
     DirectionalLight light() const;                // at rest
     double sceneTimeS() const;
-    void chooseExposure(Renderer& renderer);
+    float exposure() const;
 
     // In viewer_measuring.cpp.
     void testDriver();
@@ -141,8 +142,7 @@ class Viewer {
     std::optional<Wanted> good_;    // of the last frame that could be rendered
     Look goodLook_;                 // likewise
     std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
-    int framesOfScene_ = 0;
-    float exposure_ = 1.0F;
+    Exposure exposure_;             // unless the look has one
     std::string message_;
 
     std::optional<SelfTest> selfTest_;

@@ -3,6 +3,8 @@
 #include "app/log.h"
 #include "app/viewer.h"
 #include "core/error.h"
+#include "lab/options.h"
+#include "scene/camera.h"
 
 namespace vct::app {
 
@@ -44,10 +46,12 @@ void Viewer::measure() {
         if (!bench_) {
             gl_->dropRenderer();
             stepMs_.reset();
+            Settings sky;
+            if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
-                BenchRun::Input{*request_, scene_, gl_->capabilities(), surroundings_.shaders,
-                                surroundings_.backend, selfTestJson(*selfTest_),
-                                [](const std::string& line) { log(line); }},
+                BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
+                                gl_->capabilities(), surroundings_.shaders, surroundings_.backend,
+                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
                 results_->path());
         }
         more = bench_->advance();

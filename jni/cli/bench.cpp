@@ -7,7 +7,9 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/sky_option.h"
 #include "lab/bench_run.h"
+#include "lab/options.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
@@ -17,6 +19,7 @@ namespace {
 struct BenchOptions {
     SceneOptions scene;
     BenchRequest request;
+    SkyOption sky;
     std::string out, json;
 };
 
@@ -34,15 +37,26 @@ void bench(BenchOptions& options) {
     if (!options.json.empty()) requireWritableFile(options.json);
 
     const auto scene = std::make_shared<const Scene>(loadGltf(request.scene));
+    DirectionalLight light = lightFromText(given.light, *scene);
+    Settings sky;
+    options.sky.applyTo(sky);
+    options.sky.lightScene(*scene, given.light, light, sky);
     const Context context = given.backend.open();
     if (given.grid || given.voxelSize) {
         Settings settings = given.settings(request.presets.front());
         given.fitGrid(settings, *scene, context.capabilities);
         request.grid = settings.grid;
     }
-    BenchRun run(
-        {request, scene, context.capabilities, shaders(), backendName(given.backend.backend), {}, say},
-        options.out);
+    BenchRun run({request,
+                  scene,
+                  light,
+                  sky,
+                  context.capabilities,
+                  shaders(),
+                  backendName(given.backend.backend),
+                  {},
+                  say},
+                 options.out);
     while (run.advance()) {
     }
     if (!options.json.empty()) writeJson(options.json, run.report().json);
@@ -63,6 +77,9 @@ void addBench(CLI::App& app, int&) {
         "Of other or several presets it prints what each step takes, and how many times that of the first "
         "preset:\n"
         "  vct bench assets/cornell.glb --preset thesis,mobile,quality\n"
+        "Every frame makes shadow maps, voxels and light anew. A sky is what cones see where they leave the "
+        "scene, and "
+        "the background: --environment FILE measures with a picture of it, --sky with a plain one.\n"
         "Use the machine for nothing else meanwhile. docs/timings.md says more.");
     command->add_option("--out", options->out,
                         "Folder for the tables as JSON and as text, and for the first run's timings and "
@@ -78,6 +95,7 @@ void addBench(CLI::App& app, int&) {
         ->delimiter(',')
         ->capture_default_str();
     options->scene.addTo(*command)->required();
+    options->sky.addTo(*command);
     command->add_option("--shadow-map", request.shadowMap, "Texels along a side")->capture_default_str();
     command->callback([options] { bench(*options); });
 }

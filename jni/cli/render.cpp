@@ -34,6 +34,8 @@ struct RenderOptions {
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg;
+    float lightRadius = 0.0F;
+    float emission = 1.0F;
     // Which moments of an animated scene.
     std::optional<double> timeS, fps;
     std::optional<int> frames;
@@ -47,6 +49,7 @@ Settings settingsFrom(const RenderOptions& options) {
     Settings settings = options.scene.settings(options.preset);
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
+    settings.lightRadius = options.lightRadius;
     if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     if (options.specular) settings.specular = specularFromText(*options.specular);
@@ -165,6 +168,8 @@ void render(const RenderOptions& options) {
 
     const std::string& path = options.scene.path;
     Scene scene = loadGltf(path, readFileFromDisk, options.animation);
+    for (Material& material : scene.materials)
+        material.emissive *= options.emission;
     for (const std::string& warning : scene.warnings)
         say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
@@ -261,6 +266,11 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,
                         "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");
+    command
+        ->add_option("--light-radius", options->lightRadius,
+                     "Radius of point and spot lights in metres, for soft shadows in mode 5; other "
+                     "directional lights than the sun then have the sun's angle (default: hard shadows)")
+        ->check(positive);
     command->add_option("--shadow", options->shadow,
                         "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
                         "filtered as wide as the penumbra); default: the preset's");
@@ -290,6 +300,10 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--animation", options->animation,
                         "Which of the scene's animations to play, by name or index (default: its first)");
     options->sky.addTo(*command);
+    command
+        ->add_option("--emission", options->emission, "Scales what all surfaces emit; 0 switches lamps off")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
     addPngOptions(*command, options->exposure, options->toneMap);
     command
         ->add_option(

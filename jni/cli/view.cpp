@@ -94,7 +94,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
     }
     if (settings.environment)
         line += " --environment '" + options.sky.environment + "'";
-    else if (settings.skyRadiance != glm::vec3(0.0F))
+    else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F))
         line += " --sky " + threeText(settings.skyRadiance);
     char time[32];
     std::snprintf(time, sizeof time, " --time %.9g", seen.timeS.value_or(0.0));
@@ -108,6 +108,9 @@ void save(const app::Viewer::Seen& seen, const app::Choices& choices, const View
         file = "vct-view-" + std::to_string(n) + ".png";
     std::printf("%s\n", renderLine(seen, choices, options).c_str());
     std::fflush(stdout);
+    if (choices.lightsOff.any())
+        say("note: lamps are switched off in the window; vct render has no option for that and shows them "
+            "on");
     writePng(file, toneMapped(seen.radiance, ToneMap::neutral, seen.exposure));
     say("saved " + file);
 }

@@ -10,8 +10,10 @@ namespace vct {
 
 namespace {
 
-// Of a part, in voxels: what is wider is divided. The cones towards it end four voxels before it.
+// Of a part, in voxels: what is wider is divided.
 constexpr double largestRadius = 5.0;
+// The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
+constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
 constexpr std::size_t mostPartsOfLamp = 16;
 // Triangles are cut into pieces before they are sorted into parts, an instance into about so many.
@@ -113,8 +115,34 @@ class Pieces {
     std::vector<Piece> pieces_;
 };
 
+// Half of a side of the rectangle of the same area and second moments.
+glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
+    const glm::dvec3 normal = glm::normalize(part.facing);
+    // Along an axis of the world where that is a choice: a square has no longer side.
+    const glm::dvec3 helper = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 u = glm::normalize(helper - glm::dot(helper, normal) * normal),
+                     v = glm::cross(normal, u);
+    double uu = 0.0, uv = 0.0, vv = 0.0;
+    for (const Piece& piece : pieces) {
+        const double area = glm::length(piece.facing);
+        const double x = glm::dot(piece.centre - part.centre, u), y = glm::dot(piece.centre - part.centre, v);
+        uu += area * x * x;
+        uv += area * x * y;
+        vv += area * y * y;
+    }
+    const bool oblong = std::hypot(uu - vv, 2.0 * uv) > 0.02 * (uu + vv);
+    const double turn = oblong ? 0.5 * std::atan2(2.0 * uv, uu - vv) : 0.0;
+    const double c = std::cos(turn), s = std::sin(turn);
+    const double first = std::sqrt(std::max(c * c * uu + 2.0 * c * s * uv + s * s * vv, 0.0));
+    const double second = std::sqrt(std::max(s * s * uu - 2.0 * c * s * uv + c * c * vv, 0.0));
+    // Of one piece there are no moments: a square.
+    const double shape = first > 0.0 && second > 0.0 ? std::clamp(first / second, 0.01, 100.0) : 1.0;
+    return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
+}
+
 EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
-    EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0, 0.0};
+    EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0,
+                     0.0,      glm::dvec3(0.0)};
     for (const Piece& piece : pieces) {
         const double area = glm::length(piece.facing);
         part.area += area;
@@ -130,7 +158,10 @@ EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
         part.radius = std::max(part.radius, glm::length(aside));
         part.halfDepth = std::max(part.halfDepth, std::abs(glm::dot(aside, normal)));
     }
-    if (part.isRound()) part.halfDepth = part.radius;
+    if (part.isRound())
+        part.halfDepth = part.radius;
+    else
+        part.side = sideOf(part, pieces);
     return part;
 }
 
@@ -277,8 +308,9 @@ void Emitters::upload(const Pose* pose) const {
         to.place = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
                              part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
+        to.side = glm::vec4(m * part.side / volume_.side, 0.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),
-                                std::max(4.0, halfDepth * volume_.grid + 2.0) / volume_.grid);
+                                (halfDepth * volume_.grid + freeVoxels) / volume_.grid);
     }
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);

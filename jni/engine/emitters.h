@@ -23,6 +23,7 @@ struct EmitterPart {
     glm::dvec3 radiance;   // the mean by area, in the scene's unit
     double radius;         // metres, around the centre
     double halfDepth;      // metres, along `facing`; the radius where it is round
+    glm::dvec3 side;  // metres: half of one side of the rectangle that it is nearly; zero where it is round
     double flux() const;   // over pi, of the brightest colour
     bool isRound() const;  // sends the same to all sides, as closed surfaces do
 };

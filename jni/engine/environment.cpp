@@ -51,6 +51,28 @@ double texelSolidAngle(int x, int y, int side) {
            cornerSolidAngle(s0, t0);
 }
 
+// Calls visit(face, x, y) for all texels of a cube: face by face in GL's order, rows from t = 0 on.
+template <class Visit>
+void forEachTexel(int side, const Visit& visit) {
+    for (int face = 0; face < cubeFaces; ++face)
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                visit(face, x, y);
+}
+
+class WeightedMean {
+  public:
+    void add(double weight, const glm::vec3& value) {
+        sum_ += weight * glm::dvec3(value);
+        weights_ += weight;
+    }
+    glm::vec3 value() const { return sum_ / weights_; }
+
+  private:
+    glm::dvec3 sum_{0.0};
+    double weights_ = 0.0;
+};
+
 // Half as large, rows weighted by the solid angle of their pixels.
 Image halved(const Image& picture) {
     Image half(picture.width / 2, picture.height / 2);
@@ -110,20 +132,15 @@ std::vector<glm::vec3> finestLevel(const Image& picture, int side) {
     const int places = std::max(2, static_cast<int>(std::ceil(4.0 * picture.height / (halfTurn * side))));
     std::vector<glm::vec3> texels;
     texels.reserve(std::size_t{cubeFaces} * side * side);
-    for (int face = 0; face < cubeFaces; ++face)
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                glm::dvec3 sum(0.0);
-                double weights = 0.0;
-                for (int i = 0; i < places * places; ++i) {
-                    const double s = faceCoordinate(x - 0.5 + (i % places + 0.5) / places, side);
-                    const double t = faceCoordinate(y - 0.5 + (i / places + 0.5) / places, side);
-                    const double weight = std::pow(1.0 + s * s + t * t, -1.5);
-                    sum += weight * glm::dvec3(lookUp(picture, directionOf(face, s, t)));
-                    weights += weight;
-                }
-                texels.emplace_back(sum / weights);
-            }
+    forEachTexel(side, [&](int face, int x, int y) {
+        WeightedMean mean;
+        for (int i = 0; i < places * places; ++i) {
+            const double s = faceCoordinate(x - 0.5 + (i % places + 0.5) / places, side);
+            const double t = faceCoordinate(y - 0.5 + (i / places + 0.5) / places, side);
+            mean.add(std::pow(1.0 + s * s + t * t, -1.5), lookUp(picture, directionOf(face, s, t)));
+        }
+        texels.push_back(mean.value());
+    });
     return texels;
 }
 
@@ -131,20 +148,15 @@ std::vector<glm::vec3> coarser(const std::vector<glm::vec3>& fine, int fineSide)
     const int side = fineSide / 2;
     std::vector<glm::vec3> texels;
     texels.reserve(std::size_t{cubeFaces} * side * side);
-    for (int face = 0; face < cubeFaces; ++face)
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                glm::dvec3 sum(0.0);
-                double weights = 0.0;
-                for (int i = 0; i < 4; ++i) {
-                    const int fineX = 2 * x + i % 2, fineY = 2 * y + i / 2;
-                    const double weight = texelSolidAngle(fineX, fineY, fineSide);
-                    sum +=
-                        weight * glm::dvec3(fine[(std::size_t(face) * fineSide + fineY) * fineSide + fineX]);
-                    weights += weight;
-                }
-                texels.emplace_back(sum / weights);
-            }
+    forEachTexel(side, [&](int face, int x, int y) {
+        WeightedMean mean;
+        for (int i = 0; i < 4; ++i) {
+            const int fineX = 2 * x + i % 2, fineY = 2 * y + i / 2;
+            mean.add(texelSolidAngle(fineX, fineY, fineSide),
+                     fine[(std::size_t(face) * fineSide + fineY) * fineSide + fineX]);
+        }
+        texels.push_back(mean.value());
+    });
     return texels;
 }
 
@@ -203,15 +215,13 @@ float Environment::brightestReceived() const {
         glm::dvec3 direction, light;  // light: radiance times solid angle / halfTurn
     };
     std::vector<Patch> patches;
-    for (int face = 0; face < cubeFaces; ++face)
-        for (int y = 0; y < side(level); ++y)
-            for (int x = 0; x < side(level); ++x) {
-                const glm::dvec3 direction =
-                    directionOf(face, faceCoordinate(x, side(level)), faceCoordinate(y, side(level)));
-                const glm::dvec3 radiance(levels_[level][patches.size()]);
-                patches.push_back(
-                    {glm::normalize(direction), radiance * (texelSolidAngle(x, y, side(level)) / halfTurn)});
-            }
+    forEachTexel(side(level), [&](int face, int x, int y) {
+        const glm::dvec3 direction =
+            directionOf(face, faceCoordinate(x, side(level)), faceCoordinate(y, side(level)));
+        const glm::dvec3 radiance(levels_[level][patches.size()]);
+        patches.push_back(
+            {glm::normalize(direction), radiance * (texelSolidAngle(x, y, side(level)) / halfTurn)});
+    });
     float received = 0.0F;
     for (const Patch& normal : patches) {
         glm::dvec3 sum(0.0);

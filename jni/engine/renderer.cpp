@@ -20,6 +20,10 @@ const Settings& validated(const Settings& settings) {
     return settings;
 }
 
+LightSize lightSize(const Settings& settings) {
+    return {settings.lightRadius, settings.shadowConeAngleDeg};
+}
+
 // Where the voxels leave small emitters to cones of their own, and the scene has any.
 std::optional<Emitters> lampsOf(const Scene& scene, const Volume& volume, const Settings& settings,
                                 float radianceUnit) {
@@ -62,7 +66,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
         others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
-                        glm::pi<double>() * radianceUnit(light));
+                        glm::pi<double>() * radianceUnit(light), lightSize(settings));
     shades_.emplace_back(shaders_, sources(), settings_);
     gl::checkErrors("setting up the renderer");
 }
@@ -82,6 +86,7 @@ void Renderer::setShadowConeAngle(float degrees) {
     changed.shadowConeAngleDeg = degrees;
     validate(changed);
     settings_ = changed;
+    if (others_ && settings_.lightRadius > 0.0F) others_->setSize(lightSize(settings_));
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {

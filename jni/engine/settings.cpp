@@ -1,6 +1,7 @@
 #include "engine/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "core/error.h"
@@ -109,6 +110,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
+        settings.gather.height = 0.35F;
         settings.filterTaps = 4;
         return settings;
     }
@@ -152,6 +154,8 @@ void validate(const Settings& settings) {
             "the shadow map must be between 16 and 8192 texels");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
             "the cone angle (of the sun's disc) must be between 0.1 and 170 degrees");
+    require(settings.lightRadius >= 0.0F && std::isfinite(settings.lightRadius),
+            "the radius of lights must be 0 or above");
     require(settings.filterTaps >= 4 && settings.filterTaps % 4 == 0,
             "the places of the soft shadow must be a multiple of 4");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,

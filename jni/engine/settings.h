@@ -105,10 +105,11 @@ struct Settings {
     glm::ivec2 size{400, 400};           // pixels
     int shadowMapSize = 512;             // texels along a side
     float shadowConeAngleDeg = 5.0F;     // full opening angle of the cone towards the light
-    Shadow shadow = Shadow::cone;        // of mode 5
-    int filterTaps = 8;                  // of softMap: places in a penumbra; a multiple of 4
-    float aoDistance = 0.045F;           // of the volume's side
-    glm::vec3 skyRadiance{0.0F};         // seen by cones and pixels that leave the volume
+    float lightRadius = 0.0F;      // of points and spots in mode 5, in the scene's unit; 0: hard shadows
+    Shadow shadow = Shadow::cone;  // of mode 5
+    int filterTaps = 8;            // of softMap: places in a penumbra; a multiple of 4
+    float aoDistance = 0.045F;     // of the volume's side
+    glm::vec3 skyRadiance{0.0F};   // seen by cones and pixels that leave the volume
     // In place of skyRadiance: a picture of all directions, in the scene's unit of radiance.
     std::shared_ptr<const Environment> environment;
     bool revoxelize = false;             // make shadow map and voxels anew in every frame, to measure that

@@ -125,11 +125,13 @@ ordered_json benchHeadJson(const std::vector<BenchRuns>& all, const std::string&
 std::string benchHeadText(const std::vector<BenchRuns>& all) {
     const ordered_json& first = all.front().timings.front();
     const ordered_json& settings = first.at("settings");
+    const std::string sky = settings.at("sky");
     std::ostringstream text;
     text << first.at("scene").get<std::string>() << ", " << first.at("triangles") << " triangles, "
          << settings.at("width") << "x" << settings.at("height") << " pixels, shadow map "
-         << settings.at("shadow_map") << "\nHere: " << first.at("driver").at("renderer").get<std::string>()
-         << ", " << first.at("driver").at("version").get<std::string>() << "; "
+         << settings.at("shadow_map") << (sky == "dark" ? "" : ", sky: " + sky)
+         << "\nHere: " << first.at("driver").at("renderer").get<std::string>() << ", "
+         << first.at("driver").at("version").get<std::string>() << "; "
          << first.at("machine").at("cpu").get<std::string>() << ", " << first.at("machine").at("threads")
          << " threads\nMilliseconds; each number is of " << all.front().timings.size()
          << " renderers, made one after the other, of " << first.at("method").at("frames")

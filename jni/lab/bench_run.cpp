@@ -87,8 +87,7 @@ void ResultsFolder::say(const char* name, const std::string& text) {
 BenchRun::BenchRun(Input input, std::string folder)
     : input_(std::move(input)),
       folder_(std::move(folder)),
-      camera_(cameraFromText(input_.request.camera, *input_.scene, aspectOf(input_.request.size))),
-      light_(lightFromText(input_.request.light, *input_.scene)) {
+      camera_(cameraFromText(input_.request.camera, *input_.scene, aspectOf(input_.request.size))) {
     const std::string note =
         cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
     if (!note.empty()) input_.log(note);
@@ -104,6 +103,8 @@ Settings BenchRun::settingsFor(const BenchConfig& config) const {
     settings.size = input_.request.size;
     settings.shadowMapSize = input_.request.shadowMap;
     settings.shadowConeAngleDeg = static_cast<float>(config.coneAngleDeg);
+    settings.skyRadiance = input_.sky.skyRadiance;
+    settings.environment = input_.sky.environment;
     settings.revoxelize = true;
     return forDriver(settings, input_.capabilities);
 }
@@ -138,7 +139,7 @@ bool BenchRun::advance() {
 void BenchRun::beginRun() {
     input_.log("bench: " + progress());
     const Settings settings = settingsFor(config());
-    renderer_.emplace(*input_.scene, light_, settings, input_.capabilities, input_.shaders);
+    renderer_.emplace(*input_.scene, input_.light, settings, input_.capabilities, input_.shaders);
     modes_ = modesFromText(config().modes);
     mode_ = 0;
     frame_ = 0;

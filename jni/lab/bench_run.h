@@ -23,7 +23,7 @@ struct BenchRequest {
     glm::ivec2 size{400, 400};
     int shadowMap = 512;
     int repeat = 3;
-    std::string camera, light;  // as for `vct render`
+    std::string camera, light;  // as for `vct render`; the light is the caller's to follow
 };
 
 // "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=... light=...",
@@ -56,6 +56,8 @@ class BenchRun {
     struct Input {
         BenchRequest request;
         std::shared_ptr<const Scene> scene;
+        DirectionalLight light;
+        Settings sky;  // of which nothing else counts: skyRadiance, environment
         gl::Capabilities capabilities;
         gl::ReadShader shaders;
         std::string backend;              // driver.backend of timings.json
@@ -91,7 +93,6 @@ class BenchRun {
     Input input_;
     std::string folder_;
     Camera camera_;
-    DirectionalLight light_;
     std::vector<BenchRuns> runs_;  // of each configuration
     std::size_t run_ = 0;          // of count()
     std::vector<Mode> modes_;

@@ -47,6 +47,11 @@ std::string gpuClockText(const TimingsReport& report) {
            "milliseconds";
 }
 
+const char* skyText(const Settings& settings) {
+    if (settings.environment) return "picture";
+    return settings.skyRadiance == glm::vec3(0.0F) ? "dark" : "plain";
+}
+
 ordered_json settingsJson(const TimingsReport& report) {
     const Settings& s = report.settings;
     return {{"preset", report.preset},
@@ -56,8 +61,10 @@ ordered_json settingsJson(const TimingsReport& report) {
             {"voxelization", voxelizationName(s.voxelization)},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
+            {"light_radius", s.lightRadius},
             {"shadow", shadowName(s.shadow)},
             {"filter_taps", s.filterTaps},
+            {"sky", skyText(s)},
             {"ao_distance", s.aoDistance},
             {"specular", specularName(s.specular)},
             {"light_frames", s.lightFrames}};

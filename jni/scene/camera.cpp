@@ -49,6 +49,15 @@ double distanceTo(const Bounds& bounds, const glm::dvec3& p) {
     return glm::length(glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0.0)));
 }
 
+// Puts what looks or shines along its -Z where its node is. It keeps its axes where the node has none, as its
+// scale is 0.
+void follow(glm::dmat4& world, const Pose& pose, int node) {
+    const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(node));
+    const std::optional<glm::dmat4> axes = withoutScale(worldFromNode);
+    if (axes) world = *axes;
+    world[3] = worldFromNode[3];
+}
+
 }  // namespace
 
 Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg,
@@ -140,10 +149,8 @@ std::string cameraNote(const Scene& scene, const std::string& option, const Came
 
 Camera posed(Camera camera, const Pose& pose) {
     if (camera.node < 0) return camera;
-    const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(camera.node));
-    const std::optional<glm::dmat4> worldFromCamera = withoutScale(worldFromNode);
-    if (worldFromCamera) camera.worldFromCamera = *worldFromCamera;
-    camera.worldFromCamera[3] = worldFromNode[3] + camera.setBack * camera.worldFromCamera[2];
+    follow(camera.worldFromCamera, pose, camera.node);
+    camera.worldFromCamera[3] += camera.setBack * camera.worldFromCamera[2];
     return camera;
 }
 
@@ -157,10 +164,7 @@ DirectionalLight posed(DirectionalLight light, const Pose& pose) {
 
 PunctualLight posed(PunctualLight light, const Pose& pose) {
     if (light.node < 0) return light;
-    const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(light.node));
-    const std::optional<glm::dmat4> axes = withoutScale(worldFromNode);
-    if (axes) light.worldFromLight = *axes;
-    light.worldFromLight[3] = worldFromNode[3];
+    follow(light.worldFromLight, pose, light.node);
     return light;
 }
 
@@ -193,8 +197,12 @@ DirectionalLight defaultLight() {
 glm::vec3 chooseSky(const Scene& scene) {
     const bool shines =
         !scene.lights.empty() || !scene.punctualLights.empty() || featuresOf(scene).has(featureEmissive);
-    // A quarter of the light of a floor under the default sun, of the blue of a clear day.
-    return shines ? glm::vec3(0.0F) : glm::vec3(0.2F, 0.25F, 0.35F);
+    return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
+}
+
+glm::vec3 plainSky(const DirectionalLight& light) {
+    const float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
+    return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
 }
 
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {

@@ -53,6 +53,9 @@ DirectionalLight defaultLight();
 // The radiance of a plain sky for a scene in which nothing shines, so that its first picture shows it; else
 // black.
 glm::vec3 chooseSky(const Scene& scene);
+// The radiance of a sky that gives a floor a quarter of such a light, in the blue of a clear day. As of the
+// default light where it gives nothing.
+glm::vec3 plainSky(const DirectionalLight& light);
 
 // Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene: to
 // `visibleWorld`, which is `boundsWorld` and what has moved out of it. Returns clipFromWorld.

@@ -46,8 +46,9 @@ vec3 ownFaces(vec3 normal, bool hasBack) {
 }
 
 // One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
-// in voxels.
-ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach) {
+// in voxels. `spread`: scales its width. Where a cone goes from one level to the next, what it meets counts for up to 15 %
+// too much or too little; so a set of cones should do that at many heights.
+ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
     float grid = float(frame.gridSide);
     ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
@@ -61,7 +62,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
         // footprint.
         float height = VCT_GATHER_START + distance * rise;
-        float level = max(floor(log2(VCT_GATHER_HEIGHT * height)), 0.0);
+        float level = max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
         // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = mix(abs(direction), vec3(0.0), own);

@@ -25,7 +25,9 @@ mediump float transmittanceTo(vec3 start, vec3 normal, vec3 ownBelow, vec3 direc
     while (distance < reach) {
         COUNT(VCT_CONE_COUNTER);
         float height = VCT_GATHER_START + distance * rise;
-        float footprint = clamp(2.0 * distance * tangent, 1.0, max(VCT_GATHER_HEIGHT * height, 1.0));
+        // No wider than what is left either: else it would meet the lamp.
+        float widest = min(VCT_GATHER_HEIGHT * height, 0.5 * (reach - distance));
+        float footprint = max(min(2.0 * distance * tangent, widest), 1.0);
         float level = floor(log2(footprint));
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = mix(abs(direction), vec3(0.0), own);
@@ -55,7 +57,9 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         vec3 light = part.radiance.rgb * (share / frame.radianceRange);
         if (max(light.r, max(light.g, light.b)) < 1e-5) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
-        float reach = (distance - part.radiance.w) * grid;
+        // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
+        float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
+        float reach = (distance - part.radiance.w / rising) * grid;
         sum += light * transmittanceTo(start, plane.normal, ownBelow, towards, reach, coneWidth * part.place.w / distance);
     }
     return sum;

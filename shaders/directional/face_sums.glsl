@@ -100,9 +100,28 @@ bool isGlowing(uint slot, int face) {
     return (faceSums[slotIndex(slot)] >> (2 * VCT_FACE_MASK_BITS + face) & 1u) != 0u;
 }
 
+float faceCoverage(uint slot, int face) {
+    return min(float(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_COVERAGE]) / frame.faceSumUnits, 1.0);
+}
+
+SurfacePlane facePlane(uint slot, int face) {
+    return unpackPlane(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_PLANE]);
+}
+
+// Whether the face's surface, of that plane, is one side of a sheet or a thin plate. (Two walls of an edge look to opposite sides
+// too, but not against each other.)
+bool hasBack(uint slot, int face, SurfacePlane plane) {
+    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) && dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
+}
+
 // A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of
 // surface in a voxel: it is covered, and shines with their mean; but where one of them emits, with their sum, as a lamp that
 // hangs right under a ceiling is in front of it, and sends what it sends.
+//
+// A slanted surface stands in up to three faces. Together they cover what it covers to rays against its normal, but to rays
+// from other sides, and from behind, more: they would send up to 1.7 times its light. Scaled by the normal's component they
+// would send as much as it does, but be too dark from the front, as in a closed slanted room. The cube root lies between
+// the two errors (docs/levers.md, "Slanted surfaces").
 struct FaceSum {
     float coverage;
     vec3 radiance;  // relative to E/pi over frame.radianceRange
@@ -117,19 +136,7 @@ FaceSum faceSum(uint slot, int face) {
     uint at = index + VCT_FACE_SUM_RADIANCE;
     vec3 radiance = vec3(uvec3(faceSums[at], faceSums[at + 1u], faceSums[at + 2u]));
     radiance *= isGlowing(slot, face) ? 1.0 / frame.faceSumUnits : scale;
-    return FaceSum(sum * scale, radiance, unpackAlbedo(faceSums[index + VCT_FACE_SUM_ALBEDO]) * (sum * scale));
-}
-
-float faceCoverage(uint slot, int face) {
-    return min(float(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_COVERAGE]) / frame.faceSumUnits, 1.0);
-}
-
-SurfacePlane facePlane(uint slot, int face) {
-    return unpackPlane(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_PLANE]);
-}
-
-// Whether the face's surface, of that plane, is one side of a sheet or a thin plate. (Two walls of an edge look to opposite sides
-// too, but not against each other.)
-bool hasBack(uint slot, int face, SurfacePlane plane) {
-    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) && dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
+    vec3 albedo = unpackAlbedo(faceSums[index + VCT_FACE_SUM_ALBEDO]) * (sum * scale);
+    float shining = pow(abs(facePlane(slot, face).normal[face >> 1]), 1.0 / 3.0);
+    return FaceSum(sum * scale, shining * radiance, shining * albedo);
 }

@@ -47,7 +47,9 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int co
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
-        ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach);
+        // From half a level less to half a level more, evenly, and otherwise than the directions follow each other.
+        float spread = exp2(float(i * 49471 & 65535) / 65536.0 - 0.5);
+        ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;
         // The directions share the hemisphere, weighted by the cosine.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);

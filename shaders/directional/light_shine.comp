@@ -68,10 +68,11 @@ void main() {
         storeReceived(i, mean);
         FaceSum sum = faceSum(slot, listed.face);
         before += inUnits(sum.coverage * mean.light);
-        reflected += inUnits(lightStep.reflected * sum.albedo * mean.light);
-        vec3 own = sum.radiance + lightStep.reflected * sum.albedo * fromEmitters(i);
+        vec3 reflecting = lightStep.reflected * sum.albedo;
+        reflected += inUnits(reflecting * mean.light);
+        vec3 own = sum.radiance + reflecting * fromEmitters(i);
         direct += inUnits(min(own, 1.0));
-        vec3 radiance = own + lightStep.reflected * sum.albedo * mean.light;
+        vec3 radiance = own + reflecting * mean.light;
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
         imageStore(faces, texel, storedFace(vec4(radiance, sum.coverage), texel, lightStep.frame));
     }

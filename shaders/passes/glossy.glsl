@@ -56,13 +56,64 @@ mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float
     return value;
 }
 
+// What a cone meets of lamps, whose light the voxels do not hold: all of them as one, some way along it.
+struct LampsMet {
+    vec3 radiance;  // relative to E/pi, premultiplied by the coverage
+    float coverage;
+    float distance;  // in voxels, to where their own voxels begin
+};
+#ifdef VCT_EMITTERS
+#include "shared/emitters.glsl"
+// The share of an interval around x, `wide` to each side, that is in another around 0.
+float overlap(float x, float halfSide, float wide) {
+    return clamp((min(x + wide, halfSide) - max(x - wide, -halfSide)) / (2.0 * wide), 0.0, 1.0);
+}
+LampsMet lampsAlong(vec3 start, vec3 direction, float tangent) {
+    LampsMet met = LampsMet(vec3(0.0), 0.0, 0.0);
+    for (int i = 0; i < emitters.count.x; ++i) {
+        EmitterPartUniforms part = emitters.part[i];
+        float seen = seenArea(part, direction);
+        vec3 offset = part.place.xyz - start / float(frame.gridSide);
+        float along = dot(offset, direction);
+        // Of itself a lamp reflects nothing.
+        if (seen <= 0.0 || along * float(frame.gridSide) < 1.0) continue;
+        float cone = max(along * tangent, 0.25 / float(frame.gridSide));
+        float share;
+        if (part.side.xyz == vec3(0.0)) {
+            // Two discs: the part's, of its own area, and the cone's.
+            float disc = sqrt(seen / 3.1415927);
+            share = min(disc * disc / (cone * cone), 1.0) *
+                    (1.0 - smoothstep(abs(cone - disc), cone + disc, length(offset - along * direction)));
+        } else {
+            // Of a square as wide as the cone, what is inside of the rectangle, where the cone meets its plane.
+            vec3 normal = normalize(part.facing.xyz);
+            vec3 place = direction * (dot(offset, normal) / min(dot(direction, normal), -1e-3)) - offset;
+            float halfSide = length(part.side.xyz), halfOther = 0.25 * length(part.facing.xyz) / halfSide;
+            vec3 side = part.side.xyz / halfSide;
+            share = overlap(dot(place, side), halfSide, cone) * overlap(dot(place, cross(normal, side)), halfOther, cone);
+        }
+        met.radiance += share * part.radiance.rgb;
+        met.coverage += share;
+        met.distance += share * (along - part.radiance.w) * float(frame.gridSide);
+    }
+    met.distance /= max(met.coverage, 1e-6);
+    float most = 1.0 / max(met.coverage, 1.0);
+    return LampsMet(met.radiance * most, met.coverage * most, met.distance);
+}
+#else
+LampsMet lampsAlong(vec3 start, vec3 direction, float tangent) {
+    return LampsMet(vec3(0.0), 0.0, 0.0);
+}
+#endif
+
 // One cone along `direction`, as traceCone of directional/cones.glsl, whose whole levels and small footprints would
 // show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
     float voxel = 1.0 / float(frame.gridSide);
     float widest = 0.25 * float(frame.gridSide);  // so that a cone gets away from the volume faster than it widens
-    mediump vec3 radiance = vec3(0.0);
+    mediump vec3 radiance = vec3(0.0), ofLamps = vec3(0.0);
     mediump float transmittance = 1.0;
+    LampsMet lamps = lampsAlong(start, direction, tangent);
     vec3 own = max(-direction * normal, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE + VCT_GATHER_OWN_SURFACE * (own.x + own.y + own.z);
     // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
@@ -74,6 +125,12 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         // The coarser texel is two footprints wide at most.
         vec3 fromCentre = abs(p - 0.5);
         if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + footprint * voxel) break;
+        // Before the voxels of the lamps themselves.
+        if (lamps.coverage > 0.0 && distance > lamps.distance - footprint) {
+            ofLamps = lamps.radiance * transmittance;
+            transmittance = transmittance * (1.0 - lamps.coverage);
+            lamps.coverage = 0.0;
+        }
         float stride = VCT_GATHER_STEP * footprint;
         mediump vec4 value = sampleBetween(p, direction, footprint, stride);
         mediump float share = min(1.0, transmittance / max(value.a, 1e-4));
@@ -82,7 +139,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (transmittance < VCT_GATHER_THRESHOLD) break;
         distance += stride;
     }
-    return radiance * frame.radianceRange + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
+    return radiance * frame.radianceRange + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
 // What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of

@@ -209,17 +209,18 @@ struct PunctualLightUniforms {
     vec4 backwards;  // xyz: unit length, against its axis; w: 1 / range^2, or 0, lengths in sides of the volume
     vec4 intensity;  // rgb: irradiance, at the distance 1, of a surface that faces it, relative to the sun's E
     vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
+                     // z: radius, in sides of the volume; of a directional light the tangent of half its angle
     ivec4 maps;      // x: the first of its shadow maps, y: how many, 1 or the 6 of a cube
 };
 // A shadow map of one of them: a tile of the texture that all share.
 struct LightMap {
     mat4 mapFromVolume;  // projective: coordinates in the texture, and depth, all in [0, 1]
     // At the distance w = 1: x: depth that is a quarter of a texel wide; there it falls with 1 / w. y: depth that the
-    // volume's side has; it falls with 1 / w^2.
+    // volume's side has; it falls with 1 / w^2. zw: the tile's corner in the texture.
     vec4 depth;
 };
 struct PunctualLightBlock {
-    ivec4 count;  // x: of the lights that shine
+    ivec4 count;  // x: of the lights that shine; y: texels along a tile's side
     PunctualLightUniforms light[VCT_MAX_PUNCTUAL_LIGHTS];
     LightMap map[VCT_MAX_LIGHT_MAPS];
 };
@@ -228,6 +229,7 @@ struct PunctualLightBlock {
 struct EmitterPartUniforms {
     vec4 place;     // xyz: its middle, volume space; w: its radius
     vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see seenArea() in shared/emitters.glsl
+    vec4 side;      // xyz: half of one side of the rectangle that it is nearly; zero where it is round
     vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
 };
 struct EmitterBlock {

@@ -1,5 +1,5 @@
 // Lights besides the sun: directional, point and spot (glTF's KHR_lights_punctual). Each has a shadow map, points six of them,
-// in tiles of one texture; an edge of a shadow is as sharp as the map.
+// in tiles of one texture; an edge of a shadow is as sharp as the map, or, with VCT_SOFT_LIGHTS, as the light's size leaves it.
 #include "shared/shadow.glsl"
 #include "shared/orthonormal.glsl"
 
@@ -33,6 +33,10 @@ int cubeFace(vec3 direction) {
     return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
 }
 
+#ifdef VCT_SOFT_LIGHTS
+#include "passes/soft_lights.glsl"
+#endif
+
 // 0 where something is between the light and a surface, 1 where it is seen; between them at the shadow's edge, a texel wide.
 // As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: shadowSlack() of the normal.
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
@@ -56,7 +60,13 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     const float roundedDepth = 1e-6;
     float rounding = roundedPosition * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
-    return max(shadowFootprintLight(lightMaps, receiver, slope, slack, 2.0), 0.0);
+    float hard = max(shadowFootprintLight(lightMaps, receiver, slope, slack, 2.0), 0.0);
+#ifdef VCT_SOFT_LIGHTS
+    float nearest = receiver.z * projected.w / map.depth.y;
+    return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w, nearest);
+#else
+    return hard;
+#endif
 }
 
 // Irradiance of a surface by all of them, relative to the sun's E.

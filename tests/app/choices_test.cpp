@@ -43,5 +43,27 @@ TEST(Choices, RevoxelizeIsOfTheSettings) {
     EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
 }
 
+TEST(Choices, LampsAreSwitchedAndTheSkyIsChosenInWords) {
+    const Choices choices = showRequestFromText("show sky=plain lights-off=1,16").choices;
+    EXPECT_EQ(choices.sky, Sky::plain);
+    EXPECT_EQ(choices.lightsOff.to_ulong(), 0x8001UL);
+    EXPECT_NE(choices, Choices());
+    for (const char* wrong :
+         {"show sky=blue", "show sky=", "show lights-off=0", "show lights-off=17", "show lights-off=1,a"})
+        EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
+}
+
+TEST(Choices, ASkyIsTheScenesOrOfItsLightUnlessItIsDark) {
+    DirectionalLight sun;
+    sun.intensity = 3000.0F;
+    const glm::vec3 sceneSky(1.0F, 2.0F, 3.0F);
+    Choices choices;
+    EXPECT_EQ(skyRadianceFor(choices, sceneSky, sun), sceneSky);
+    choices.sky = Sky::plain;
+    EXPECT_NEAR(skyRadianceFor(choices, sceneSky, sun).g, 3000.0F * 0.25F / 3.14159265F, 0.1F);
+    choices.sky = Sky::dark;
+    EXPECT_EQ(skyRadianceFor(choices, sceneSky, sun), glm::vec3(0.0F));
+}
+
 }  // namespace
 }  // namespace vct::app

@@ -52,9 +52,8 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     const std::string mode = GetParam();
     const Image screen = screenOf("scene=courtyard.glb pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
-    program.expectSuccess("render " VCT_SOURCE_DIR
-                          "/assets/courtyard.glb --grid 64 --size 120x90 --exposure 1 --out out --mode " +
-                          mode);
+    program.expectSuccess(
+        "render " VCT_SOURCE_DIR "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " + mode);
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
@@ -81,7 +80,7 @@ TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     ProgramRun program;
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/moving.glb --preset thesis --size 96x72 --out out "
-                          "--exposure 1 --mode gi --time 1.5");
+                          "--mode gi --time 1.5");
     EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
@@ -103,6 +102,54 @@ TEST(Animated, PlaysUnlessItIsStopped) {
     };
     EXPECT_TRUE(changes(""));
     EXPECT_FALSE(changes("time=1"));
+}
+
+// A floor and a box; lamps with so much candela each, side by side above them.
+Bytes sceneWithLamps(const std::vector<double>& candela) {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
+    for (std::size_t i = 0; i < candela.size(); ++i) {
+        lights.push_back({{"type", "point"}, {"intensity", candela[i]}});
+        builder.node({{"translation", {2.0 * static_cast<double>(i) - 1.0, 2, 0.5}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+    }
+    return builder.glb();
+}
+
+// Those of light 1 alone: a scene with another second one has other maps and voxels, but modes without them.
+TEST(Lamps, ThatAreOffGiveNothing) {
+    const TemporaryFolder scenes;
+    writeBytes(scenes.file("both.glb"), sceneWithLamps({40, 30}));
+    writeBytes(scenes.file("first.glb"), sceneWithLamps({40}));
+    const auto screenWith = [&](const std::string& scene) {
+        return screenOf("preset=mobile pixels=1 mode=phong scene=" + scene, 96, 72, scenes.path());
+    };
+    const Image first = screenWith("first.glb");
+    EXPECT_TRUE(screenWith("both.glb lights-off=2").pixels == first.pixels);
+    EXPECT_FALSE(screenWith("both.glb").pixels == first.pixels);
+    EXPECT_FALSE(screenWith("both.glb lights-off=1").pixels == first.pixels);
+}
+
+TEST(Sky, OfASceneInWhichNothingShinesIsThatOfRender) {
+    const TemporaryFolder scenes;
+    GltfBuilder builder;
+    builder.triangle();
+    builder.node({{"camera", builder.add("cameras", {{"type", "perspective"},
+                                                     {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}})},
+                  {"translation", {0.5, 0.5, 2}}});
+    writeBytes(scenes.file("unlit.glb"), builder.glb());
+    const auto screenWith = [&](const std::string& sky) {
+        return screenOf("scene=unlit.glb preset=thesis grid=64 pixels=1 mode=gi" + sky, 96, 72,
+                        scenes.path());
+    };
+    const Image screen = screenWith("");
+    ProgramRun program;
+    program.expectSuccess("render " + scenes.file("unlit.glb") +
+                          " --grid 64 --size 96x72 --out out --mode gi");
+    EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
+    EXPECT_GT(screen.at(2, 2).b, 0.1F);
+    EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }
 
 // Nothing else moves in this scene.

@@ -39,6 +39,7 @@ class Fingers {
             content.scenes = &scenes;
             content.message = message;
             content.animated = animated;
+            content.lights = lights;
             const app::HudActions actions = hud.build(content, window, {0, 0, window}, 0.02);
             all.resetView |= actions.resetView;
             all.rescan |= actions.rescan;
@@ -54,6 +55,7 @@ class Fingers {
     int scene = 0;
     std::string message;
     bool animated = false;
+    std::vector<std::string> lights;
 };
 
 constexpr glm::vec2 corner{25.0F, 20.0F};  // the button that hides and shows
@@ -76,6 +78,7 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     Fingers fingers;
     fingers.message = "wrong";
     fingers.animated = true;
+    fingers.lights = {"lamp", "lamp", ""};
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
@@ -92,6 +95,9 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         note(now.resolution != before.resolution, "pixels");
         note(now.coneAngleDeg != before.coneAngleDeg, "cone");
         note(now.lightAnglesDeg.has_value(), "light");
+        note(now.lightsOff.any(), "lamps");
+        note(now.lightsOff.test(1), "second lamp");
+        note(now.sky != before.sky, "sky");
         note(now.timeSteps != before.timeSteps, "time");
         note(now.play != before.play, "play");
         note(fingers.scene != 0, "scene");
@@ -112,8 +118,8 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         look();
     }
     std::sort(changed.begin(), changed.end());
-    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "light", "mode", "pixels", "play", "preset",
-                                                 "scene", "time"}));
+    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
+                                                 "preset", "scene", "second lamp", "sky", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);

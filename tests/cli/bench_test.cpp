@@ -141,5 +141,27 @@ TEST(Bench, AGridThatIsAskedForIsEveryPresets) {
     expectMentions(program.err, {"preset 'none' does not exist"});
 }
 
+TEST(Bench, MeasuresUnderTheSkyOfRender) {
+    ProgramRun program;
+    const std::string patio = VCT_SOURCE_DIR "/assets/patio";
+    const std::string few = " --preset mobile --repeat 1 --size 16x16 --shadow-map 64";
+    program.expectSuccess("bench " + patio + ".glb" + few + " --environment " + patio + ".hdr --out under");
+    expectMentions(program.out, {"sky: picture"});
+    EXPECT_EQ(program.json("under/presets.json").at("presets")[0].at("settings").at("sky"), "picture");
+    program.expectSuccess("render " + patio +
+                          ".glb --preset mobile --size 16x16 --shadow-map 64 --mode phong --environment " +
+                          patio + ".hdr --out render --tone-map none --exposure 1");
+    EXPECT_EQ(readBytes(program.folder.file("under/phong.png")),
+              readBytes(program.folder.file("render/phong.png")));
+    program.expectSuccess(std::string("bench ") + ProgramRun::cornell + few +
+                          " --sky 0.1,0.2,0.3 --out plain");
+    expectMentions(program.out, {"sky: plain"});
+    program.expectSuccess(std::string("bench ") + ProgramRun::cornell + few + " --out dark");
+    EXPECT_EQ(program.out.find("sky"), std::string::npos);
+    EXPECT_NE(program.run(std::string("bench ") + ProgramRun::cornell + " --sky 0.1"), 0);
+    EXPECT_NE(program.run(std::string("bench ") + ProgramRun::cornell + " --environment none.hdr"), 0);
+    expectMentions(program.err, {"none.hdr"});
+}
+
 }  // namespace
 }  // namespace vct::test

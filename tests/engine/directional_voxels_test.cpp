@@ -195,7 +195,8 @@ TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
             ASSERT_EQ(face, 2) << faceName(face);
             ASSERT_EQ(value.a, 255);
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F), 64), 1.0);
+                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F), 64),
+                            1.0);
         }
     });
     EXPECT_GE(covered, 1);

@@ -3,48 +3,16 @@
 
 #include <cmath>
 #include <functional>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/camera.h"
 #include "support/errors.h"
 #include "support/frame_inspector.h"
 #include "support/playing_scene.h"
+#include "support/punctual_light.h"
 #include "support/scenes.h"
 
 namespace vct::test {
 namespace {
-
-constexpr double unitLux = pi;  // of a sun of intensity pi, which is where the sums are taken
-
-// At `place`, shining towards `target`.
-PunctualLight lightAt(PunctualLight::Type type, const glm::dvec3& place, const glm::dvec3& target) {
-    PunctualLight light;
-    light.type = type;
-    const glm::dvec3 up =
-        std::abs(glm::normalize(target - place).y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    light.worldFromLight = glm::inverse(glm::lookAt(place, target, up));
-    light.intensity = 4.0F;
-    light.color = {1.0F, 0.5F, 0.25F};
-    return light;
-}
-
-// Irradiance over E of a surface that sees the light: the extension's formulas.
-double irradianceOf(const PunctualLight& light, const glm::dvec3& position, const glm::dvec3& normal) {
-    const glm::dvec3 axis = -glm::dvec3(light.worldFromLight[2]);
-    if (light.type == PunctualLight::Type::directional)
-        return light.intensity * std::max(glm::dot(normal, -axis), 0.0) / unitLux;
-    const glm::dvec3 offset = glm::dvec3(light.worldFromLight[3]) - position;
-    const double distance = glm::length(offset);
-    const double cosine = std::max(glm::dot(normal, offset / distance), 0.0);
-    double share = std::clamp(1.0 - std::pow(distance / light.range, 4.0), 0.0, 1.0);
-    if (light.type == PunctualLight::Type::spot) {
-        const double outer = std::cos(light.outerConeRad), inner = std::cos(light.innerConeRad);
-        const double cone =
-            std::clamp((glm::dot(-offset / distance, axis) - outer) / (inner - outer), 0.0, 1.0);
-        share *= cone * cone;
-    }
-    return share * light.intensity * cosine / (distance * distance) / unitLux;
-}
 
 struct Row {
     const char* name;
@@ -64,9 +32,7 @@ TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
         Settings settings = presetSettings(preset);
         settings.grid = 64;
         settings.size = glm::ivec2(96);
-        DirectionalLight dark = lightFrom({0, 1, 0});
-        dark.color = glm::vec3(0.0F);
-        FrameInspector inspector(context, scene, dark, settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
+        FrameInspector inspector(context, scene, darkSun(), settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
         for (const Picture mode : {VCT_MODE_GI, VCT_MODE_GI_CONE_SHADOW}) {
             const Image picture = inspector.view(mode);
             double brightest = 0.0;
@@ -93,31 +59,34 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Row{"Point",
             [] {
-                return lightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
+                return punctualLightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
             }},
         Row{"PointWithARange",
             [] {
-                PunctualLight light = lightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
+                PunctualLight light =
+                    punctualLightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
                 light.range = 1.2;
                 return light;
             }},
         Row{"Spot",
             [] {
-                PunctualLight light = lightAt(PunctualLight::Type::spot, {0.6, 1.2, 0.5}, {0.1, 0, 0});
+                PunctualLight light =
+                    punctualLightAt(PunctualLight::Type::spot, {0.6, 1.2, 0.5}, {0.1, 0, 0});
                 light.innerConeRad = 0.2;
                 light.outerConeRad = 0.5;
                 return light;
             }},
         Row{"WideSpot",
             [] {
-                PunctualLight light = lightAt(PunctualLight::Type::spot, {0.2, 0.9, 0.1}, {0.1, 0, 0});
+                PunctualLight light =
+                    punctualLightAt(PunctualLight::Type::spot, {0.2, 0.9, 0.1}, {0.1, 0, 0});
                 light.innerConeRad = 0.8;
                 light.outerConeRad = 1.4;
                 return light;
             }},
         Row{"SecondSun",
             [] {
-                PunctualLight light = lightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0});
+                PunctualLight light = punctualLightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0});
                 return light;
             }}),
     [](const auto& row) { return row.param.name; });
@@ -159,16 +128,14 @@ bool isBlocked(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to)
 TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
     const Context context = openContext(Backend::egl);
     const std::vector<PunctualLight> lights{
-        lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}),
-        lightAt(PunctualLight::Type::point, {0.8, -0.1, -0.7}, {0, 0, 0}),
-        lightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1})};
+        punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}),
+        punctualLightAt(PunctualLight::Type::point, {0.8, -0.1, -0.7}, {0, 0, 0}),
+        punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1})};
     for (const PunctualLight& light : lights) {
         const Scene scene = roomAtNight({light});
         Settings settings = presetSettings("mobile");
         settings.size = glm::ivec2(256);
-        DirectionalLight dark = lightFrom({0, 1, 0});
-        dark.color = glm::vec3(0.0F);
-        FrameInspector inspector(context, scene, dark, settings,
+        FrameInspector inspector(context, scene, darkSun(), settings,
                                  lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
         const Image picture = inspector.view(VCT_MODE_SHADOW_MAP);
         const glm::dvec3 place(light.worldFromLight[3]);
@@ -192,10 +159,57 @@ TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
     }
 }
 
+// Walls, creases, a table and its leg, and whatever else a wide search may take for what it is not.
+TEST(PunctualLights, WithASizeShineIntoNoCornerAndShadeNoWall) {
+    const Context context = openContext(Backend::egl);
+    for (const double radius : {0.03, 0.12}) {
+        const glm::dvec3 place(-0.3, 0.5, 0.2);
+        Scene scene = roomAtNight({punctualLightAt(PunctualLight::Type::point, place, {0, 0, 0})});
+        // Nothing is left of the second bounce.
+        scene.materials[0].baseColor = glm::vec4(0.04F, 0.04F, 0.04F, 1.0F);
+        Settings settings = presetSettings("mobile");
+        settings.size = glm::ivec2(128);
+        settings.lightRadius = static_cast<float>(radius);
+        FrameInspector inspector(context, scene, darkSun(), settings,
+                                 lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
+        const Image picture = inspector.view(VCT_MODE_GI_CONE_SHADOW);
+        const Image indirect = inspector.view(VCT_VIEW_INDIRECT);
+        double squares = 0.0;
+        int judged = 0, shaded = 0, lit = 0;
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const SurfacePixel& pixel = inspector.pixels()[i];
+            const double hard = irradianceOf(scene.punctualLights[0], pixel.positionWorld, pixel.normal);
+            if (hard < 0.02) continue;
+            const glm::dvec3 from = pixel.positionWorld + 2e-3 * pixel.normal;
+            const glm::dvec3 x = glm::normalize(glm::cross(place - from, glm::dvec3(0.6, 0, 0.8)));
+            const glm::dvec3 y = glm::normalize(glm::cross(place - from, x));
+            const int rays = 24;
+            double exact = 0.0;
+            for (int ray = 0; ray < rays; ++ray) {
+                const double r = radius * std::sqrt((ray + 0.5) / rays), angle = 2.39996322973 * ray;
+                const glm::dvec3 to = place + r * (std::cos(angle) * x + std::sin(angle) * y);
+                exact += isBlocked(scene, from, to) ? 0.0 : 1.0 / rays;
+            }
+            const double seen = (picture.pixels[i].r - indirect.pixels[i].r) / pixel.albedo.r / hard;
+            ++judged;
+            squares += std::pow(seen - exact, 2.0);
+            if (exact > 0.999 && seen < 0.9) ++shaded;
+            if (exact < 0.001 && seen > 0.1) ++lit;
+        }
+        const double rms = std::sqrt(squares / judged);
+        std::printf("  radius %.2f: RMS %.4f of %d pixels; shaded in full light %d, lit in full shadow %d\n",
+                    radius, rms, judged, shaded, lit);
+        EXPECT_GT(judged, 4000);
+        EXPECT_LE(rms, 0.02);
+        EXPECT_LE(shaded, judged / 600);
+        EXPECT_LE(lit, judged / 600);
+    }
+}
+
 TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
     const Context context = openContext(Backend::egl);
-    const PunctualLight stays = lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
-    const PunctualLight goes = lightAt(PunctualLight::Type::point, {0.5, 0.2, -0.5}, {0, 0, 0});
+    const PunctualLight stays = punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
+    const PunctualLight goes = punctualLightAt(PunctualLight::Type::point, {0.5, 0.2, -0.5}, {0, 0, 0});
     const Scene both = roomAtNight({stays, goes});
     const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
     const DirectionalLight none = chooseLight(both);
@@ -231,7 +245,8 @@ TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
 
 TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
     const Context context = openContext(Backend::egl);
-    const Scene scene = roomAtNight({lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})});
+    const Scene scene =
+        roomAtNight({punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})});
     Settings settings = mobileAt(48);
     settings.lightFrames = 1;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
@@ -255,14 +270,14 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
         addCube(builder, {0.8F, 0.1F, 0.1F}, {{"translation", {-1, 0.5, 0}}, {"scale", {0.5, 0.5, 0.5}}});
     builder.animate(box, "translation", {0, 2}, {-1, 0.6F, -1, 1.2F, 0.7F, -0.8F});
     Scene scene = load(builder);
-    scene.punctualLights = {lightAt(PunctualLight::Type::point, {0.2, 1.6, 0.4}, {0, 0, 0}),
-                            lightAt(PunctualLight::Type::spot, {-1.5, 2.0, 1.0}, {0, 0, 0})};
+    scene.punctualLights = {punctualLightAt(PunctualLight::Type::point, {0.2, 1.6, 0.4}, {0, 0, 0}),
+                            punctualLightAt(PunctualLight::Type::spot, {-1.5, 2.0, 1.0}, {0, 0, 0})};
     scene.punctualLights[1].range = 2.5;
     // So near to what stands still that it alone decides what 8 bits hold, whatever the others come near to.
-    scene.punctualLights.push_back(lightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
+    scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
     for (const bool carried : {false, true}) {
         if (carried) {
-            PunctualLight lamp = lightAt(PunctualLight::Type::point, {0, 0, 0}, {0, -1, 0});
+            PunctualLight lamp = punctualLightAt(PunctualLight::Type::point, {0, 0, 0}, {0, -1, 0});
             lamp.node = 0;
             scene.punctualLights.push_back(posed(lamp, poseAt(scene.animation, 0.0)));
         }
@@ -273,10 +288,31 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
     }
 }
 
+// No object's new place tells that its maps are old.
+TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0.4, 0.5, -0.2}}, {"scale", {0.6, 1.0, 0.3}}});
+    json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"type", "point"}, {"intensity", 4}});
+    const int lamp =
+        builder.node({{"translation", {0.2, 1.6, 0.4}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+    builder.animate(lamp, "translation", {0, 2}, {0.2F, 1.6F, 0.4F, -1.2F, 1.2F, -0.5F});
+    Scene scene = load(builder);
+    ASSERT_EQ(scene.punctualLights.size(), 1U);
+    // So near to what stands still that it alone decides what 8 bits hold.
+    scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
+    const Settings settings = mobileAt(64);
+    PlayingScene stage(context, scene, settings);
+    for (const double seconds : {0.0, 0.5, 0.5, 1.6})
+        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+}
+
 TEST(PunctualLights, MoreThanThereIsRoomForIsAnError) {
     const Context context = openContext(Backend::egl);
-    const Scene scene = roomAtNight(
-        std::vector<PunctualLight>(17, lightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})));
+    const Scene scene = roomAtNight(std::vector<PunctualLight>(
+        17, punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})));
     expectMentions(errorOf([&] { makeRenderer(context, scene, chooseLight(scene), mobileAt(32)); }),
                    {"17 lights besides the sun", "room for 16"});
 }

@@ -81,7 +81,7 @@ CpuFaceCones::Met CpuFaceCones::sample(const glm::dvec3& positionVoxels, const g
 }
 
 CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
-                                           const glm::dvec3& direction) const {
+                                           const glm::dvec3& direction, double spread) const {
     const GatherSettings& s = settings_;
     const double grid = levels_[0].side();
     const glm::dvec3 share = glm::abs(direction);
@@ -98,7 +98,7 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
     bool ended = false;
     for (double distance = s.firstSample; distance < reach && !ended;) {
         const double height = s.startOffset + distance * rise;
-        const int level = std::clamp(static_cast<int>(std::floor(std::log2(s.height * height))), 0,
+        const int level = std::clamp(static_cast<int>(std::floor(std::log2(s.height * spread * height))), 0,
                                      static_cast<int>(levels_.size()) - 1);
         const bool near = height < s.ownSurface * std::exp2(level);
         const Met met = sample(start + direction * distance, direction, near ? nearShare : share, level);
@@ -135,7 +135,8 @@ CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane&
     for (int i = first; i < first + cones; ++i) {
         const Gathered cone =
             trace(start, n, hasBack,
-                  frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions));
+                  frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions),
+                  std::exp2((i * 49471 & 65535) / 65536.0 - 0.5));
         sum.light += cone.light / static_cast<double>(cones);
         sum.sky += cone.sky / cones;
     }

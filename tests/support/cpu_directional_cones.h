@@ -44,7 +44,7 @@ class CpuFaceCones {
                int level) const;
     glm::dvec4 faceAt(const glm::dvec3& texel, int face, int level) const;
     Gathered trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
-                   const glm::dvec3& direction) const;
+                   const glm::dvec3& direction, double spread) const;
 
     std::vector<FaceLevel> levels_;
     GatherSettings settings_;

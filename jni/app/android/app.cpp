@@ -35,7 +35,6 @@ Surroundings surroundingsOf(android_app& glue) {
         Look look;
         look.light = chooseLight(scene);
         look.skyRadiance = chooseSky(scene);
-        look.exposure = 1.0F;
         return look;
     };
     return android;

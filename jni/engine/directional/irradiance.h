@@ -53,13 +53,12 @@ class Irradiance {
     // What each face received, in the order of the base level's list of faces:
     // shaders/directional/received.glsl.
     const gl::Buffer& received() const { return received_; }
+    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
 
   private:
     // How many steps a round has, in which each face looks into all directions once.
     int round() const { return settings_.directions / settings_.cones; }
-    // Of the received light.
-    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     // How many cones each face traces in the next step.
     int cones() const { return changed_ ? 1 : settings_.cones; }
     // Which step of a round the next one is, or -1.

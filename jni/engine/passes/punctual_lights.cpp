@@ -55,10 +55,11 @@ gl::ProgramDescription lightMapProgram(unsigned features) {
 
 PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                                const std::vector<PunctualLight>& lights, const Volume& volume,
-                               const Bounds& boundsWorld, double unitLux)
+                               const Bounds& boundsWorld, double unitLux, const LightSize& size)
     : volume_(volume),
       boundsWorld_(boundsWorld),
       unitLux_(unitLux),
+      size_(size),
       programs_(shaders, scene, lightMapProgram),
       uniforms_("punctual lights", GL_UNIFORM_BUFFER, sizeof values_, nullptr, GL_DYNAMIC_DRAW) {
     for (const PunctualLight& light : checked(lights)) {
@@ -73,6 +74,11 @@ PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene&
     const int rows = (maps_ + perRow_ - 1) / perRow_;
     depth_ = gl::Texture::make2d("light maps", GL_DEPTH_COMPONENT24, perRow_ * tile_, rows * tile_);
     framebuffer_ = gl::Framebuffer("light maps", {}, &depth_);
+}
+
+void PunctualLights::setSize(const LightSize& size) {
+    size_ = size;
+    uploaded_.clear();
 }
 
 void PunctualLights::setPose(const Pose& pose) {
@@ -112,7 +118,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool r
 
 // Lights that are off are left out.
 void PunctualLights::upload() {
-    values_.count.x = 0;
+    values_.count = {0, tile_, 0, 0};
     const std::vector<glm::dvec4> places = this->places();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
@@ -132,7 +138,10 @@ void PunctualLights::upload() {
             scale = 1.0 / std::max(0.001, std::cos(light.innerConeRad) - cosOuter);
             offset = -cosOuter * scale;
         }
-        to.cone = glm::vec4(scale, offset, 0.0, 0.0);
+        to.cone = glm::vec4(
+            scale, offset,
+            placed ? size_.radius / volume_.side : std::tan(0.5 * glm::radians(size_.directionalAngleDeg)),
+            0.0);
         to.maps = glm::ivec4(lights_[i].firstMap, lights_[i].usesCube ? 6 : 1, 0, 0);
         placeMaps(lights_[i], states_[i]);
     }
@@ -145,7 +154,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
     const auto set = [&](int map, const glm::dmat4& tileFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map].mapFromVolume = glm::mat4(textureFromTile(map) * tileFromVolume);
-        values_.map[map].depth = glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0);
+        values_.map[map].depth = glm::vec4(quarterTexel, depthOfSide, glm::dvec2(textureFromTile(map)[3]));
     };
     if (light.asGiven.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};

@@ -17,14 +17,22 @@ namespace vct {
 
 gl::ProgramDescription lightMapProgram(unsigned features);
 
+// Of the lights, which their maps do not show: pixels' shadows alone have penumbrae.
+struct LightSize {
+    double radius = 0.0;  // of points and spots, in the scene's unit
+    double directionalAngleDeg = 0.0;
+};
+
 class PunctualLights {
   public:
     // `unitLux`: irradiance that is 1 in shaders, the sun's E. Throws vct::Error where there are more lights
     // than there is room for.
     PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                    const std::vector<PunctualLight>& lights, const Volume& volume, const Bounds& boundsWorld,
-                   double unitLux);
+                   double unitLux, const LightSize& size);
 
+    // For frames to come.
+    void setSize(const LightSize& size);
     // Moves those that move, in frames to come.
     void setPose(const Pose& pose);
     // Switches one on or off, in frames to come.
@@ -68,6 +76,7 @@ class PunctualLights {
     Volume volume_;
     Bounds boundsWorld_;
     double unitLux_;
+    LightSize size_;
     int maps_ = 0, perRow_ = 1, tile_ = 0;
     MaterialPrograms programs_;
     shared::PunctualLightBlock values_{};

@@ -12,6 +12,8 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Li
     const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
     if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
     if (sources.punctual && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
+    if (sources.punctual && mode == VCT_MODE_GI_CONE_SHADOW && settings.lightRadius > 0.0F)
+        defines.emplace_back("VCT_SOFT_LIGHTS");
     const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
     if (softShadow && settings.shadow == Shadow::softMap) {
         defines.emplace_back("VCT_SOFT_SHADOW");

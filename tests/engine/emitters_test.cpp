@@ -1,0 +1,252 @@
+// Lamps: small surfaces that glow, whose parts the faces look at one by one.
+#include "engine/emitters.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/frame_inspector.h"
+#include "support/playing_scene.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+constexpr float lampRadiance = 20.0F, roomAlbedo = 0.5F;
+
+int addGlow(Scene& scene, float radiance = lampRadiance) {
+    Material glow;
+    glow.baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    glow.emissive = glm::vec3(radiance);
+    scene.materials.push_back(glow);
+    return static_cast<int>(scene.materials.size()) - 1;
+}
+
+// A room of side 2 with a square lamp that faces down.
+Scene roomWithLamp(double side, double height = 0.98) {
+    Scene scene = closedBox(0);
+    scene.materials[0].baseColor = glm::vec4(glm::vec3(roomAlbedo), 1.0F);
+    const double h = side / 2.0;
+    addQuad(scene, {-h, height, -h}, {side, 0, 0}, {0, 0, side}, addGlow(scene));
+    return finished(std::move(scene));
+}
+
+std::vector<EmitterPart> partsAt64(const Scene& scene) {
+    return emitterParts(scene, volumeAround(scene.boundsWorld, 64));
+}
+
+TEST(EmitterParts, ASquareIsDividedAndKeepsItsArea) {
+    const Scene scene = roomWithLamp(0.5);
+    const std::vector<EmitterPart> parts = partsAt64(scene);
+    ASSERT_EQ(parts.size(), 4U);
+    double area = 0.0;
+    for (const EmitterPart& part : parts) {
+        area += part.area;
+        EXPECT_FALSE(part.isRound());
+        EXPECT_NEAR(part.facing.y, -0.25 * 0.25, 1e-6);
+        EXPECT_NEAR(std::abs(part.centre.x), 0.125, 0.01);
+        EXPECT_NEAR(glm::length(part.side), 0.125, 0.01);
+        EXPECT_NEAR(part.radiance.g, lampRadiance, 1e-3);
+    }
+    EXPECT_NEAR(area, 0.25, 1e-6);
+}
+
+TEST(EmitterParts, BothSidesOfASheetAreParts) {
+    Scene scene = roomWithLamp(0.2, 0.5);
+    scene.materials.back().doubleSided = true;
+    const std::vector<EmitterPart> parts = partsAt64(scene);
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_NEAR(parts[0].facing.y + parts[1].facing.y, 0.0, 1e-9);
+    EXPECT_NEAR(std::abs(parts[0].facing.y), 0.04, 1e-6);
+}
+
+TEST(EmitterParts, ASmallBoxShinesToAllSides) {
+    Scene scene = closedBox(0);
+    addBox(scene, glm::dvec3(0.1), {0.2, 0.1, 0.3}, addGlow(scene));
+    const std::vector<EmitterPart> parts = partsAt64(finished(std::move(scene)));
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_TRUE(parts[0].isRound());
+    EXPECT_NEAR(parts[0].area, 0.06, 1e-6);
+    EXPECT_NEAR(glm::distance(parts[0].centre, glm::dvec3(0.2, 0.1, 0.3)), 0.0, 1e-6);
+}
+
+TEST(EmitterParts, AGlowingWallIsNoLamp) {
+    EXPECT_TRUE(partsAt64(roomWithLamp(2.0)).empty());
+}
+
+TEST(EmitterParts, OfManyTheBrightestAreTaken) {
+    Scene scene = closedBox(0);
+    for (int i = 0; i < 40; ++i) {
+        const double x = -0.9 + 0.2 * (i % 8), z = -0.9 + 0.3 * (i / 8);
+        addQuad(scene, {x, 0.9, z}, {0.05, 0, 0}, {0, 0, 0.05}, addGlow(scene, static_cast<float>(1 + i)));
+    }
+    scene = finished(std::move(scene));
+    const std::vector<EmitterPart> parts = partsAt64(scene);
+    ASSERT_EQ(parts.size(), std::size_t{VCT_MAX_EMITTER_PARTS});
+    for (const EmitterPart& part : parts)
+        EXPECT_GT(part.radiance.g, 40.5 - VCT_MAX_EMITTER_PARTS);
+}
+
+TEST(EmitterParts, ATextureSaysHowMuchShines) {
+    Scene scene = roomWithLamp(0.2);
+    Texture halfLit;
+    halfLit.width = 2;
+    halfLit.height = 1;
+    halfLit.rgba = {255, 255, 255, 255, 0, 0, 0, 255};
+    scene.textures.push_back(halfLit);
+    scene.materials.back().emissiveTexture = 0;
+    Mesh& lamp = scene.meshes.back();
+    for (Vertex& vertex : lamp.vertices)
+        vertex.emissiveUv = {vertex.position.x > 0.0F ? 1.0F : 0.0F, 0.0F};
+    double flux = 0.0;
+    for (const EmitterPart& part : partsAt64(scene))
+        flux += part.flux();
+    EXPECT_NEAR(flux, 0.5 * lampRadiance * 0.04, 0.05 * lampRadiance * 0.04);
+}
+
+// Of the hemisphere over a point that faces up, what a square of that side right above fills, by many points.
+double shareOfSquare(const glm::dvec3& from, double side, double height) {
+    constexpr int points = 32;
+    double sum = 0.0;
+    for (int i = 0; i < points * points; ++i) {
+        const glm::dvec3 at((i % points + 0.5) / points * side - side / 2.0, height,
+                            (i / points + 0.5) / points * side - side / 2.0);
+        const glm::dvec3 ray = at - from;
+        sum += ray.y * ray.y / (pi * glm::dot(ray, ray) * glm::dot(ray, ray));
+    }
+    return sum * side * side / (points * points);
+}
+
+// Whether a plate of side 0.6 at the height 0 hides a point of the lamp from a point of the floor.
+bool plateHides(const glm::dvec3& from, const glm::dvec3& to) {
+    const glm::dvec3 at = glm::mix(from, to, (0.0 - from.y) / (to.y - from.y));
+    return std::max(std::abs(at.x), std::abs(at.z)) < 0.3;
+}
+
+TEST(Lamps, LightAFloorByTheirFormFactor) {
+    const Context context = openContext(Backend::egl);
+    for (const double side : {0.1, 0.5}) {
+        SCOPED_TRACE(side);
+        Settings settings = presetSettings("mobile");
+        settings.size = glm::ivec2(64);
+        FrameInspector inspector(context, roomWithLamp(side), noLight(), settings,
+                                 lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
+        const Image picture = inspector.view(VCT_VIEW_INDIRECT);
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            const glm::dvec3 place = inspector.pixels()[i].positionWorld;
+            if (place.y > -0.99) continue;
+            const double right = roomAlbedo * lampRadiance * shareOfSquare(place, side, 0.98);
+            ASSERT_NEAR(picture.pixels[i].g, right, 0.03 * right) << i;
+        }
+    }
+}
+
+TEST(Lamps, CastTheShadowThatRaysFind) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = roomWithLamp(0.4);
+    addBox(scene, {0.6, 0.02, 0.6}, {0, 0, 0});
+    scene = finished(std::move(scene));
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(96);
+    FrameInspector inspector(context, scene, noLight(), settings, lookAt({0.9, -0.2, 0.9}, {0, -1, 0}, 80));
+    const Image picture = inspector.view(VCT_VIEW_INDIRECT);
+    double squares = 0.0, brightest = 0.0;
+    int count = 0, inUmbra = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const glm::dvec3 place = inspector.pixels()[i].positionWorld;
+        if (!inspector.pixels()[i].surface || place.y > -0.99) continue;
+        int seen = 0;
+        for (int k = 0; k < 256; ++k)
+            seen +=
+                plateHides(place, {0.4 * (k % 16 + 0.5) / 16 - 0.2, 0.98, 0.4 * (k / 16 + 0.5) / 16 - 0.2})
+                    ? 0
+                    : 1;
+        const double unhidden = roomAlbedo * lampRadiance * shareOfSquare(place, 0.4, 0.98);
+        const double right = unhidden * seen / 256.0;
+        brightest = std::max(brightest, unhidden);
+        squares += std::pow(picture.pixels[i].g - right, 2.0);
+        ++count;
+        if (seen == 0 && std::max(std::abs(place.x), std::abs(place.z)) < 0.25) {
+            ++inUmbra;
+            EXPECT_LT(picture.pixels[i].g, 0.1 * unhidden);
+        }
+    }
+    ASSERT_GT(count, 2000);
+    EXPECT_GT(inUmbra, 100);
+    EXPECT_LT(std::sqrt(squares / count), 0.06 * brightest);
+}
+
+// A lamp in a mirror is where it is, as bright as it is.
+TEST(Lamps, ShowInAMirror) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = roomWithLamp(0.4);
+    Material mirror;
+    mirror.metallic = 1.0F;
+    mirror.roughness = 0.05F;
+    scene.materials.push_back(mirror);
+    addQuad(scene, {-0.9, -0.95, -0.9}, {0, 0, 1.8}, {1.8, 0, 0},
+            static_cast<int>(scene.materials.size()) - 1);
+    scene = finished(std::move(scene));
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(96);
+    FrameInspector inspector(context, scene, noLight(), settings, lookAt({0, 0.6, 0.01}, {0, -1, 0}, 60));
+    const Image picture = inspector.view(VCT_MODE_GI);
+    int inside = 0, outside = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const glm::dvec3 place = inspector.pixels()[i].positionWorld;
+        if (place.y > -0.94 || place.y < -0.96) continue;
+        // The mirror's picture of the eye is at -0.95 - (0.6 + 0.95).
+        const glm::dvec3 eye(0, -2.5, 0.01);
+        const glm::dvec3 met = glm::mix(eye, place, (0.98 - eye.y) / (place.y - eye.y));
+        const double across = std::max(std::abs(met.x), std::abs(met.z));
+        if (across < 0.15) {
+            ++inside;
+            EXPECT_NEAR(picture.pixels[i].g, lampRadiance, 0.1 * lampRadiance) << i;
+        } else if (across > 0.28 && across < 0.5) {
+            ++outside;
+            EXPECT_LT(picture.pixels[i].g, 0.2 * lampRadiance) << i;
+        }
+    }
+    EXPECT_GT(inside, 50);
+    EXPECT_GT(outside, 50);
+}
+
+// Nothing is left of a lamp where it was.
+TEST(Lamps, MoveWithTheirLight) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = roomWithLamp(0.2);
+    scene.animation.nodes.emplace_back();
+    AnimationChannel channel;
+    channel.node = 0;
+    channel.path = AnimationChannel::Path::translation;
+    channel.times = {0.0, 1.0};
+    channel.values = {glm::dvec4(-0.7, 0, 0, 0), glm::dvec4(0.7, 0, 0, 0)};
+    scene.animation.channels.push_back(channel);
+    scene.instances.back().node = 0;
+    scene.cameras.push_back(lookAt({0, 0, 0.95}, {0, -1, 0}, 90));
+    scene.lights = {noLight()};
+    scene = finished(std::move(scene));
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(48);
+    PlayingScene stage(context, scene, settings);
+    stage.convergedAt(0.0);
+    expectFreshLight(stage, context, scene, settings, 1.0);
+}
+
+TEST(Lamps, CostNothingWhereNothingGlows) {
+    const Context context = openContext(Backend::egl);
+    for (const double side : {0.0, 2.0}) {
+        Scene scene = side == 0.0 ? closedBox(0) : roomWithLamp(side);
+        if (side == 0.0) scene = finished(std::move(scene));
+        Settings settings = presetSettings("mobile");
+        settings.size = glm::ivec2(16);
+        Renderer renderer = makeRenderer(context, scene, lightFrom({0, 1, 0}), settings);
+        renderer.renderConverged(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 60));
+        for (const Resource& resource : renderer.resources())
+            EXPECT_NE(resource.name, "emitters") << side;
+        EXPECT_EQ(renderer.directional()->received(GatherOf::light)->wordsOfFace(), 4U);
+    }
+}
+
+}  // namespace
+}  // namespace vct::test
