@@ -69,7 +69,7 @@ TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
         screenOf("scene=bare.glb preset=thesis grid=64 pixels=1 mode=phong", 96, 72, scenes.path());
     ProgramRun program;
     program.expectSuccess("render '" + scenes.file("bare.glb") +
-                          "' --grid 64 --size 96x72 --exposure 1 --out out --mode phong");
+                          "' --grid 64 --size 96x72 --out out --mode phong");
     expectMentions(program.err, {"the scene has no camera"});
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/phong.png")), 0);
 }
