@@ -4,7 +4,7 @@
 set -euo pipefail
 
 # Compiler and build; the libraries of cmake/dependencies.cmake; the drivers that draw (Mesa's llvmpipe behind EGL,
-# and lavapipe for zink); what the tests call: GoogleTest, glslang, GLFW for examples/embed,
+# and lavapipe for zink); GLFW for the window of `vct view` and examples/embed; what the tests call: GoogleTest, glslang,
 # and Python for tools/make_assets.py.
 required=(
     g++ cmake ninja-build
@@ -13,8 +13,9 @@ required=(
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools python3
 )
-# Mesa 25.1 dropped OSMesa: newer systems have no such package, and the program loads it at run time only.
-osmesa=libosmesa6
+# Without these the tests that want them are skipped, and say so. Mesa 25.1 dropped OSMesa: newer systems have no such
+# package, and the program loads it at run time only. The other two are a display and fingers for the tests of `vct view`.
+optional=(libosmesa6 xvfb xdotool)
 
 say() { echo "setup: $*"; }
 fail() {
@@ -65,15 +66,16 @@ if [[ ${#missing[@]} -gt 0 ]]; then
     say "reading the package lists"
     # Old lists may still do; if not, the installation says what is wrong.
     apt_get -qq update >/dev/null || say "the package lists could not be updated; trying with those that are here"
-    if ! installed "$osmesa"; then
-        # Together, because it must be of the same Mesa version as the other drivers.
-        if installable "${missing[@]}" "$osmesa"; then
-            missing+=("$osmesa")
-        else
-            say "$osmesa is not available here: the tests on OSMesa will be skipped"
-        fi
-    fi
-    install_packages "${missing[@]}"
-elif ! installed "$osmesa" && installable "$osmesa"; then
-    install_packages "$osmesa"
+elif [[ "$(id -u)" -ne 0 ]] && ! command -v sudo >/dev/null; then
+    exit 0  # what is missing at most are the optional ones
 fi
+for package in "${optional[@]}"; do
+    installed "$package" && continue
+    # Together, because drivers must be of the same version.
+    if installable "${missing[@]}" "$package"; then
+        missing+=("$package")
+    elif [[ ${#missing[@]} -gt 0 ]]; then
+        say "$package is not available here: the tests that need it will be skipped"
+    fi
+done
+[[ ${#missing[@]} -eq 0 ]] || install_packages "${missing[@]}"

@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import argparse
+import json
+import os
 import subprocess
 from pathlib import Path
 
@@ -16,6 +18,11 @@ def add_option(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="default: build/desktop/vct")
 
 
+def usual() -> Path:
+    """For tools that take no --program."""
+    return Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))
+
+
 def require(program: Path) -> None:
     if not program.is_file():
         raise SystemExit(f"error: {program} is not built: scripts/build.sh desktop vct")
@@ -28,7 +35,7 @@ def run(program: Path, *arguments: object, timeout_s: float | None = None) -> su
     except subprocess.TimeoutExpired:
         raise Failed(f"stopped after {timeout_s:g} s") from None
     except OSError as error:
-        raise Failed(f"could not be started: {error.strerror}") from None
+        raise Failed(f"{program} could not be started: {error.strerror}; scripts/build.sh desktop vct builds it") from None
 
 
 def last_words(text: str) -> str:
@@ -45,3 +52,12 @@ def render(program: Path, *arguments: object, timeout_s: float | None = None) ->
         how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit {done.returncode}"
         raise Failed(f"{how}: {last_words(done.stderr)}")
     return done.stderr
+
+
+def camera(scene: Path, size: tuple[int, int]) -> dict:
+    """From where `vct` sees a scene in a picture of this size: name, eye_world, right_up_back, vertical_fov_rad, and the
+    option that repeats it."""
+    done = run(usual(), "info", scene, "--print-camera", "--size", f"{size[0]}x{size[1]}")
+    if done.returncode != 0:
+        raise Failed(last_words(done.stderr))
+    return json.loads(done.stdout)

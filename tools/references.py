@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Path-traced references of glTF scenes, by Mitsuba 3, for the scene's first camera and all its lights.
+"""Path-traced references of glTF scenes, by Mitsuba 3, for the scene's first camera (or the view that `vct`
+chooses, where it has none) and all its lights.
 
     scripts/python.sh && .venv/bin/python tools/references.py                 all scenes of assets/
     .venv/bin/python tools/references.py my.glb --size 400x400 --out out/ref  one, elsewhere
@@ -133,7 +134,7 @@ def rounded(value):
 
 def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None) -> None:
     from truth.scene import load_scene
-    scene = load_scene(path)
+    scene = load_scene(path, size)
     if kinds == list(KINDS) and any(scene.materials[i].roughness < 1 for i in set(scene.material_of.tolist())):
         kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, size, samples)

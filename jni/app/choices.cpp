@@ -102,13 +102,12 @@ Settings settingsFor(const Choices& choices, glm::ivec2 window) {
     return settings;
 }
 
-glm::vec3 skyRadianceFor(const Choices& choices, const Scene& scene) {
-    if (choices.sky == Sky::scene) return chooseSky(scene);
-    return choices.sky == Sky::plain ? plainSky(lightFor(choices, scene)) : glm::vec3(0.0F);
+glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light) {
+    if (choices.sky == Sky::scene) return sceneSky;
+    return choices.sky == Sky::plain ? plainSky(light) : glm::vec3(0.0F);
 }
 
-DirectionalLight lightFor(const Choices& choices, const Scene& scene) {
-    DirectionalLight light = chooseLight(scene);
+DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {
     if (choices.lightAnglesDeg) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
         light.node = -1;  // stays there

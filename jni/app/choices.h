@@ -66,10 +66,11 @@ void choosePreset(Choices& choices, const std::string& name);
 // But for the sky.
 Settings settingsFor(const Choices& choices, glm::ivec2 window);
 
-glm::vec3 skyRadianceFor(const Choices& choices, const Scene& scene);
+// The sky's radiance: `sceneSky` where the scene's own was chosen; a plain sky is as of `light`.
+glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light);
 
-// The scene's light, turned to where it was chosen to come from.
-DirectionalLight lightFor(const Choices& choices, const Scene& scene);
+// A scene's light, turned to where it was chosen to come from.
+DirectionalLight lightFor(const Choices& choices, DirectionalLight light);
 glm::vec2 lightAnglesDeg(const DirectionalLight& light);
 
 }  // namespace vct::app

@@ -19,7 +19,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     for (int i = 0; i < 64 && gl::GetError() != GL_NO_ERROR; ++i) {
     }
     gl::installDebugCallback();
-    log(gl::describe(capabilities_));
+    log(LogLevel::detail, gl::describe(capabilities_));
     try {
         capabilities_.requireAll();
     } catch (const Error& error) {
@@ -31,14 +31,13 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     gl::checkErrors("setting up the display");
 }
 
-Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
-                                 glm::ivec2 window) {
-    Settings settings = forDriver(settingsFor(choices, window), capabilities_);
-    settings.skyRadiance = skyRadianceFor(choices, *scene);
-    const DirectionalLight light = lightFor(choices, *scene);
+Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
+                                 const Settings& wanted, const Choices& choices) {
+    const Settings settings = forDriver(wanted, capabilities_);
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
         settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size ||
-        settings.skyRadiance != renderer_->settings().skyRadiance) {
+        settings.skyRadiance != renderer_->settings().skyRadiance ||
+        settings.environment != renderer_->settings().environment) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);

@@ -24,10 +24,10 @@ class GlObjects {
     const HudRenderer& hud() const { return *hud_; }
     const Presenter& presenter() const { return *presenter_; }
 
-    // The renderer for a scene and its settings; the last one where these need no other. Throws vct::Error,
-    // and then there is none.
-    Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const Choices& choices,
-                          glm::ivec2 window);
+    // The renderer for a scene and its settings, with the preset and the lamps of `choices`; the last one
+    // where these need no other. Throws vct::Error, and then there is none.
+    Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
+                          const Settings& wanted, const Choices& choices);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
     void dropRenderer() { renderer_.reset(); }
 

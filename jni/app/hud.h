@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/assets.h"
 #include "app/choices.h"
+#include "app/scenes.h"
 #include "lab/step_timer.h"
 
 struct ImDrawData;
@@ -63,6 +63,7 @@ class Hud {
 
     // A hidden display is only a button; without one there is not even that.
     void turnOff() { off_ = true; }
+    void toggle() { hidden_ = !hidden_; }
 
   private:
     void beginFrame(glm::ivec2 window, double secondsPassed);

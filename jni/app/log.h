@@ -1,13 +1,13 @@
-// Android's log, under the tag `vct`: `adb logcat -s vct`.
+// What the app and `vct view` say: on Android to its log, under the tag `vct` (`adb logcat -s vct`), on a
+// desktop to stderr, but for details.
 #pragma once
 
 #include <string>
 
 namespace vct::app {
 
-enum class LogLevel { info, warning, error };
+enum class LogLevel { detail, info, warning, error };
 
-// One entry per line of `text`; long lines are split, as the system cuts them off.
 void log(LogLevel level, const std::string& text);
 inline void log(const std::string& text) {
     log(LogLevel::info, text);

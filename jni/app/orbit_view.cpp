@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/camera.h"
+#include "scene/framing.h"
 
 namespace vct::app {
 
@@ -15,10 +16,16 @@ constexpr double highestRad = 0.49 * pi;  // short of straight up or down, where
 
 }  // namespace
 
-OrbitView::OrbitView(const Scene& scene)
+OrbitView::OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect)
     : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)),
       size_(std::max(glm::length(scene.boundsWorld.max - scene.boundsWorld.min), 1e-9)) {
-    start(scene.cameras.empty() ? frameScene(scene) : scene.cameras.front());
+    if (!first && !scene.cameras.empty()) {
+        start(scene.cameras.front());
+    } else {
+        Camera fitting = first ? *first : frameScene(scene, aspect);
+        fitting.aspectRatio = aspect;
+        start(fitting);
+    }
     reset();
 }
 
@@ -29,6 +36,7 @@ void OrbitView::follow(const Camera& camera) {
 
 void OrbitView::start(const Camera& camera) {
     start_ = camera;
+    if (!start_.aspectRatio) start_.aspectRatio = 1.0;
     const glm::dvec3 eye(camera.worldFromCamera[3]);
     const glm::dvec3 forward(-camera.worldFromCamera[2]);
     // The point of the view axis nearest to the scene's centre; a camera that looks away turns around a point
@@ -50,13 +58,19 @@ void OrbitView::apply(const Gesture& gesture, glm::ivec2 viewport) {
     // The height of the window turns by half a turn, as if the scene lay in a ball of that size.
     orbit(-gesture.orbit.x * pi / height, -gesture.orbit.y * pi / height);
     // What is orbited stays under the fingers.
-    const double metresPerPixel = 2.0 * distance_ * std::tan(0.5 * now_.verticalFovRad) / height;
+    const double verticalFovRad = camera(std::max(viewport.x, 1) / height).verticalFovRad;
+    const double metresPerPixel = 2.0 * distance_ * std::tan(0.5 * verticalFovRad) / height;
     const glm::dvec3 moved = glm::dmat3(now_.worldFromCamera) *
                              glm::dvec3(-gesture.pan.x * metresPerPixel, gesture.pan.y * metresPerPixel, 0.0);
     const double distance = std::clamp(distance_ / std::max(gesture.zoom, 1e-3F), 1e-3 * size_, 10.0 * size_);
     const glm::dvec3 forward(-now_.worldFromCamera[2]);
     now_.worldFromCamera[3] += glm::dvec4(moved + forward * (distance_ - distance), 0.0);
     distance_ = distance;
+}
+
+void OrbitView::walk(const glm::dvec3& shares) {
+    moved_ = true;
+    now_.worldFromCamera[3] += glm::dvec4(glm::dmat3(now_.worldFromCamera) * (size_ * shares), 0.0);
 }
 
 void OrbitView::orbit(double yawRad, double pitchRad) {
@@ -83,9 +97,7 @@ void OrbitView::orbit(double yawRad, double pitchRad) {
 }
 
 Camera OrbitView::camera(double aspect) const {
-    Camera camera = now_;
-    if (aspect < 1.0) camera.verticalFovRad = 2.0 * std::atan(std::tan(0.5 * now_.verticalFovRad) / aspect);
-    return camera;
+    return fitted(now_, aspect);
 }
 
 }  // namespace vct::app

@@ -8,7 +8,7 @@
 
 namespace vct::app {
 
-Scenes::Scenes(AAssetManager* assets, std::string folder) : assets_(assets), folder_(std::move(folder)) {
+Scenes::Scenes(FindScenes find, ReadScene read) : find_(std::move(find)), read_(std::move(read)) {
     rescan();
 }
 
@@ -24,8 +24,7 @@ void Scenes::load(const SceneFile& file) {
     log("loading " + file.path);
     file_ = file;
     loaded_ = std::async(std::launch::async, [this, file] {
-        return std::make_shared<const Scene>(
-            loadGltf(file.path, sceneReader(assets_, file.bundled, cancelled_)));
+        return std::make_shared<const Scene>(loadGltf(file.path, read_(file, cancelled_)));
     });
 }
 

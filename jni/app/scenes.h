@@ -3,26 +3,37 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <future>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/assets.h"
-#include "scene/scene.h"
+#include "scene/gltf.h"
 
 namespace vct::app {
 
+// A scene that can be chosen.
+struct SceneFile {
+    std::string name;      // "cornell.glb"
+    std::string path;      // in the APK, or a file's
+    bool bundled = false;  // in the APK
+};
+
+using FindScenes = std::function<std::vector<SceneFile>()>;
+// What reads the files of a scene. Once `cancelled` is true it throws vct::Error instead, so that loading
+// ends soon.
+using ReadScene = std::function<ReadFile(const SceneFile& file, const std::atomic<bool>& cancelled)>;
+
 class Scenes {
   public:
-    // `folder`: the app's on the device.
-    Scenes(AAssetManager* assets, std::string folder);
+    Scenes(FindScenes find, ReadScene read);
     ~Scenes() { cancel(); }
     Scenes(const Scenes&) = delete;
     Scenes& operator=(const Scenes&) = delete;
 
     const std::vector<SceneFile>& all() const { return all_; }
-    void rescan() { all_ = findScenes(assets_, folder_); }
+    void rescan() { all_ = find_(); }
     int find(const std::string& nameOrPath) const;  // index into all(), or -1
 
     // Any scene that is being loaded is given up.
@@ -35,8 +46,8 @@ class Scenes {
     std::shared_ptr<const Scene> take();
 
   private:
-    AAssetManager* assets_;
-    std::string folder_;
+    FindScenes find_;
+    ReadScene read_;
     std::vector<SceneFile> all_;
     SceneFile file_;
     std::atomic<bool> cancelled_{false};

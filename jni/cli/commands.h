@@ -11,5 +11,6 @@ void addBench(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addShaders(CLI::App& app, int& exitCode);
+void addView(CLI::App& app, int& exitCode);
 
 }  // namespace vct::cli

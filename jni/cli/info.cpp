@@ -1,6 +1,7 @@
 // vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what each
 // of its features costs.
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/commands.h"
@@ -11,6 +12,7 @@
 #include "gl/capabilities.h"
 #include "lab/options.h"
 #include "lab/scene_costs.h"
+#include "scene/camera.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
@@ -18,7 +20,7 @@ namespace {
 
 struct InfoOptions {
     SceneOptions scene;
-    bool listDevices = false;
+    bool listDevices = false, printCamera = false;
     std::string preset = "thesis";
     std::string mode = "gi-cone-shadow";
     SkyOption sky;
@@ -33,7 +35,9 @@ constexpr const char* infoFooter =
     "  vct info --list-devices      the indices that --device takes\n"
     "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
     "  vct info assets/courtyard.glb --preset mobile --grid auto\n"
-    "                               what each feature of the scene adds to a frame";
+    "                               what each feature of the scene adds to a frame\n"
+    "  vct info my.glb --print-camera --size 640x360\n"
+    "                               where it is seen from";
 
 void printDevices() {
     const std::vector<std::string> devices = eglDevices();
@@ -69,7 +73,7 @@ void printScene(const InfoOptions& options) {
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
     const Scene scene = loadGltf(options.scene.path);
-    frame.camera = cameraFromText(options.scene.camera, scene);
+    frame.camera = options.scene.cameraOf(scene);
     frame.light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, frame.light, frame.settings);
     const Context context = options.scene.backend.open();
@@ -83,6 +87,22 @@ void printScene(const InfoOptions& options) {
         scene.path.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
         extent.x, extent.y, extent.z, options.preset.c_str(), modeName(frame.mode), frame.settings.size.x,
         frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
+}
+
+// For tools: they need not know how a view is chosen. Without a driver.
+void printCamera(const InfoOptions& options) {
+    const Scene scene = loadGltf(options.scene.path);
+    const Camera camera = options.scene.cameraOf(scene);
+    const auto three = [&](int column) {
+        const glm::dvec4& v = camera.worldFromCamera[column];
+        return nlohmann::ordered_json{v.x, v.y, v.z};
+    };
+    const nlohmann::ordered_json json{{"option", cameraOption(camera, scene.boundsWorld)},
+                                      {"name", camera.name},
+                                      {"eye_world", three(3)},
+                                      {"right_up_back", {three(0), three(1), three(2)}},
+                                      {"vertical_fov_rad", camera.verticalFovRad}};
+    std::puts(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 }  // namespace
@@ -103,14 +123,19 @@ void addInfo(CLI::App& app, int& exitCode) {
             "Time so many frames with and without each feature, in turn; the difference of the medians")
         ->check(CLI::Range(1, 1000));
     CLI::Option* scene = options->scene.addTo(*command);
+    command->add_flag("--print-camera", options->printCamera,
+                      "Print as JSON the camera by which --camera and --size see the scene, with the option "
+                      "that repeats it, and stop");
     options->sky.addTo(*command);
     for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
-                                 "--light", "--sky", "--environment", "--times"})
+                                 "--light", "--sky", "--environment", "--times", "--print-camera"})
         command->get_option(ofAScene)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {
         if (options->listDevices)
             printDevices();
+        else if (options->printCamera)
+            printCamera(*options);
         else if (!options->scene.path.empty())
             printScene(*options);
         else if (!printCapabilities(*options))

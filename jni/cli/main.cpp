@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", "vct " VCT_VERSION);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
+    vct::cli::addView(app, exitCode);
     vct::cli::addBench(app, exitCode);
     vct::cli::addCompare(app, exitCode);
     vct::cli::addInfo(app, exitCode);

@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "engine/grid_choice.h"
 #include "lab/options.h"
+#include "scene/camera.h"
 
 namespace vct::cli {
 
@@ -54,6 +55,12 @@ Context BackendOption::open() const {
 }
 
 CLI::Option* SceneOptions::addTo(CLI::App& command) {
+    CLI::Option* const sceneOption = addWithoutBackendTo(command);
+    backend.addTo(command);
+    return sceneOption;
+}
+
+CLI::Option* SceneOptions::addWithoutBackendTo(CLI::App& command) {
     CLI::Option* sceneOption = command.add_option("scene", path, "Scene, .gltf or .glb");
     CLI::Option* gridOption =
         command
@@ -67,15 +74,24 @@ CLI::Option* SceneOptions::addTo(CLI::App& command) {
         ->check(positive)
         ->excludes(gridOption);
     addSize(command, size);
-    command.add_option("--camera", camera,
-                       "eye=X,Y,Z,target=X,Y,Z,fov=DEG, or a camera of the scene by name or index "
-                       "(default: its first)");
+    command.add_option(
+        "--camera", camera,
+        "eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z, all but eye may be left out; or a camera of the "
+        "scene by name or index (default: its first; where it has none, a view of all of it, "
+        "or of a closed room's inside, which is printed)");
     command.add_option(
         "--light", light,
         "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
         "each part may be left out");
-    backend.addTo(command);
     return sceneOption;
+}
+
+Camera SceneOptions::cameraOf(const Scene& loaded) const {
+    const double aspect = aspectOf(size);
+    const Camera chosen = cameraFromText(camera, loaded, aspect);
+    const std::string note = cameraNote(loaded, camera, chosen, aspect);
+    if (!note.empty()) say(note);
+    return chosen;
 }
 
 Settings SceneOptions::settings(const std::string& preset) const {

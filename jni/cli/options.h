@@ -39,7 +39,10 @@ struct SceneOptions {
     std::optional<double> voxelSize;  // metres
     BackendOption backend;
 
-    CLI::Option* addTo(CLI::App& command);  // returns the scene's
+    CLI::Option* addTo(CLI::App& command);                // returns the scene's
+    CLI::Option* addWithoutBackendTo(CLI::App& command);  // likewise
+    // Says what is to be said of it.
+    Camera cameraOf(const Scene& loaded) const;
     // The preset's, with the size and a grid that is given as a number.
     Settings settings(const std::string& preset) const;
     // Sets a grid that follows from the scene. Prints how large the voxels are, and why.

@@ -174,7 +174,7 @@ void render(const RenderOptions& options) {
         say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
     const std::vector<double> moments = momentsOf(options, scene);
-    const Camera camera = cameraFromText(options.scene.camera, scene);
+    const Camera camera = options.scene.cameraOf(scene);
     DirectionalLight light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, light, settings);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +

@@ -136,7 +136,10 @@ void writeShaders(const ShadersOptions& options) {
     options.sky.applyTo(sky);
     OutputFolder out(options.out);
     const Scene scene = loadGltf(options.scene);
-    const Camera camera = chooseCamera(scene, "");
+    const double aspect = aspectOf(options.size);
+    const Camera camera = chooseCamera(scene, "", aspect);
+    const std::string note = cameraNote(scene, "", camera, aspect);
+    if (!note.empty()) say(note);
     DirectionalLight light = chooseLight(scene);
     options.sky.lightScene(scene, "", light, sky);
     std::size_t vertices = 0;

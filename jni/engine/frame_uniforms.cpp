@@ -45,7 +45,7 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
 shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
                                     const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
                                     const Bounds& visibleWorld) {
-    const double aspect = static_cast<double>(settings.size.x) / settings.size.y;
+    const double aspect = aspectOf(settings.size);
     const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
     const glm::dmat4 clipFromVolume =
         clipFromWorld(camera, boundsWorld, aspect, visibleWorld) * worldFromVolume;

@@ -8,6 +8,7 @@
 #include "gl/debug.h"
 #include "image/image.h"
 #include "lab/options.h"
+#include "scene/camera.h"
 
 namespace vct {
 
@@ -86,7 +87,10 @@ void ResultsFolder::say(const char* name, const std::string& text) {
 BenchRun::BenchRun(Input input, std::string folder)
     : input_(std::move(input)),
       folder_(std::move(folder)),
-      camera_(cameraFromText(input_.request.camera, *input_.scene)) {
+      camera_(cameraFromText(input_.request.camera, *input_.scene, aspectOf(input_.request.size))) {
+    const std::string note =
+        cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
+    if (!note.empty()) input_.log(note);
     for (const BenchConfig& config : configsOf(input_.request)) {
         validate(settingsFor(config));
         runs_.push_back({config, {}});

@@ -74,17 +74,18 @@ glm::ivec2 sizeFromText(const std::string& text) {
             wholeNumberFromText("--size", text.substr(x + 1), 8192)};
 }
 
-Camera cameraFromText(const std::string& text, const Scene& scene) {
-    if (text.find('=') == std::string::npos) return chooseCamera(scene, text);
-    std::optional<glm::dvec3> eye;
+Camera cameraFromText(const std::string& text, const Scene& scene, double aspect) {
+    if (text.find('=') == std::string::npos) return chooseCamera(scene, text, aspect);
+    std::optional<glm::dvec3> eye, up;
     glm::dvec3 target(0.0);
     double fovDeg = 45.0;
     setFromParts("--camera", text,
                  {{"eye", [&](const auto& value) { eye = threeFromText("--camera: eye", value); }},
                   {"target", [&](const auto& value) { target = threeFromText("--camera: target", value); }},
-                  {"fov", [&](const auto& value) { fovDeg = numberFromText("--camera: fov", value); }}});
+                  {"fov", [&](const auto& value) { fovDeg = numberFromText("--camera: fov", value); }},
+                  {"up", [&](const auto& value) { up = threeFromText("--camera: up", value); }}});
     if (!eye) throw Error("--camera '" + text + "' has no eye=X,Y,Z");
-    return lookAt(*eye, target, fovDeg);
+    return lookAt(*eye, target, fovDeg, up);
 }
 
 DirectionalLight lightFromText(const std::string& text, const Scene& scene) {

@@ -24,8 +24,9 @@ int wholeNumberFromText(const std::string& option, const std::string& text, int 
 // "400x300" -> (400, 300).
 glm::ivec2 sizeFromText(const std::string& text);
 
-// "eye=X,Y,Z,target=X,Y,Z,fov=DEG", or the name or index of one of the scene's cameras ("" takes the first).
-Camera cameraFromText(const std::string& text, const Scene& scene);
+// "eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z", or the name or index of one of the scene's cameras, for a
+// picture of `aspect` (width over height); "" takes the first, or a view of the scene where it has none.
+Camera cameraFromText(const std::string& text, const Scene& scene, double aspect = 1.0);
 
 // "direction=X,Y,Z,color=R,G,B,intensity=LUX" over the scene's first light; each part may be left out.
 // `direction` is the way the light travels, as a glTF light's -Z.

@@ -7,7 +7,7 @@
 #include "gl/debug.h"
 #include "lab/cpu_mips.h"
 #include "lab/read_back.h"
-#include "scene/camera.h"
+#include "scene/framing.h"
 #include "scene/gltf.h"
 
 namespace vct {
@@ -152,7 +152,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
         settings.size = glm::ivec2(8);
         settings.revoxelize = true;
         Renderer renderer(scene, light(), forDriver(settings, capabilities), capabilities, shaders);
-        const Camera camera = frameScene(scene);
+        const Camera camera = frameScene(scene, 1.0);
         // Twice: the second frame begins with the first one's voxels and must empty them.
         std::size_t voxels = 0;
         for (const char* frame : {"first frame, ", "second frame, "}) {

@@ -3,44 +3,39 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/error.h"
 #include "core/number_text.h"
+#include "scene/framing.h"
 #include "scene/scene_features.h"
 
 namespace vct {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double framingFovDeg = 40.0;
-
-struct View {
-    glm::dvec3 eye;
-    glm::dvec3 target;
-};
-
-// Whole multiples of a step: what is printed in a --camera option is what was used, with few digits.
-glm::dvec3 rounded(const glm::dvec3& v, double step) {
-    return glm::round(v / step) * step + 0.0;
-}
-
-// From the front, a little to the right and above, as far away as the bounding sphere needs.
-View framingView(const Bounds& bounds) {
-    const double diagonal = glm::length(bounds.max - bounds.min);
-    const glm::dvec3 centre = 0.5 * (bounds.min + bounds.max);
-    const double size = diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
-    const double distance = 0.5 * size / std::sin(glm::radians(framingFovDeg) / 2.0);
-    const double step = std::pow(10.0, std::floor(std::log10(size)) - 3.0);
-    const glm::dvec3 towardsEye = glm::normalize(glm::dvec3(0.3, 0.5, 1.0));
-    // The rounding may bring the eye nearer by less than two steps, a few thousandths of the size.
-    return {rounded(centre + (distance + 2.0 * step) * towardsEye, step), rounded(centre, step)};
-}
+// What is nearer to a camera that looks at something than this share of its distance may be cut off.
+constexpr double nearestOfDistance = 1.0 / 50.0;
+constexpr double widestTanHalf = 11.43;  // 170 degrees, for fitted()
 
 std::string printed(const glm::dvec3& v) {
     char text[128];
     std::snprintf(text, sizeof text, "%.12g,%.12g,%.12g", v.x, v.y, v.z);
     return text;
+}
+
+// As the text of an option gives it back.
+double read(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.12g", value);
+    return std::strtod(text, nullptr);
+}
+
+// Whole multiples of a step: what is printed in a --camera option is what was used, with few digits.
+glm::dvec3 rounded(const glm::dvec3& v, double step) {
+    const glm::dvec3 multiple = glm::round(v / step) * step + 0.0;
+    return {read(multiple.x), read(multiple.y), read(multiple.z)};
 }
 
 std::string cameraList(const Scene& scene) {
@@ -65,7 +60,8 @@ void follow(glm::dmat4& world, const Pose& pose, int node) {
 
 }  // namespace
 
-Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg) {
+Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg,
+              const std::optional<glm::dvec3>& upwards) {
     if (!(verticalFovDeg > 0.0 && verticalFovDeg < 180.0))
         throw Error("the camera's field of view is " + numberText(verticalFovDeg) +
                     " degrees; give one between 0 and 180");
@@ -76,27 +72,61 @@ Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFo
                     ") give no direction; give two different points");
     const glm::dvec3 z = back / distance;
     const bool vertical = std::abs(z.y) > 1.0 - 1e-12;  // within a millionth of a radian
-    const glm::dvec3 up = vertical ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 x = glm::normalize(glm::cross(up, z));
+    const glm::dvec3 up = upwards.value_or(vertical ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0));
+    const glm::dvec3 right = glm::cross(up, z);
+    if (!(glm::length(right) > 1e-9 * glm::length(up)))
+        throw Error("the camera's up (" + printed(up) +
+                    ") is the direction that it looks along; give another, or leave it out");
+    const glm::dvec3 x = glm::normalize(right);
 
     Camera camera;
-    camera.nearest = distance / 50.0;
+    camera.nearest = nearestOfDistance * distance;
     camera.worldFromCamera = glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(z, x), 0.0),
                                         glm::dvec4(z, 0.0), glm::dvec4(eye, 1.0));
     camera.verticalFovRad = glm::radians(verticalFovDeg);
     return camera;
 }
 
-Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex) {
-    if (scene.cameras.empty()) {
-        const View view = framingView(scene.boundsWorld);
-        throw Error("the scene " + scene.path +
-                    " has no perspective camera; add --camera eye=" + printed(view.eye) +
-                    ",target=" + printed(view.target) + ",fov=" + numberText(framingFovDeg));
-    }
-    if (nameOrIndex.empty()) return scene.cameras.front();
+Camera lookAtRounded(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg, double size) {
+    const double step = std::pow(10.0, std::floor(std::log10(size)) - 3.0);
+    return lookAt(rounded(eye, step), rounded(target, step), verticalFovDeg);
+}
+
+std::string cameraOption(const Camera& camera, const Bounds& bounds) {
+    const glm::dvec3 eye(camera.worldFromCamera[3]), back(camera.worldFromCamera[2]);
+    const double distance = std::isfinite(camera.nearest)
+                                ? camera.nearest / nearestOfDistance
+                                : std::max(glm::length(bounds.max - bounds.min), 1e-9);
+    const glm::dvec3 target = eye - distance * back;
+    // What a distance takes off a target leaves digits of no meaning behind: -1e-17 instead of 0.
+    const double noise = 1e-14 * (glm::length(eye) + distance);
+    const auto tidy = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
+    char fov[32];
+    std::snprintf(fov, sizeof fov, "%.12g", glm::degrees(camera.verticalFovRad));
+    std::string text = "eye=" + printed(eye) +
+                       ",target=" + printed({tidy(target.x), tidy(target.y), tidy(target.z)}) + ",fov=" + fov;
+    const glm::dvec3 up(camera.worldFromCamera[1]);
+    const Camera level = lookAt(eye, target, 40.0);
+    if (glm::distance(glm::dvec3(level.worldFromCamera[1]), up) > 1e-9) text += ",up=" + printed(up);
+    return text;
+}
+
+Camera fitted(Camera camera, double aspect) {
+    if (!camera.aspectRatio || aspect >= *camera.aspectRatio) return camera;
+    const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
+    const double wider = std::min(tanHalf * *camera.aspectRatio / aspect, std::max(tanHalf, widestTanHalf));
+    camera.verticalFovRad = 2.0 * std::atan(wider);
+    return camera;
+}
+
+Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex, double aspect) {
+    if (scene.cameras.empty() && nameOrIndex.empty()) return frameScene(scene, aspect);
+    if (scene.cameras.empty())
+        throw Error("the scene " + scene.path + " has no camera, so none \"" + nameOrIndex +
+                    "\"; leave out --camera for a view of all of it");
+    if (nameOrIndex.empty()) return fitted(scene.cameras.front(), aspect);
     for (const Camera& camera : scene.cameras) {
-        if (camera.name == nameOrIndex) return camera;
+        if (camera.name == nameOrIndex) return fitted(camera, aspect);
     }
     const bool isNumber = nameOrIndex.size() <= 9 && std::all_of(nameOrIndex.begin(), nameOrIndex.end(),
                                                                  [](char c) { return c >= '0' && c <= '9'; });
@@ -104,17 +134,23 @@ Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex) {
     if (index >= scene.cameras.size())
         throw Error("the scene " + scene.path + " has no camera \"" + nameOrIndex + "\"; choose one of " +
                     cameraList(scene));
-    return scene.cameras[index];
+    return fitted(scene.cameras[index], aspect);
 }
 
-Camera frameScene(const Scene& scene) {
-    const View view = framingView(scene.boundsWorld);
-    return lookAt(view.eye, view.target, framingFovDeg);
+std::string cameraNote(const Scene& scene, const std::string& option, const Camera& camera, double aspect) {
+    if (option.find('=') != std::string::npos) return "";
+    if (scene.cameras.empty())
+        return "the scene has no camera: seen by --camera " + cameraOption(camera, scene.boundsWorld);
+    if (!camera.aspectRatio || std::abs(*camera.aspectRatio / aspect - 1.0) < 0.01) return "";
+    return "camera \"" + camera.name + "\" is made for pictures " + numberText(*camera.aspectRatio) +
+           " times as wide as high, and this one is " + numberText(aspect) + " times: more is seen " +
+           (aspect < *camera.aspectRatio ? "above and below" : "at its sides");
 }
 
 Camera posed(Camera camera, const Pose& pose) {
     if (camera.node < 0) return camera;
     follow(camera.worldFromCamera, pose, camera.node);
+    camera.worldFromCamera[3] += camera.setBack * camera.worldFromCamera[2];
     return camera;
 }
 

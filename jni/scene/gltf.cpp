@@ -63,7 +63,6 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
     std::vector<PlacedNode> nodes = placeNodes(file);
     scene.animation = loadAnimation(file, animation, nodes);
     for (const PlacedNode& placed : nodes) {
-        addCamera(file, placed, scene);
         addLight(file, placed, scene);
         if (placed.node->mesh == -1) continue;
         const std::vector<int>& parts = meshes.get(placed.node->mesh);
@@ -79,8 +78,9 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
         }
     }
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
-    scene.warnings = std::move(file.warnings);
     computeBounds(scene);
+    addCameras(file, nodes, scene);
+    scene.warnings = std::move(file.warnings);
     return scene;
 }
 

@@ -111,29 +111,59 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
     return placed;
 }
 
-void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene) {
-    if (placed.node->camera == -1) return;
-    const tinygltf::Camera& source = file.at(file.model.cameras, placed.node->camera, "camera");
-    if (source.type != "perspective") {
-        file.warn("orthographic cameras are left out");
-        return;
-    }
-    Camera camera;
-    camera.name = source.name.empty() ? placed.node->name : source.name;
-    camera.verticalFovRad = source.perspective.yfov;
-    if (source.perspective.znear > 0.0) camera.nearest = source.perspective.znear;
-    if (!(camera.verticalFovRad > 0.0 && camera.verticalFovRad < 3.14159265358979))
-        file.fail("camera " + indexAndName(static_cast<std::size_t>(placed.node->camera), camera.name) +
-                  " has a field of view that is not between 0 and 180 degrees");
+namespace {
 
-    const std::optional<glm::dmat4> worldFromCamera = withoutScale(placed.worldFromNode);
-    if (!worldFromCamera) {
-        file.warn("a camera without an orientation (zero scale) is left out");
-        return;
+// The height and width that an orthographic camera frames, at the depth of the scene's centre, and the same
+// eye; but no nearer than half that height, from where the scene would look bent.
+void makePerspective(const tinygltf::OrthographicCamera& source, const Bounds& bounds, Camera& camera) {
+    const double halfHeight = std::abs(source.ymag);
+    const glm::dvec3 fromEye = 0.5 * (bounds.min + bounds.max) - glm::dvec3(camera.worldFromCamera[3]);
+    const double depth = -glm::dot(glm::dvec3(camera.worldFromCamera[2]), fromEye);
+    camera.setBack = std::max(halfHeight - depth, 0.0);
+    camera.worldFromCamera[3] += camera.setBack * camera.worldFromCamera[2];
+    camera.verticalFovRad = 2.0 * std::atan(halfHeight / (depth + camera.setBack));
+    camera.aspectRatio = std::abs(source.xmag) / halfHeight;
+}
+
+}  // namespace
+
+void addCameras(GltfFile& file, const std::vector<PlacedNode>& nodes, Scene& scene) {
+    std::vector<Camera> orthographic;
+    for (const PlacedNode& placed : nodes) {
+        if (placed.node->camera == -1) continue;
+        const tinygltf::Camera& source = file.at(file.model.cameras, placed.node->camera, "camera");
+        Camera camera;
+        camera.name = source.name.empty() ? placed.node->name : source.name;
+        const std::string named =
+            "camera " + indexAndName(static_cast<std::size_t>(placed.node->camera), camera.name);
+        const std::optional<glm::dmat4> worldFromCamera = withoutScale(placed.worldFromNode);
+        if (!worldFromCamera) {
+            file.warn("a camera without an orientation (zero scale) is left out");
+            continue;
+        }
+        camera.worldFromCamera = *worldFromCamera;
+        camera.node = placed.moving;
+        if (source.type == "perspective") {
+            camera.verticalFovRad = source.perspective.yfov;
+            if (source.perspective.znear > 0.0) camera.nearest = source.perspective.znear;
+            if (source.perspective.aspectRatio > 0.0) camera.aspectRatio = source.perspective.aspectRatio;
+            if (!(camera.verticalFovRad > 0.0 && camera.verticalFovRad < 3.14159265358979))
+                file.fail(named + " has a field of view that is not between 0 and 180 degrees");
+            scene.cameras.push_back(std::move(camera));
+            continue;
+        }
+        const double width = std::abs(source.orthographic.xmag), height = std::abs(source.orthographic.ymag);
+        if (!(width > 0.0 && height > 0.0 && std::isfinite(width / height) &&
+              std::isfinite(height / width))) {
+            file.warn("orthographic " + named + " frames nothing (xmag or ymag is 0) and is left out");
+            continue;
+        }
+        makePerspective(source.orthographic, scene.boundsWorld, camera);
+        file.warn("orthographic " + named +
+                  " is drawn in perspective, and frames the same area at the depth of the scene's centre");
+        orthographic.push_back(std::move(camera));
     }
-    camera.worldFromCamera = *worldFromCamera;
-    camera.node = placed.moving;
-    scene.cameras.push_back(std::move(camera));
+    scene.cameras.insert(scene.cameras.end(), orthographic.begin(), orthographic.end());
 }
 
 }  // namespace vct

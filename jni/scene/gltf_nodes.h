@@ -18,8 +18,9 @@ struct PlacedNode {
 // The nodes of the default scene, parents first. Throws where one is in the scene twice.
 std::vector<PlacedNode> placeNodes(const GltfFile& file);
 
-// The camera of a node, added to the scene; what is not supported is warned of.
-void addCamera(GltfFile& file, const PlacedNode& placed, Scene& scene);
+// The nodes' cameras, added to the scene, whose bounds are known: perspective ones, then orthographic ones,
+// made perspective. Warns of these, and of what is left out.
+void addCameras(GltfFile& file, const std::vector<PlacedNode>& nodes, Scene& scene);
 
 // The animation `nameOrIndex` ("" takes the first; where the file has none, there is none), and in `placed`
 // which nodes it moves. Throws where there is no such animation, or where it is not valid; warns of those

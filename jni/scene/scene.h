@@ -75,10 +75,13 @@ struct Camera {
     std::string name;
     glm::dmat4 worldFromCamera{1.0};  // rigid: rotation and translation only
     double verticalFovRad = 0.8;
+    // Width over height of the picture that it is made for; camera.h's fitted() makes it fit another.
+    std::optional<double> aspectRatio;
     // World units: what is no nearer is seen, however large the scene. (Of a scene of a kilometre around the
     // camera, what is nearer than a metre would be cut off otherwise.)
     double nearest = std::numeric_limits<double>::infinity();
-    int node = -1;  // as Instance::node
+    int node = -1;         // as Instance::node
+    double setBack = 0.0;  // world units, that the eye lies behind the node
     // Where it is set, clipFromWorld() gives this and fits nothing to the scene. Depth is 1 at its far plane.
     std::optional<glm::dmat4> clipFromWorld;
 };

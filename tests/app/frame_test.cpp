@@ -57,6 +57,23 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
+TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    builder.document.erase("cameras");
+    for (auto& node : builder.document["nodes"])
+        node.erase("camera");
+    const TemporaryFolder scenes;
+    writeBytes(scenes.file("bare.glb"), builder.glb());
+    const Image screen =
+        screenOf("scene=bare.glb preset=thesis grid=64 pixels=1 mode=phong", 96, 72, scenes.path());
+    ProgramRun program;
+    program.expectSuccess("render '" + scenes.file("bare.glb") +
+                          "' --grid 64 --size 96x72 --out out --mode phong");
+    expectMentions(program.err, {"the scene has no camera"});
+    EXPECT_EQ(largestDifference(screen, program.folder.file("out/phong.png")), 0);
+}
+
 TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     // The light of the other presets comes to a still picture's by and by.
     const Image screen = screenOf("scene=moving.glb preset=thesis pixels=1 mode=gi time=1.5", 96, 72);

@@ -118,7 +118,7 @@ glm::dvec3 seen(const OrbitView& view, const glm::dvec3& world) {
 
 TEST(OrbitView, StartsAsTheScenesCameraAndADoubleTapReturnsThere) {
     const Scene scene = boxScene();
-    OrbitView view(scene);
+    OrbitView view(scene, {}, 1.5);
     EXPECT_EQ(view.camera(1.5).worldFromCamera, scene.cameras[0].worldFromCamera);
     EXPECT_EQ(view.camera(1.5).verticalFovRad, scene.cameras[0].verticalFovRad);
     Gesture gesture;
@@ -135,7 +135,7 @@ TEST(OrbitView, StartsAsTheScenesCameraAndADoubleTapReturnsThere) {
 
 TEST(OrbitView, FollowsTheScenesCameraUntilAFingerMovesItAndAfterADoubleTap) {
     const Scene scene = boxScene();
-    OrbitView view(scene);
+    OrbitView view(scene, {}, 1.5);
     Camera camera = scene.cameras[0];
     const auto followed = [&](double z) {
         camera.worldFromCamera[3].z = z;
@@ -159,23 +159,23 @@ TEST(OrbitView, FollowsTheScenesCameraUntilAFingerMovesItAndAfterADoubleTap) {
 }
 
 TEST(OrbitView, TheSceneFollowsTheFinger) {
-    OrbitView view(boxScene());
+    OrbitView view(boxScene(), {}, 1.5);
     Gesture gesture;
     gesture.orbit = {60, 0};
     view.apply(gesture, viewport);
     EXPECT_GT(seen(view, {0, 0, 1}).x, 0.1) << "dragged to the right";
     EXPECT_NEAR(glm::length(eyeOf(view)), 4.0, 1e-9) << "it turns around the box";
-    OrbitView down(boxScene());
+    OrbitView down(boxScene(), {}, 1.5);
     gesture.orbit = {0, 60};
     down.apply(gesture, viewport);
     EXPECT_LT(seen(down, {0, 0, 1}).y, -0.1) << "dragged down";
-    OrbitView panned(boxScene());
+    OrbitView panned(boxScene(), {}, 1.5);
     gesture = {};
     gesture.pan = {60, 30};
     panned.apply(gesture, viewport);
     EXPECT_GT(seen(panned, {0, 0, 0}).x, 0.1);
     EXPECT_LT(seen(panned, {0, 0, 0}).y, -0.05);
-    OrbitView zoomed(boxScene());
+    OrbitView zoomed(boxScene(), {}, 1.5);
     gesture = {};
     gesture.zoom = 2.0F;
     zoomed.apply(gesture, viewport);
@@ -183,7 +183,7 @@ TEST(OrbitView, TheSceneFollowsTheFinger) {
 }
 
 TEST(OrbitView, NeverTurnsOverAndStaysRigid) {
-    OrbitView view(boxScene());
+    OrbitView view(boxScene(), {}, 1.5);
     Gesture gesture;
     gesture.orbit = {37, 91};
     for (int i = 0; i < 1000; ++i)
@@ -201,7 +201,7 @@ TEST(OrbitView, NeverTurnsOverAndStaysRigid) {
 }
 
 TEST(OrbitView, AnUprightPictureShowsTheScenesSquare) {
-    const OrbitView view(boxScene());
+    const OrbitView view(boxScene(), {}, 1.5);
     const double upright = view.camera(0.5).verticalFovRad;
     const double square = view.camera(1.0).verticalFovRad;
     EXPECT_NEAR(std::tan(0.5 * upright) * 0.5, std::tan(0.5 * square), 1e-12);

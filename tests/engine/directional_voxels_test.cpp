@@ -10,6 +10,7 @@
 #include "lab/cpu_mips.h"
 #include "lab/read_back.h"
 #include "scene/camera.h"
+#include "scene/framing.h"
 #include "support/faces.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"
@@ -30,7 +31,7 @@ Settings directionalSettings() {
 // World units are voxels, whatever the scene's size: a wall may be larger than the volume.
 std::vector<FaceLevel> facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
     scene.boundsWorld = boundsForVoxelsAsWorld(directionalGrid);
-    const Camera camera = frameScene(scene);
+    const Camera camera = frameScene(scene, 1.0);
     return FrameInspector(context, std::move(scene), light, directionalSettings(), camera).faceLevels();
 }
 

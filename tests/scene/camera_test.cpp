@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 
+#include "lab/options.h"
 #include "support/errors.h"
+#include "support/scenes.h"
 
 namespace vct::test {
 namespace {
@@ -73,41 +74,41 @@ TEST(ChooseCamera, ByNameOrIndexOrTheFirst) {
     }
 }
 
-TEST(ChooseCamera, WithoutOneSuggestsTheFramingView) {
-    for (const double offset : {0.0, 1e6}) {
-        const Scene scene = sceneWithBounds(glm::dvec3(offset), glm::dvec3(offset) + glm::dvec3(2, 1, 3));
-        const std::string message = errorOf([&] { chooseCamera(scene, ""); });
-        const std::size_t option = message.find("--camera eye=");
-        ASSERT_NE(option, std::string::npos) << message;
-        glm::dvec3 eye;
-        glm::dvec3 target;
-        double fov = 0.0;
-        ASSERT_EQ(std::sscanf(message.c_str() + option, "--camera eye=%lf,%lf,%lf,target=%lf,%lf,%lf,fov=%lf",
-                              &eye.x, &eye.y, &eye.z, &target.x, &target.y, &target.z, &fov),
-                  7)
-            << message;
-        const Camera typed = lookAt(eye, target, fov);
-        const Camera framed = frameScene(scene);
-        for (int column = 0; column < 4; ++column)
-            EXPECT_NEAR(glm::distance(typed.worldFromCamera[column], framed.worldFromCamera[column]), 0.0,
-                        1e-8);
-        EXPECT_EQ(typed.verticalFovRad, framed.verticalFovRad);
-    }
+TEST(ChooseCamera, WithoutOneGivesAViewAndSaysHowItIsRepeated) {
+    const Scene scene = sceneWithBounds({0, 0, 0}, {2, 1, 3});
+    const Camera camera = chooseCamera(scene, "", 1.5);
+    EXPECT_EQ(cameraNote(scene, "", camera, 1.5),
+              "the scene has no camera: seen by --camera " + cameraOption(camera, scene.boundsWorld));
+    EXPECT_EQ(cameraNote(scene, "eye=1,2,3", camera, 1.5), "");
+    expectMentions(errorOf([&] { chooseCamera(scene, "front"); }), {"no camera", "\"front\"", "leave out"});
 }
 
-TEST(FrameScene, SeesEveryCornerFromTheFrontAndAbove) {
-    for (const double size : {1e-4, 1.0, 5e5}) {
-        const Scene scene = sceneWithBounds(glm::dvec3(-1, 2, 3) * size, glm::dvec3(4, 3, 9) * size);
-        const Camera camera = frameScene(scene);
-        EXPECT_GT(camera.worldFromCamera[3].z, scene.boundsWorld.max.z);
-        EXPECT_GT(camera.worldFromCamera[3].y, scene.boundsWorld.max.y);
-        const glm::dmat4 clip = clipFromWorld(camera, scene.boundsWorld, 1.0);
-        for (const glm::dvec3& corner : cornersOf(scene.boundsWorld)) {
-            const glm::dvec3 ndc = project(clip, corner);
-            for (int axis = 0; axis < 3; ++axis)
-                EXPECT_LE(std::abs(ndc[axis]), 1.0) << size;
-        }
-    }
+TEST(ChooseCamera, OneOfAnotherShapeShowsAllThatItFrames) {
+    Scene scene = sceneWithBounds({0, 0, 0}, {1, 1, 1});
+    scene.cameras.resize(1);
+    scene.cameras[0].aspectRatio = 2.0;
+    const double tanHalf = std::tan(0.5 * scene.cameras[0].verticalFovRad);
+    const Camera square = chooseCamera(scene, "", 1.0), wide = chooseCamera(scene, "0", 3.0);
+    EXPECT_NEAR(std::tan(0.5 * square.verticalFovRad), 2.0 * tanHalf, 1e-12);
+    EXPECT_EQ(wide.verticalFovRad, scene.cameras[0].verticalFovRad);
+    EXPECT_LT(chooseCamera(scene, "", 1e-6).verticalFovRad, pi);
+    expectMentions(cameraNote(scene, "", square, 1.0), {"2 times as wide", "above and below"});
+    expectMentions(cameraNote(scene, "0", wide, 3.0), {"at its sides"});
+    EXPECT_EQ(cameraNote(scene, "", chooseCamera(scene, "", 2.0), 2.0), "");
+}
+
+TEST(CameraOption, RepeatsATurnedCamera) {
+    const glm::dvec3 up = glm::normalize(glm::dvec3(0.4, 1, 0.1));
+    const Camera camera = lookAt({1, 2, 3}, {0.5, 0, -1}, 33.0, up);
+    expectRigid(camera.worldFromCamera);
+    const std::string option = cameraOption(camera, {glm::dvec3(-1), glm::dvec3(1)});
+    const Camera typed = cameraFromText(option, {});
+    for (int column = 0; column < 4; ++column)
+        EXPECT_NEAR(glm::distance(typed.worldFromCamera[column], camera.worldFromCamera[column]), 0.0, 1e-9)
+            << option;
+    EXPECT_NE(option.find(",up="), std::string::npos) << option;
+    EXPECT_EQ(cameraOption(lookAt({1, 2, 3}, {0.5, 0, -1}, 33.0), {}).find(",up="), std::string::npos);
+    expectMentions(errorOf([] { lookAt({0, 0, 1}, {0, 0, 0}, 40.0, glm::dvec3(0, 0, 2)); }), {"up"});
 }
 
 TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {

@@ -75,20 +75,46 @@ TEST(GltfNodes, CameraIsRigidAndLooksAlongItsMinusZ) {
     builder.add(
         "cameras",
         {{"type", "perspective"}, {"name", "main"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
-    builder.add("cameras", {{"type", "orthographic"},
-                            {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 1}}}});
     // A quarter turn to the left about +Y: looks along -X. The scale of the parent must not show.
     const int camera =
         builder.add("nodes", {{"camera", 0}, {"rotation", {0, std::sin(pi / 4), 0, std::cos(pi / 4)}}});
     builder.node({{"children", {camera}}, {"scale", {2, 3, 4}}, {"translation", {1, 2, 3}}});
-    builder.node({{"camera", 1}});
     const Scene scene = load(builder);
     ASSERT_EQ(scene.cameras.size(), 1U);
     EXPECT_EQ(scene.cameras[0].name, "main");
     EXPECT_EQ(scene.cameras[0].verticalFovRad, 0.7);
     expectNear(scene.cameras[0].worldFromCamera,
                glm::dmat4({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {1, 2, 3, 1}));
-    EXPECT_TRUE(hasWarning(scene, "orthographic"));
+}
+
+TEST(GltfNodes, AnOrthographicCameraFramesItsAreaInPerspectiveAndComesLast) {
+    const auto camerasAt = [](double depth) {
+        GltfBuilder builder;
+        builder.triangle();  // its centre is (0.5, 0.5, 0)
+        builder.add("cameras", {{"type", "orthographic"},
+                                {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"zfar", 9}, {"znear", 1}}}});
+        builder.add("cameras", {{"type", "orthographic"},
+                                {"orthographic", {{"xmag", 0}, {"ymag", 2}, {"zfar", 9}, {"znear", 1}}}});
+        builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.1}}}});
+        builder.node({{"camera", 0}, {"translation", {0.5, 0.5, depth}}});
+        builder.node({{"camera", 1}});
+        builder.node({{"camera", 2}});
+        const Scene scene = load(builder);
+        EXPECT_TRUE(hasWarning(scene, "drawn in perspective"));
+        EXPECT_TRUE(hasWarning(scene, "frames nothing"));
+        return scene.cameras;
+    };
+    const std::vector<Camera> cameras = camerasAt(5.0);
+    ASSERT_EQ(cameras.size(), 2U);
+    EXPECT_EQ(cameras[0].verticalFovRad, 0.7);
+    EXPECT_NEAR(5.0 * std::tan(0.5 * cameras[1].verticalFovRad), 2.0, 1e-12);
+    EXPECT_EQ(cameras[1].aspectRatio, 1.5);
+    EXPECT_EQ(cameras[1].setBack, 0.0);
+    // One that is too near moves back until it sees the area at a right angle.
+    const std::vector<Camera> near = camerasAt(0.5);
+    EXPECT_NEAR(near[1].setBack, 1.5, 1e-12);
+    EXPECT_NEAR(near[1].worldFromCamera[3].z, 2.0, 1e-12);
+    EXPECT_NEAR(near[1].verticalFovRad, pi / 2, 1e-12);
 }
 
 TEST(GltfNodes, LightsShineAlongMinusZAndScaleIsIgnored) {

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import references
+from scenes import shapes
 from truth.exr import read_exr
 from truth.scene import load_scene
 
@@ -88,3 +89,31 @@ def test_a_stored_reference_is_of_the_scene_as_it_is_now(path):
     else:
         assert pictures["full"].mean() >= pictures["one-bounce"].mean() * 0.999
     assert pictures["one-bounce"].mean() >= pictures["direct"].mean()
+
+
+def orthographic(glb):
+    glb.node("plan", translation=[0.2, 0.5, 4], camera=glb._append("cameras", {
+        "type": "orthographic", "orthographic": {"xmag": 1.6, "ymag": 0.9, "znear": 0.1, "zfar": 10}}))
+
+
+def wide(glb):
+    glb.camera("wide", (0, 1, 4), (0, 0, 0), 30)
+    glb.json["cameras"][0]["perspective"]["aspectRatio"] = 2.0
+
+
+@pytest.mark.parametrize("add_camera", [lambda glb: None, orthographic, wide], ids=["none", "orthographic", "wide"])
+def test_a_scene_is_seen_as_the_renderer_sees_it(maker, program, tmp_path, add_camera):
+    """Also where its camera cannot be taken as it is."""
+    glowing = maker.glb.material("glowing", (0, 0, 0), emissive=((1, 1, 1), 1, None))
+    maker.place(shapes.box((1.0, 0.4, 0.7), 1.0), glowing)
+    maker.place(shapes.icosphere(0.3, 2), glowing, translation=[0.4, 0.6, 0.1])
+    add_camera(maker.glb)
+    maker.path.write_bytes(maker.glb.to_bytes())
+    made = run(maker.path, "--size", "48x32", "--spp", "16", "--kinds", "coverage", "--out", tmp_path)
+    assert made.returncode == 0, made.stderr
+    covered = read_exr(tmp_path / "scene/coverage.exr")[..., 0] > 0.5
+    subprocess.run([program, "render", maker.path, "--size", "48x32", "--mode", "phong", "--grid", "64", "--out", tmp_path],
+                   check=True, capture_output=True)
+    rendered = read_exr(tmp_path / "phong.exr")[..., 0] > 0.5
+    assert 0.05 < rendered.mean() < 0.95
+    assert (covered != rendered).mean() < 0.01

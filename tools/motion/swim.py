@@ -85,7 +85,7 @@ def summary(parts: list[np.ndarray]) -> dict[str, float]:
 
 def swim(renderer: Renderer, path: Path, preset: str, frames: int) -> dict[str, Any]:
     """Root mean square and 99th percentile over all points, frames and moves, the floor's beside them."""
-    scene = load_scene(path)
+    scene = load_scene(path, renderer.size)
     geometry = TrueGeometry(scene)
 
     def frame(what: str, view: View) -> Frame:

@@ -9,6 +9,8 @@ import pathlib
 
 import numpy as np
 
+import program
+
 from .gltf_file import GltfError, GltfFile
 from .hdr import read_sky
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
@@ -151,16 +153,25 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
     return positions, normals, uv(material.base_color_uv), uv(material.emissive_uv)
 
 
-def find_camera(document: dict, placed: list, path: pathlib.Path) -> tuple[str, np.ndarray, np.ndarray, float]:
-    """Name, axes, eye and field of view (rad) of the first perspective camera; scale and mirroring are dropped."""
+def find_camera(document: dict, placed: list, path: pathlib.Path,
+                size: tuple[int, int]) -> tuple[str, np.ndarray, np.ndarray, float]:
+    """Name, axes, eye and field of view (rad) of the first perspective camera; scale and mirroring are dropped. Where
+    there is none, or it is made for a wider picture, the view that `vct` chooses for a picture of this size."""
     for node, world in placed:
         camera = document["cameras"][node["camera"]] if "camera" in node else {}
-        if camera.get("type") == "perspective":
-            back = unit(world[:3, 2])
-            right = unit(np.cross(world[:3, 1], back))
-            axes = np.stack([right, np.cross(back, right), back])
-            return camera.get("name", node.get("name", "")), axes, world[:3, 3], camera["perspective"]["yfov"]
-    raise GltfError(f"{path}: no perspective camera in the scene; a reference needs one")
+        if camera.get("type") != "perspective":
+            continue
+        if camera["perspective"].get("aspectRatio", 0) > size[0] / size[1]:
+            break
+        back = unit(world[:3, 2])
+        right = unit(np.cross(world[:3, 1], back))
+        axes = np.stack([right, np.cross(back, right), back])
+        return camera.get("name", node.get("name", "")), axes, world[:3, 3], camera["perspective"]["yfov"]
+    try:
+        chosen = program.camera(path, size)
+    except program.Failed as failed:
+        raise GltfError(f"{path}: vct finds no view of it: {failed}") from failed
+    return chosen["name"], np.array(chosen["right_up_back"]), np.array(chosen["eye_world"]), chosen["vertical_fov_rad"]
 
 
 def placed_lights(document: dict, placed: list) -> list[tuple[dict, np.ndarray]]:
@@ -206,15 +217,16 @@ def sky_file(path: pathlib.Path) -> pathlib.Path | None:
     return sky if sky.is_file() else None
 
 
-def load_scene(path: pathlib.Path) -> Scene:
+def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256)) -> Scene:
+    """`size`: of the picture that is to be made; a view may depend on its shape."""
     file = GltfFile(path)
     try:
-        return build(file)
+        return build(file, size)
     except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
         raise GltfError(f"{path}: not a scene that can be read: {error!r}") from error
 
 
-def build(file: GltfFile) -> Scene:
+def build(file: GltfFile, size: tuple[int, int]) -> Scene:
     document = file.json
     materials, placed = load_materials(document), placed_nodes(document)
     parts, material_of = [], []
@@ -242,7 +254,7 @@ def build(file: GltfFile) -> Scene:
     positions = (positions - centre) / side
     area2 = np.linalg.norm(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]), axis=-1)
     keep = area2 > 1e-14  # a triangle without area stops no ray
-    name, axes, eye, fov = find_camera(document, placed, file.path)
+    name, axes, eye, fov = find_camera(document, placed, file.path, size)
     glows = any(materials[i].emissive.max() > 0 for i in set(owner.tolist()))
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],

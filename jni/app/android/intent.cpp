@@ -1,5 +1,5 @@
 // The one place that talks to Java: activity.getIntent().getStringExtra(name).
-#include "app/activity.h"
+#include "app/android/activity.h"
 
 #include <jni.h>
 

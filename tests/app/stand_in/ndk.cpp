@@ -9,7 +9,7 @@
 #include <iterator>
 #include <mutex>
 
-#include "app/activity.h"
+#include "app/android/activity.h"
 #include "stand_in.h"
 
 using vct::test::currentStandIn;

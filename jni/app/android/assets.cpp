@@ -1,4 +1,4 @@
-#include "app/assets.h"
+#include "app/android/assets.h"
 
 #include <algorithm>
 #include <filesystem>

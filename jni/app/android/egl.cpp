@@ -1,4 +1,4 @@
-#include "app/egl.h"
+#include "app/android/egl.h"
 
 #include <algorithm>
 #include <array>

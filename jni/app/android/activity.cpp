@@ -1,4 +1,4 @@
-#include "app/activity.h"
+#include "app/android/activity.h"
 
 #include <filesystem>
 

@@ -1,8 +1,7 @@
-// What the app measures: the driver, once, and what the intent or a finger asks for, a frame at a time.
-#include <android/window.h>
-
-#include "app/app.h"
+// What a viewer measures: the driver, once, and what it is started with or a finger asks for, a frame at a
+// time.
 #include "app/log.h"
+#include "app/viewer.h"
 #include "core/error.h"
 #include "lab/options.h"
 #include "scene/camera.h"
@@ -10,38 +9,38 @@
 namespace vct::app {
 
 // Once, and not before the window has shown something: it takes a moment.
-void App::testDriver() {
+void Viewer::testDriver() {
     if (selfTest_ || shownFrames_ == 0) return;
-    selfTest_ = runSelfTest(gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager));
+    selfTest_ = runSelfTest(gl_->capabilities(), surroundings_.shaders);
     const std::string text =
         (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
     if (selfTest_->passed)
-        log(text);
+        log(LogLevel::detail, text);
     else
         fail(text);
 }
 
-void App::startMeasuring(const std::string& command) {
+void Viewer::startMeasuring(const std::string& command) {
     log(command);
     try {
-        results_ = std::make_unique<ResultsFolder>(folder_ + "/results");
+        results_ = std::make_unique<ResultsFolder>(surroundings_.folder + "/results");
         BenchRequest request = benchRequestFromText(command);
         scenes_.rescan();
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
-        if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + folder_);
+        if (index < 0)
+            throw Error("there is no scene " + request.scene + "; copy it into " + surroundings_.folder);
         const SceneFile& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
         request_ = request;
-        // A screen that goes dark pauses the app.
-        ANativeActivity_setWindowFlags(glue_.activity, AWINDOW_FLAG_KEEP_SCREEN_ON, 0);
+        surroundings_.keepScreenOn(true);
     } catch (const std::exception& error) {
         endMeasuring(error.what());
     }
 }
 
 // A frame of it.
-void App::measure() {
+void Viewer::measure() {
     bool more = true;
     const std::string failure = failureOf([&] {
         if (!bench_) {
@@ -51,9 +50,8 @@ void App::measure() {
             if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
-                                gl_->capabilities(), shadersFromAssets(glue_.activity->assetManager),
-                                "android", selfTestJson(*selfTest_),
-                                [](const std::string& line) { log(line); }},
+                                gl_->capabilities(), surroundings_.shaders, surroundings_.backend,
+                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
                 results_->path());
         }
         more = bench_->advance();
@@ -61,12 +59,12 @@ void App::measure() {
     if (!failure.empty() || !more) endMeasuring(failure);
 }
 
-void App::endMeasuring(const std::string& failure) {
+void Viewer::endMeasuring(const std::string& failure) {
     bench_.reset();
     request_.reset();
-    ANativeActivity_setWindowFlags(glue_.activity, 0, AWINDOW_FLAG_KEEP_SCREEN_ON);
+    surroundings_.keepScreenOn(false);
     if (failure.empty()) {
-        message_ = "measured: " + folder_ + "/results";
+        message_ = "measured: " + surroundings_.folder + "/results";
         log(message_);
     } else {
         fail("measuring failed: " + failure);

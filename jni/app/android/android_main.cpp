@@ -2,8 +2,8 @@
 #include <android/trace.h>
 #include <android_native_app_glue.h>
 
-#include "app/activity.h"
-#include "app/app.h"
+#include "app/android/activity.h"
+#include "app/android/app.h"
 #include "app/log.h"
 #include "core/trace.h"
 

@@ -6,6 +6,7 @@
 
 namespace vct::app {
 
+// One entry per line of `text`; long lines are split, as the system cuts them off.
 void log(LogLevel level, const std::string& text) {
     const int priority = level == LogLevel::error     ? ANDROID_LOG_ERROR
                          : level == LogLevel::warning ? ANDROID_LOG_WARN

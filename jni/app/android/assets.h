@@ -7,20 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "app/scenes.h"
 #include "gl/shader_source.h"
-#include "scene/gltf.h"
 
 namespace vct::app {
 
 // From `shaders/` of the APK.
 gl::ReadShader shadersFromAssets(AAssetManager* assets);
-
-// A scene that can be chosen.
-struct SceneFile {
-    std::string name;      // "cornell.glb"
-    std::string path;      // in the APK, or on the device
-    bool bundled = false;  // in the APK
-};
 
 // The scenes of the APK, then the .glb and .gltf files in `folder`, each by name.
 std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder);

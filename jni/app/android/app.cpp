@@ -1,0 +1,181 @@
+#include "app/android/app.h"
+
+#include <android/window.h>
+
+#include <cstdlib>
+
+#include "app/android/activity.h"
+#include "app/android/assets.h"
+#include "app/log.h"
+#include "gl/debug.h"
+#include "scene/camera.h"
+
+namespace vct::app {
+
+namespace {
+
+Surroundings surroundingsOf(android_app& glue) {
+    ANativeActivity& activity = *glue.activity;
+    AAssetManager* const assets = activity.assetManager;
+    Surroundings android;
+    android.backend = "android";
+    android.folder = filesFolder(activity);
+    android.pixelsPerDp = pixelsPerDp(glue.config);
+    android.shaders = shadersFromAssets(assets);
+    android.findScenes = [assets, folder = android.folder] { return findScenes(assets, folder); };
+    android.readScene = [assets](const SceneFile& file, const std::atomic<bool>& cancelled) {
+        return sceneReader(assets, file.bundled, cancelled);
+    };
+    // A screen that goes dark pauses the app.
+    android.keepScreenOn = [&activity](bool on) {
+        ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
+                                       on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
+    };
+    android.lookOf = [](const Scene& scene, double) {
+        Look look;
+        look.light = chooseLight(scene);
+        look.skyRadiance = chooseSky(scene);
+        return look;
+    };
+    return android;
+}
+
+}  // namespace
+
+App::App(android_app& glue, const std::string& command) : glue_(glue) {
+    Surroundings android = surroundingsOf(glue);
+    log("vct " VCT_VERSION ", files in " + android.folder);
+    const bool show = command.rfind("show", 0) == 0;
+    ShowRequest request;
+    std::string failure;
+    try {
+        if (show) request = showRequestFromText(command);
+    } catch (const Error& error) {
+        failure = error.what();
+    }
+    viewer_.emplace(std::move(android), request);
+    if (!failure.empty()) viewer_->fail(failure);
+    if (!command.empty() && !show) viewer_->startMeasuring(command);
+}
+
+App::~App() {
+    viewer_.reset();
+    log("the app ends");
+}
+
+bool App::animating() const {
+    return resumed_ && glue_.window != nullptr && !halted_;
+}
+
+void App::onCommand(int command) {
+    switch (command) {
+        case APP_CMD_INIT_WINDOW:
+            halted_ = false;
+            break;
+        case APP_CMD_TERM_WINDOW:
+            dropSurface();
+            break;
+        case APP_CMD_RESUME:
+            resumed_ = true;
+            viewer_->resume();
+            break;
+        case APP_CMD_PAUSE:
+            resumed_ = false;
+            break;
+        case APP_CMD_LOST_FOCUS:
+            viewer_->cancelTouch();
+            break;
+        case APP_CMD_WINDOW_REDRAW_NEEDED:
+            if (animating()) frame();
+            break;
+        case APP_CMD_LOW_MEMORY:
+            log(LogLevel::warning, "the system is low on memory");
+            // What is on the screen is needed again at once.
+            if (!animating()) viewer_->dropRenderer();
+            break;
+        case APP_CMD_SAVE_STATE:
+            // Whatever is here when the app comes back says that its intent has been followed already.
+            glue_.savedState = std::malloc(1);
+            glue_.savedStateSize = glue_.savedState != nullptr ? 1 : 0;
+            break;
+        default:
+            break;
+    }
+}
+
+void App::frame() {
+    if (!animating()) return;
+    try {
+        prepare();
+        if (surface_) {
+            viewer_->draw(surface_->size(), freeArea(glue_.contentRect, surface_->size()));
+            show();
+        }
+    } catch (const gl::ContextLost& error) {
+        loseContext(error.what());
+    } catch (const std::exception& error) {
+        // A driver that has lost the context may complain of anything first.
+        if (context_ && viewer_->hasObjects() && gl::GetError() == GL_CONTEXT_LOST)
+            loseContext(error.what());
+        else
+            halt(error.what());
+    }
+}
+
+// Every step is one layer, and does nothing where it is there.
+void App::prepare() {
+    if (!display_) display_.emplace();
+    if (surface_ && !surface_->fits(glue_.window)) dropSurface();
+    if (!surface_) surface_.emplace(*display_, glue_.window);
+    if (!context_) context_.emplace(*display_);
+    if (!context_->makeCurrent(&*surface_)) return halt("the window cannot be drawn into any more");
+}
+
+void App::show() {
+    switch (context_->swap(*surface_)) {
+        case GlContext::Shown::yes:
+            return viewer_->shown();
+        case GlContext::Shown::surfaceLost:
+            log(LogLevel::warning, "the window's surface was lost");
+            return dropSurface();
+        case GlContext::Shown::contextLost:
+            throw gl::ContextLost("eglSwapBuffers");
+    }
+}
+
+void App::dropSurface() {
+    try {
+        if (context_) context_->makeCurrent(nullptr);
+    } catch (const gl::ContextLost& error) {
+        loseContext(error.what());
+    }
+    surface_.reset();
+}
+
+void App::loseContext(const std::string& how) {
+    log(LogLevel::warning,
+        std::string("the GL context was lost (") + how + "); everything in it is made anew");
+    viewer_->loseContext();
+    surface_.reset();
+    context_.reset();
+}
+
+// Drawing has no chance in this window.
+void App::halt(const std::string& why) {
+    log(LogLevel::error, why);
+    halted_ = true;
+    viewer_->halt(why);
+    surface_.reset();
+    context_.reset();
+}
+
+bool App::onInput(const AInputEvent* event) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return false;
+    const bool cancelled =
+        (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) == AMOTION_EVENT_ACTION_CANCEL;
+    if (cancelled) viewer_->cancelTouch();
+    viewer_->finger(fingersAfter(event), 1e-9 * static_cast<double>(AMotionEvent_getEventTime(event)));
+    return true;
+}
+
+}  // namespace vct::app

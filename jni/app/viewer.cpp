@@ -1,0 +1,298 @@
+#include "app/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/log.h"
+#include "gl/debug.h"
+#include "scene/camera.h"
+
+namespace vct::app {
+
+namespace {
+
+constexpr const char* firstScene = "cornell.glb";
+const glm::vec3 background(0.08F);
+
+}  // namespace
+
+Viewer::Viewer(Surroundings surroundings, const ShowRequest& request)
+    : surroundings_(std::move(surroundings)),
+      scenes_(surroundings_.findScenes, surroundings_.readScene),
+      choices_(request.choices),
+      animationS_(request.timeS),
+      hud_(surroundings_.pixelsPerDp),
+      touch_(surroundings_.pixelsPerDp),
+      lastFrame_(std::chrono::steady_clock::now()) {
+    if (!request.display) hud_.turnOff();
+    const int first = std::max(scenes_.find(request.scene.empty() ? firstScene : request.scene), 0);
+    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[first]);
+}
+
+Viewer::~Viewer() {
+    scenes_.cancel();
+    bench_.reset();
+    gl_.reset();
+}
+
+void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
+    if (!gl_) gl_ = std::make_unique<GlObjects>(surroundings_.shaders);
+    takeLoadedScene(window);
+    const auto now = std::chrono::steady_clock::now();
+    const double passedS = std::chrono::duration<double>(now - lastFrame_).count();
+    lastFrame_ = now;
+    if (choices_.play) animationS_ += passedS;
+    frameMs_ = frameMs_ == 0.0 ? 1e3 * passedS : 0.8 * frameMs_ + 0.2 * 1e3 * passedS;
+    if (!gl_->missing().empty()) return drawMessage(window, free);
+
+    testDriver();
+    const bool measuring = request_ && !scenes_.loading() && selfTest_;
+    if (measuring)
+        measure();
+    else
+        drawScene(window);
+    const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
+    if (renderer != nullptr)
+        gl_->presenter().draw(*renderer, exposure(), window);
+    else
+        clearWindow(window, background);
+    drawHud(window, free, passedS);
+}
+
+// On a driver that lacks something.
+void Viewer::drawMessage(glm::ivec2 window, const glm::ivec4& free) {
+    if (request_) endMeasuring(gl_->missing());
+    clearWindow(window, background);
+    hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window, free);
+    gl_->hud().draw(hud_.drawData(), window);
+    gl::checkErrors("message");
+}
+
+void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) {
+    const Gesture gesture = touch_.take();
+    if (view_) view_->apply(gesture, window);
+
+    HudContent content;
+    content.choices = &choices_;
+    int scene = scenes_.find(scenePath());
+    const int sceneBefore = scene;
+    content.scene = &scene;
+    content.scenes = &scenes_.all();
+    content.sceneLightDeg = lightAnglesDeg(look_.light);
+    content.frameMs = frameMs_;
+    content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
+    content.renderSize = settingsFor(choices_, window).size;
+    content.animated = scene_ && !scene_->animation.channels.empty();
+    if (scene_)
+        for (const PunctualLight& light : scene_->punctualLights)
+            content.lights.push_back(light.name);
+    content.measuring = request_.has_value();
+    if (scenes_.loading())
+        content.status = "loading " + scenes_.loaded().name;
+    else if (!selfTest_)
+        content.status = "testing the driver";
+    else if (bench_)
+        content.status = "measuring " + bench_->progress();
+    content.message = message_;
+    const HudActions actions = hud_.build(content, window, free, passedS);
+    gl_->hud().draw(hud_.drawData(), window);
+    gl::checkErrors("display");
+
+    if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
+    if (actions.rescan) scenes_.rescan();
+    if (actions.resetView) reset();
+    if (actions.dismiss) message_.clear();
+    if (actions.measure && request_)
+        endMeasuring("stopped by hand");
+    else if (actions.measure)
+        startMeasuring("bench preset=" + choices_.preset);
+}
+
+void Viewer::drawScene(glm::ivec2 window) {
+    const Wanted wanted{choices_, scene_, window};
+    if (!scene_ || (failed_ && *failed_ == wanted)) return;
+    const std::string failure = failureOf([&] {
+        const Settings settings = settingsOf(window);
+        aspect_ = aspectOf(settings.size);
+        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_);
+        if (!scene_->animation.channels.empty()) {
+            const Pose pose = poseAt(scene_->animation, sceneTimeS());
+            renderer.setPose(pose);
+            renderer.setLightDirection(posed(light(), pose).towardsLight);
+            const Camera* const first = look_.camera              ? &*look_.camera
+                                        : scene_->cameras.empty() ? nullptr
+                                                                  : &scene_->cameras.front();
+            if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
+        }
+        if (choices_.timeSteps) renderer.timer().startRecording();
+        renderer.frame(choices_.mode, view_->camera(aspect_));
+        if (!look_.exposure) exposure_.follow(renderer);
+        stepMs_.reset();
+        if (choices_.timeSteps) {
+            const StepTimes times = renderer.timer().stopRecording();
+            stepMs_.emplace();
+            for (std::size_t i = 0; i < stepCount; ++i)
+                (*stepMs_)[i] = times.stepMs[i].back();
+        }
+    });
+    if (!failure.empty()) return revert(failure, window);
+    good_ = wanted;
+    goodLook_ = look_;
+    failed_.reset();
+}
+
+Settings Viewer::settingsOf(glm::ivec2 window) const {
+    Settings settings = settingsFor(choices_, window);
+    settings.skyRadiance = skyRadianceFor(choices_, look_.skyRadiance, light());
+    if (choices_.sky == Sky::scene) settings.environment = look_.environment;
+    return settings;
+}
+
+DirectionalLight Viewer::light() const {
+    return lightFor(choices_, look_.light);
+}
+
+float Viewer::exposure() const {
+    return look_.exposure.value_or(exposure_.value());
+}
+
+double Viewer::sceneTimeS() const {
+    const double length = scene_->animation.durationS;
+    return length > 0.0 ? std::fmod(animationS_, length) : 0.0;
+}
+
+std::string Viewer::failureOf(const std::function<void()>& part) {
+    try {
+        part();
+        return "";
+    } catch (const gl::ContextLost&) {
+        throw;
+    } catch (const std::exception& error) {
+        if (gl::GetError() == GL_CONTEXT_LOST) throw gl::ContextLost(error.what());
+        return error.what();
+    }
+}
+
+void Viewer::loseContext() {
+    if (bench_) endMeasuring("the GL context was lost");
+    gl_.reset();
+    failed_.reset();
+}
+
+void Viewer::halt(const std::string& why) {
+    if (request_) endMeasuring(why);
+    gl_.reset();
+}
+
+void Viewer::dropRenderer() {
+    if (gl_) gl_->dropRenderer();
+}
+
+// Back to what could be rendered.
+void Viewer::revert(const std::string& why, glm::ivec2 window) {
+    fail(why);
+    gl_->dropRenderer();
+    const Wanted wanted{choices_, scene_, window};
+    failed_ = wanted;
+    if (!good_ || *good_ == wanted) return;
+    choices_ = good_->choices;
+    if (scene_ != good_->scene) show(good_->scene, goodLook_, window);
+}
+
+void Viewer::fail(const std::string& message) {
+    message_ = message;
+    log(LogLevel::error, message);
+}
+
+std::string Viewer::scenePath() const {
+    if (scenes_.loading()) return scenes_.loaded().path;
+    return scene_ ? scene_->path : "";
+}
+
+void Viewer::takeLoadedScene(glm::ivec2 window) {
+    try {
+        const std::shared_ptr<const Scene> loaded = scenes_.take();
+        if (!loaded) return;
+        for (const std::string& warning : loaded->warnings)
+            log(LogLevel::warning, warning);
+        log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
+        const double aspect = aspectOf(settingsFor(choices_, window).size);
+        const Look look = surroundings_.lookOf(*loaded, aspect);
+        if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
+        show(loaded, look, window);
+        if (!look_.camera) {
+            const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
+            const std::string note = cameraNote(*scene_, "", seen, aspect);
+            if (!note.empty()) log(note);
+        }
+        choices_.lightAnglesDeg.reset();
+        message_.clear();
+    } catch (const std::exception& error) {
+        return request_ ? endMeasuring(error.what()) : fail(error.what());
+    }
+}
+
+void Viewer::show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window) {
+    scene_ = std::move(scene);
+    look_ = look;
+    choices_.grid = look.grid.value_or(choices_.grid);
+    exposure_ = {};
+    aspect_ = aspectOf(settingsFor(choices_, window).size);
+    view_.emplace(*scene_, look_.camera, aspect_);
+}
+
+void Viewer::reset() {
+    choices_.lightAnglesDeg.reset();
+    if (!scene_) return;
+    view_.emplace(*scene_, look_.camera, aspect_);
+    exposure_ = {};
+}
+
+void Viewer::turnLight(const glm::vec2& deg) {
+    const glm::vec2 from = choices_.lightAnglesDeg.value_or(lightAnglesDeg(look_.light)) + deg;
+    choices_.lightAnglesDeg = {std::remainder(from.x, 360.0F), std::clamp(from.y, -90.0F, 90.0F)};
+}
+
+void Viewer::showOtherScene(int step) {
+    const auto count = static_cast<int>(scenes_.all().size());
+    if (count > 0)
+        scenes_.load(scenes_.all()[(std::max(scenes_.find(scenePath()), 0) + step + count) % count]);
+}
+
+void Viewer::walk(const glm::dvec3& shares) {
+    if (view_) view_->walk(shares);
+}
+
+std::optional<Viewer::Seen> Viewer::seen() {
+    if (!scene_ || !gl_ || gl_->renderer() == nullptr || !good_ || good_->scene != scene_) return {};
+    Renderer& renderer = *gl_->renderer();
+    Seen seen{scene_->path,
+              renderer.settings().size,
+              view_->camera(aspect_),
+              light(),
+              renderer.settings(),
+              exposure(),
+              {},
+              {},
+              renderer.radiance()};
+    if (!scene_->animation.channels.empty()) seen.timeS = sceneTimeS();
+    seen.cameraOption = cameraOption(seen.camera, scene_->boundsWorld);
+    return seen;
+}
+
+// Whoever a touch began with gets all of it.
+void Viewer::finger(const std::vector<TouchPoint>& points, double timeS) {
+    if (!touching_ && !points.empty()) {
+        touchesDisplay_ = hud_.covers(points[0].position);
+        displayFinger_ = points[0];
+    }
+    touching_ = !points.empty();
+    if (!touchesDisplay_) return touch_.update(points, timeS);
+    const auto found = std::find_if(points.begin(), points.end(),
+                                    [&](const TouchPoint& point) { return point.id == displayFinger_.id; });
+    const bool down = found != points.end();
+    if (down) displayFinger_ = *found;
+    hud_.touch(displayFinger_.position, down);
+}
+
+}  // namespace vct::app

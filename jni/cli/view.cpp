@@ -1,0 +1,221 @@
+// vct view: a scene in a window, to walk through.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/sky_option.h"
+#include "core/error.h"
+#include "lab/options.h"
+#include "scene/gltf.h"
+#ifdef VCT_HAS_GLFW
+#include "app/log.h"
+#include "core/number_text.h"
+#include "desktop/window.h"
+#include "image/tone_map.h"
+#include "scene/camera.h"
+#endif
+
+namespace vct {
+
+#ifdef VCT_HAS_GLFW
+// What the viewer says.
+void app::log(LogLevel level, const std::string& text) {
+    if (level == LogLevel::detail) return;
+    cli::say((level == LogLevel::error     ? "vct: error: "
+              : level == LogLevel::warning ? "warning: "
+                                           : "") +
+             text);
+}
+#endif
+
+namespace cli {
+namespace {
+
+struct ViewOptions {
+    SceneOptions scene;
+    SkyOption sky;
+    std::string preset = "mobile", mode = "gi-cone-shadow", exposure = "auto";
+    std::optional<float> coneAngleDeg;
+    std::optional<double> timeS;
+};
+
+#ifdef VCT_HAS_GLFW
+using app::SceneFile;
+
+// The scene, and what else is in its folder.
+std::vector<SceneFile> scenesBeside(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::vector<SceneFile> scenes;
+    const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string ending = entry.path().extension().string();
+        if (!entry.is_regular_file(ignored) || (ending != ".glb" && ending != ".gltf")) continue;
+        const bool same = entry.path().filename() == fs::path(path).filename();
+        scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false});
+    }
+    std::sort(scenes.begin(), scenes.end(),
+              [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
+    return scenes;
+}
+
+// As short as it may be to read back as the same float.
+std::string floatText(float value) {
+    char text[32];
+    for (int digits = 6; digits <= 9; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, double{value});
+        if (std::strtof(text, nullptr) == value) break;
+    }
+    return text;
+}
+
+std::string threeText(const glm::vec3& v) {
+    return floatText(v.x) + "," + floatText(v.y) + "," + floatText(v.z);
+}
+
+// How `vct render` gives the same picture.
+std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choices,
+                       const ViewOptions& options) {
+    const Settings& settings = seen.settings;
+    std::string line = "vct render '" + seen.path + "' --out out --preset " + choices.preset + " --mode " +
+                       modeName(choices.mode) + " --grid " + std::to_string(settings.grid) + " --size " +
+                       std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
+                       " --cone-angle " + numberText(settings.shadowConeAngleDeg) + " --camera " +
+                       seen.cameraOption;
+    const DirectionalLight& light = seen.light;
+    // One that the scene moves, or that there is none, is the scene's.
+    if (light.node < 0 && light.intensity > 0.0F && light.color != glm::vec3(0.0F)) {
+        line += " --light direction=" + threeText(-glm::vec3(light.towardsLight)) +
+                ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
+    }
+    if (settings.environment)
+        line += " --environment '" + options.sky.environment + "'";
+    else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F))
+        line += " --sky " + threeText(settings.skyRadiance);
+    char time[32];
+    std::snprintf(time, sizeof time, " --time %.9g", seen.timeS.value_or(0.0));
+    if (seen.timeS) line += time;
+    return line + " --exposure " + numberText(seen.exposure);
+}
+
+void save(const app::Viewer::Seen& seen, const app::Choices& choices, const ViewOptions& options) {
+    std::string file;
+    for (int n = 1; file.empty() || std::filesystem::exists(file); ++n)
+        file = "vct-view-" + std::to_string(n) + ".png";
+    std::printf("%s\n", renderLine(seen, choices, options).c_str());
+    std::fflush(stdout);
+    if (choices.lightsOff.any())
+        say("note: lamps are switched off in the window; vct render has no option for that and shows them "
+            "on");
+    writePng(file, toneMapped(seen.radiance, ToneMap::neutral, seen.exposure));
+    say("saved " + file);
+}
+
+// Returns whether there was something to see.
+bool view(const ViewOptions& options) {
+    const std::string& path = options.scene.path;
+    desktop::WindowRequest request;
+    app::Choices& choices = request.show.choices;
+    app::choosePreset(choices, options.preset);
+    choices.grid = options.scene.settings(options.preset).grid;
+    const std::vector<Mode> modes = modesFromText(options.mode);
+    if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
+    choices.mode = modes.front();
+    choices.resolution = 0;
+    choices.coneAngleDeg = options.coneAngleDeg.value_or(presetSettings(options.preset).shadowConeAngleDeg);
+    choices.play = !options.timeS;
+    request.show.timeS = options.timeS.value_or(0.0);
+    request.show.scene = path;
+    validate(app::settingsFor(choices, options.scene.size));
+    Settings sky;
+    options.sky.applyTo(sky);
+    // Before a window opens, what is wrong in the options should be known.
+    const std::string& camera = options.scene.camera;
+    if (camera.find('=') != std::string::npos) cameraFromText(camera, {});
+    lightFromText(options.scene.light, {});
+    readFileFromDisk(path);
+
+    request.title = "vct: " + std::filesystem::path(path).filename().string();
+    request.size = options.scene.size;
+    app::Surroundings& desktop = request.surroundings;
+    desktop.backend = "window";
+    desktop.folder = "vct-view";
+    desktop.shaders = shaders();
+    desktop.findScenes = [path] { return scenesBeside(path); };
+    desktop.readScene = [](const SceneFile&, const std::atomic<bool>& cancelled) -> ReadFile {
+        return [&cancelled](const std::string& file) {
+            if (cancelled) throw Error("loading was cancelled");
+            return readFileFromDisk(file);
+        };
+    };
+    desktop.keepScreenOn = [](bool) {};
+    // Camera, light and grid are of the scene that is named; others of the folder come with their own.
+    desktop.lookOf = [&options, sky](const Scene& scene, double aspect) {
+        const bool named = scene.path == options.scene.path;
+        const std::string light = named ? options.scene.light : "";
+        app::Look look;
+        if (named && !options.scene.camera.empty()) {
+            look.camera = cameraFromText(options.scene.camera, scene, aspect);
+            look.camera->aspectRatio = aspect;  // to which it was fitted
+        }
+        Settings settings = sky;
+        look.light = lightFromText(light, scene);
+        options.sky.lightScene(scene, light, look.light, settings);
+        look.skyRadiance = settings.skyRadiance;
+        look.environment = settings.environment;
+        if (options.exposure != "auto") look.exposure = std::stof(options.exposure);
+        if (named && (options.scene.grid || options.scene.voxelSize)) {
+            Settings fitted = options.scene.settings(options.preset);
+            options.scene.fitGrid(fitted, scene, {});
+            look.grid = fitted.grid;
+        }
+        return look;
+    };
+    request.save = [&options](const app::Viewer::Seen& seen, const app::Choices& now) {
+        save(seen, now, options);
+    };
+    return desktop::runWindow(std::move(request));
+}
+#else
+bool view(const ViewOptions&) {
+    throw Error(
+        "this vct was built without GLFW, so it opens no window; install libglfw3-dev (scripts/setup.sh "
+        "does) and "
+        "build again");
+}
+#endif
+
+}  // namespace
+
+void addView(CLI::App& app, int& exitCode) {
+    CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window, to walk through");
+    const auto options = std::make_shared<ViewOptions>();
+    options->scene.size = {800, 600};
+    options->scene.addWithoutBackendTo(*command)->required();
+    command->add_option("--mode", options->mode, "As for render, one")->capture_default_str();
+    command->add_option("--preset", options->preset, "Set of settings: " + presetList())
+        ->capture_default_str();
+    command->add_option("--cone-angle", options->coneAngleDeg,
+                        "The sun's full angle for mode 5 in degrees (default: the preset's)");
+    command
+        ->add_option("--time", options->timeS,
+                     "Where the scene's animation stands still, in seconds (default: it plays)")
+        ->check(CLI::Range(0.0, 1e6));
+    command->add_option("--exposure", options->exposure, "A factor, or auto, by the scene's first picture")
+        ->check([](const std::string& text) { return text == "auto" ? std::string() : positive(text); })
+        ->capture_default_str();
+    options->sky.addTo(*command);
+#ifdef VCT_HAS_GLFW
+    command->footer(std::string(desktop::windowKeys) + "\nExample:\n  vct view assets/courtyard.glb");
+#endif
+    command->callback([options, &exitCode] {
+        if (!view(*options)) exitCode = 1;
+    });
+}
+
+}  // namespace cli
+}  // namespace vct

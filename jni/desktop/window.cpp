@@ -1,0 +1,239 @@
+#include "desktop/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/error.h"
+#include "engine/settings.h"
+
+namespace vct::desktop {
+
+const char* const windowKeys =
+    "Mouse: drag to turn the view (a double click resets it), drag with the middle button to shift it, the "
+    "wheel moves nearer and farther, drag with the right button to turn the light.\n"
+    "Keys: W A S D, Q and E walk, go down and up (with Shift faster); 1 to 5 choose the mode, Tab the next "
+    "preset, N and B the next scene of the folder and the one before; Space stops and plays the animation; T "
+    "times the steps; H hides the panel; R resets view and light; P saves the picture as vct-view-N.png and "
+    "prints the `vct render` line that repeats it; Escape closes.";
+
+namespace {
+
+constexpr double walkShareOfSceneAndSecond = 0.15;
+constexpr float lightDegPerPixel = 0.4F;
+
+std::string glfwProblem;  // the last one
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "is not set" : std::string("is '") + value + "'";
+}
+
+// GLFW's, from here to the end of the program's window.
+struct Glfw {
+    Glfw() {
+        glfwSetErrorCallback([](int, const char* text) { glfwProblem = text; });
+        if (glfwInit() == GLFW_FALSE)
+            throw Error("no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
+                        "); run it on a desktop, or set DISPLAY to one that this user may use; `vct render` "
+                        "needs none");
+    }
+    ~Glfw() { glfwTerminate(); }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+};
+
+class Window {
+  public:
+    explicit Window(WindowRequest request) : request_(std::move(request)) {
+        glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, VCT_GL_DEBUG);
+        glfwWindowHint(GLFW_DEPTH_BITS, 0);
+        glfwWindowHint(GLFW_STENCIL_BITS, 0);
+        for (int minor = 2; minor >= 1 && window_ == nullptr; --minor) {
+            glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+            window_ =
+                glfwCreateWindow(request_.size.x, request_.size.y, request_.title.c_str(), nullptr, nullptr);
+        }
+        if (window_ == nullptr)
+            throw Error("there is no window with OpenGL ES 3.1: " + glfwProblem +
+                        "; `vct info` says what the driver has, and LIBGL_ALWAYS_SOFTWARE=1 takes Mesa's "
+                        "software driver");
+        glfwMakeContextCurrent(window_);
+        float scale = 1.0F;
+        glfwGetWindowContentScale(window_, &scale, nullptr);
+        request_.surroundings.pixelsPerDp = std::max(scale, 1.0F);
+        viewer_.emplace(request_.surroundings, request_.show);
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE);  // a key that was let go since the last frame
+        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+            if (action == GLFW_PRESS) of(window).press(key);
+        });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int) {
+            of(window).click(button, action == GLFW_PRESS);
+        });
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+            of(window).move(of(window).inPixels(x, y));
+        });
+        glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).pinch(y); });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
+            if (focused == GLFW_FALSE) of(window).viewer_->cancelTouch();
+        });
+    }
+    ~Window() {
+        viewer_.reset();  // in its context
+        if (window_ != nullptr) glfwDestroyWindow(window_);
+    }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    bool run() {
+        while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+            glfwPollEvents();
+            const glm::ivec2 size = pixels();
+            if (size.x <= 0 || size.y <= 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) {
+                glfwWaitEvents();
+                viewer_->resume();
+                continue;
+            }
+            walk();
+            viewer_->draw(size, {0, 0, size});
+            if (save_) save();
+            glfwSwapBuffers(window_);
+            viewer_->shown();
+            if (viewer_->hasNothingToShow()) return false;
+        }
+        return true;
+    }
+
+  private:
+    static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+    glm::ivec2 pixels() const {
+        glm::ivec2 size(0);
+        glfwGetFramebufferSize(window_, &size.x, &size.y);
+        return size;
+    }
+
+    // Of an event, and not where the cursor is by now.
+    glm::vec2 inPixels(double x, double y) const {
+        glm::ivec2 window(1);
+        glfwGetWindowSize(window_, &window.x, &window.y);
+        return glm::vec2(glm::dvec2(x, y) * glm::dvec2(pixels()) / glm::dvec2(glm::max(window, 1)));
+    }
+
+    // So many fingers, side by side around a place.
+    void fingers(int count, const glm::vec2& at, float apart = 100.0F) {
+        std::vector<app::TouchPoint> points;
+        for (int i = 0; i < count; ++i)
+            points.push_back({i, at + glm::vec2(count == 1 ? 0.0F : (i == 0 ? -apart : apart), 0.0F)});
+        viewer_->finger(points, glfwGetTime());
+    }
+
+    void click(int button, bool down) {
+        if (down ? held_ != -1 : held_ != button) return;
+        held_ = down ? button : -1;
+        if (button == GLFW_MOUSE_BUTTON_LEFT) fingers(down ? 1 : 0, cursor_);
+        // Two fingers are no hand for the display.
+        if (button != GLFW_MOUSE_BUTTON_LEFT && down && viewer_->displayCovers(cursor_)) held_ = -1;
+        if (button == GLFW_MOUSE_BUTTON_MIDDLE && (held_ != -1 || !down)) fingers(down ? 2 : 0, cursor_);
+    }
+
+    void move(const glm::vec2& to) {
+        if (held_ == GLFW_MOUSE_BUTTON_LEFT) fingers(1, to);
+        if (held_ == GLFW_MOUSE_BUTTON_MIDDLE) fingers(2, to);
+        if (held_ == GLFW_MOUSE_BUTTON_RIGHT)
+            viewer_->turnLight(lightDegPerPixel * glm::vec2(to.x - cursor_.x, cursor_.y - to.y));
+        cursor_ = to;
+    }
+
+    void pinch(double clicks) {
+        if (held_ != -1 || viewer_->displayCovers(cursor_)) return;
+        fingers(2, cursor_);
+        fingers(2, cursor_, 100.0F * std::pow(1.1F, static_cast<float>(clicks)));
+        fingers(0, cursor_);
+    }
+
+    void press(int key) {
+        app::Choices& choices = viewer_->choices();
+        const std::vector<std::string>& presets = presetNames();
+        if (key >= GLFW_KEY_1 && key <= GLFW_KEY_5)
+            choices.mode = allModes().at(static_cast<std::size_t>(key - GLFW_KEY_1));
+        switch (key) {
+            case GLFW_KEY_TAB: {
+                const auto at =
+                    std::find(presets.begin(), presets.end(), choices.preset) - presets.begin() + 1;
+                app::choosePreset(choices, presets[static_cast<std::size_t>(at) % presets.size()]);
+                break;
+            }
+            case GLFW_KEY_N:
+                return viewer_->showOtherScene(1);
+            case GLFW_KEY_B:
+                return viewer_->showOtherScene(-1);
+            case GLFW_KEY_SPACE:
+                choices.play = !choices.play;
+                break;
+            case GLFW_KEY_T:
+                choices.timeSteps = !choices.timeSteps;
+                break;
+            case GLFW_KEY_H:
+                return viewer_->toggleDisplay();
+            case GLFW_KEY_R:
+                return viewer_->reset();
+            case GLFW_KEY_P:
+                save_ = true;
+                break;
+            case GLFW_KEY_ESCAPE:
+                glfwSetWindowShouldClose(window_, GLFW_TRUE);
+                break;
+            default:
+                break;
+        }
+    }
+
+    void walk() {
+        const double now = glfwGetTime();
+        const double passedS = std::min(now - lastWalkS_, 0.2);  // a slow frame is no leap through a wall
+        lastWalkS_ = now;
+        const auto along = [&](int forth, int back) {
+            return (glfwGetKey(window_, forth) == GLFW_PRESS ? 1.0 : 0.0) -
+                   (glfwGetKey(window_, back) == GLFW_PRESS ? 1.0 : 0.0);
+        };
+        const glm::dvec3 way(along(GLFW_KEY_D, GLFW_KEY_A), along(GLFW_KEY_E, GLFW_KEY_Q),
+                             along(GLFW_KEY_S, GLFW_KEY_W));
+        const double speed = glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ? 4.0 : 1.0;
+        if (way != glm::dvec3(0.0)) viewer_->walk(speed * walkShareOfSceneAndSecond * passedS * way);
+    }
+
+    void save() {
+        save_ = false;
+        try {
+            if (const std::optional<app::Viewer::Seen> seen = viewer_->seen())
+                request_.save(*seen, viewer_->choices());
+        } catch (const Error& error) {
+            viewer_->fail(error.what());
+        }
+    }
+
+    WindowRequest request_;
+    GLFWwindow* window_ = nullptr;
+    std::optional<app::Viewer> viewer_;
+    int held_ = -1;  // the mouse's button
+    glm::vec2 cursor_{0.0F};
+    bool save_ = false;
+    double lastWalkS_ = 0.0;
+};
+
+}  // namespace
+
+bool runWindow(WindowRequest request) {
+    const Glfw glfw;
+    return Window(std::move(request)).run();
+}
+
+}  // namespace vct::desktop

@@ -1,0 +1,189 @@
+// Views of scenes without a camera.
+#include "scene/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "lab/options.h"
+#include "scene/camera.h"
+#include "scene/gltf.h"
+#include "support/gltf_builder.h"
+#include "support/moving_scenes.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+Scene moved(Scene scene, const glm::dmat4& matrix) {
+    for (Instance& instance : scene.instances)
+        instance.worldFromObject = matrix * instance.worldFromObject;
+    return finished(std::move(scene));
+}
+
+Scene boxOf(const glm::dvec3& sides) {
+    Scene scene = emptyScene();
+    addBox(scene, sides);
+    return finished(std::move(scene));
+}
+
+// A room of 2 x 2 x 2 m with a box on its floor, of which the first walls are there: floor, ceiling, left,
+// right, back, front.
+Scene roomWithABox(std::size_t walls = 6) {
+    Scene scene = closedBox(0.0);
+    scene.instances.resize(walls);
+    addBox(scene, {0.5, 0.6, 0.5}, {0.3, -0.7, -0.4});
+    return finished(std::move(scene));
+}
+
+bool isInside(const Scene& scene, const Camera& camera) {
+    const glm::dvec3 eye(camera.worldFromCamera[3]);
+    return glm::all(glm::greaterThan(eye, scene.boundsWorld.min)) &&
+           glm::all(glm::lessThan(eye, scene.boundsWorld.max));
+}
+
+// Around all vertices, in the picture.
+Bounds inThePicture(const Scene& scene, const Camera& camera, double aspect) {
+    const glm::dmat4 clip = clipFromWorld(camera, scene.boundsWorld, aspect);
+    Bounds seen = noBounds;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        for (const Vertex& vertex : mesh.vertices) {
+            const glm::dvec4 p =
+                clip * instance.worldFromObject * glm::dvec4(mesh.centre + glm::dvec3(vertex.position), 1.0);
+            EXPECT_GT(p.w, 0.0);
+            seen.include(glm::dvec3(p) / p.w);
+        }
+    }
+    return seen;
+}
+
+TEST(FrameScene, FillsThePictureWhateverItsShapeAndSize) {
+    for (const glm::dvec3& sides : {glm::dvec3(1, 1, 1), glm::dvec3(0.2, 6, 0.2), glm::dvec3(6, 0.1, 4)}) {
+        for (const double size : {1e-3, 1.0, 1e4}) {
+            for (const double aspect : {0.3, 1.0, 16.0 / 9.0, 5.0}) {
+                for (const double far : {0.0, 1e3}) {
+                    const Scene scene =
+                        moved(boxOf(sides), glm::translate(glm::dmat4(1.0), glm::dvec3(far * size)) *
+                                                glm::scale(glm::dmat4(1.0), glm::dvec3(size)));
+                    const std::string what = std::to_string(sides.x) + " x " + std::to_string(sides.y) +
+                                             ", times " + std::to_string(size) + ", " +
+                                             std::to_string(aspect) + ", " + std::to_string(far);
+                    const Bounds seen = inThePicture(scene, frameScene(scene, aspect), aspect);
+                    EXPECT_LE(seen.max.x, 1.0) << what;
+                    EXPECT_LE(seen.max.y, 1.0) << what;
+                    EXPECT_LE(seen.max.z, 1.0) << what;
+                    EXPECT_GE(seen.min.x, -1.0) << what;
+                    EXPECT_GE(seen.min.y, -1.0) << what;
+                    EXPECT_GE(seen.min.z, -1.0) << what;
+                    // And touches two opposite edges, but for the margin.
+                    const glm::dvec2 reach = glm::min(glm::dvec2(seen.max), -glm::dvec2(seen.min));
+                    EXPECT_GT(std::max(reach.x, reach.y), 0.92) << what;
+                }
+            }
+        }
+    }
+}
+
+TEST(FrameScene, IsFromTheFrontAndAboveALittleToTheRight) {
+    const Scene scene = boxOf({2, 1, 3});
+    const glm::dvec3 back(frameScene(scene, 1.0).worldFromCamera[2]);
+    EXPECT_GT(back.z, 0.8);
+    EXPECT_GT(back.y, 0.3);
+    EXPECT_GT(back.x, 0.1);
+}
+
+TEST(FrameScene, ItsOptionGivesExactlyTheSameCamera) {
+    for (const Scene& scene :
+         {boxOf({2, 1, 3}), moved(boxOf({2, 1, 3}), glm::scale(glm::dmat4(1.0), glm::dvec3(1e-3))),
+          moved(boxOf({7, 1, 3}), glm::translate(glm::dmat4(1.0), glm::dvec3(1e5))), roomWithABox()}) {
+        const Camera framed = frameScene(scene, 1.3);
+        const std::string option = cameraOption(framed, scene.boundsWorld);
+        const Camera typed = cameraFromText(option, scene, 1.3);
+        EXPECT_EQ(typed.worldFromCamera, framed.worldFromCamera) << option;
+        EXPECT_EQ(typed.verticalFovRad, framed.verticalFovRad) << option;
+        EXPECT_EQ(typed.nearest, framed.nearest) << option;
+        EXPECT_LT(option.size(), 90U) << option;
+    }
+}
+
+TEST(FrameScene, ASheetIsSeenFromTheSideThatItFaces) {
+    const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    for (const glm::dvec3& normal : {x, y, z, -x, -y, -z}) {
+        const glm::dvec3 u = std::abs(normal.y) > 0.5 ? z : y;
+        Scene scene = emptyScene();
+        addQuad(scene, {4, 5, 6}, u, glm::cross(normal, u));
+        scene = finished(std::move(scene));
+        const glm::dvec3 back(frameScene(scene, 1.0).worldFromCamera[2]);
+        EXPECT_GT(glm::dot(back, normal), 0.35) << normal.x << " " << normal.y << " " << normal.z;
+    }
+}
+
+TEST(FrameScene, AnEmptyOneHasAViewToo) {
+    EXPECT_TRUE(std::isfinite(frameScene(emptyScene(), 1.0).worldFromCamera[3].z));
+}
+
+TEST(FrameScene, WhatMovesIsSeenWhereverItGoes) {
+    GltfBuilder builder = openFloor();
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    builder.animate(static_cast<int>(builder.document["nodes"].size()) - 1, "translation", {0, 1},
+                    {0, 0.5F, 0, 0, 9, 0});
+    Scene scene = load(builder);
+    scene.cameras.clear();
+    EXPECT_GT(scene.boundsWorld.max.y, 2.5);
+    const glm::dmat4 clip = clipFromWorld(frameScene(scene, 1.0), scene.boundsWorld, 1.0);
+    for (const glm::dvec3& corner : cornersOf(scene.boundsWorld)) {
+        const glm::dvec4 p = clip * glm::dvec4(corner, 1.0);
+        EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), p.w);
+    }
+}
+
+TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
+    const Scene inwards = roomWithABox();
+    EXPECT_TRUE(isInside(inwards, frameScene(inwards, 1.0)));
+    Scene doubleSided = roomWithABox();
+    doubleSided.materials[0].doubleSided = true;
+    EXPECT_TRUE(isInside(doubleSided, frameScene(doubleSided, 1.0)));
+    Scene outwards = emptyScene();  // its walls are seen from inside as they have two sides
+    outwards.materials[0].doubleSided = true;
+    addBox(outwards, {4, 3, 4});
+    addBox(outwards, {0.5, 0.6, 0.5}, {0.3, -1.2, -0.4});
+    outwards = finished(std::move(outwards));
+    EXPECT_TRUE(isInside(outwards, frameScene(outwards, 1.0)));
+    Scene thick = roomWithABox();
+    addBox(thick, {2.2, 2.2, 2.2});
+    thick = finished(std::move(thick));
+    EXPECT_TRUE(isInside(thick, frameScene(thick, 1.0)));
+    for (const double size : {1e-3, 1e4}) {
+        const Scene scaled = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(size)));
+        EXPECT_TRUE(isInside(scaled, frameScene(scaled, 1.0))) << size;
+    }
+}
+
+// From a wall or a corner, along the room.
+TEST(FrameRoom, LooksAlongTheRoom) {
+    const Scene room = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, 4)));
+    const Camera camera = frameScene(room, 1.0);
+    EXPECT_GT(std::abs(camera.worldFromCamera[2].z), 0.9);
+    EXPECT_GT(camera.worldFromCamera[3].z * camera.worldFromCamera[2].z, 2.0) << "the long way is before it";
+    EXPECT_LT(std::abs(camera.worldFromCamera[2].y), 0.2);
+}
+
+TEST(FrameRoom, AnOpenOneAndAThingAreSeenFromOutside) {
+    const Scene open = roomWithABox(5);
+    const Camera camera = frameScene(open, 1.0);
+    EXPECT_FALSE(isInside(open, camera));
+    EXPECT_GT(camera.worldFromCamera[3].z, 1.0) << "through the front";
+    for (const bool doubleSided : {false, true}) {
+        Scene crate = boxOf({2, 2, 2});
+        crate.materials[0].doubleSided = doubleSided;
+        EXPECT_FALSE(isInside(crate, frameScene(crate, 1.0))) << doubleSided;
+    }
+    Scene bottle = emptyScene();  // an outside and an inside, and nothing in it
+    addBox(bottle, {2, 4, 2});
+    addBox(bottle, {-1.9, -3.9, -1.9});
+    EXPECT_FALSE(isInside(finished(bottle), frameScene(finished(bottle), 1.0)));
+}
+
+}  // namespace
+}  // namespace vct::test

@@ -1,0 +1,286 @@
+"""`vct view` in a window of a virtual X server: real keys, real mouse, and what is on the screen."""
+import ctypes
+import os
+import re
+import shlex
+import shutil
+import struct
+import subprocess
+import time
+
+import numpy as np
+import PIL.Image
+import pytest
+
+WAIT_S = 60
+
+
+def wait_for(what, condition, seconds=WAIT_S):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        found = condition()
+        if found:
+            return found
+        time.sleep(0.05)
+    raise AssertionError(f"waited {seconds} s for {what}")
+
+
+@pytest.fixture(scope="module")
+def display(tmp_path_factory):
+    """An X server of its own, which keeps its screen in a file."""
+    missing = [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
+    if missing:
+        pytest.skip(f"a window needs {' and '.join(missing)}: install the packages xvfb and xdotool (scripts/setup.sh)")
+    folder = tmp_path_factory.mktemp("screen")
+    reading, writing = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "900x700x24", "-fbdir", folder, "-nolisten", "tcp"],
+                              pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    with os.fdopen(reading) as pipe:
+        number = pipe.readline().strip()  # once it takes connections
+    assert number, "the X server ended"
+    yield f":{number}", folder / "Xvfb_screen0"
+    server.terminate()
+    server.wait()
+
+
+class View:
+    """One run of `vct view`, from its window to its end."""
+
+    def __init__(self, program, display, folder, *arguments):
+        self.folder, self.screen_file = folder, display[1]
+        self.environment = {**os.environ, "DISPLAY": display[0]}
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.out, self.err = folder / "out.txt", folder / "err.txt"
+        with self.out.open("w") as out, self.err.open("w") as err:
+            self.process = subprocess.Popen([program, "view", *map(str, arguments)], cwd=folder, env=self.environment,
+                                            stdout=out, stderr=err)
+        self.window = wait_for("a window", self._find)
+        wait_for("a scene", lambda: " triangles" in self.err.read_text())
+        self.xdotool("windowmove", self.window, 0, 0, "mousemove", 400, 300)
+        time.sleep(1.5)  # until what surfaces receive stands still
+
+    def _find(self):
+        assert self.process.poll() is None, self.err.read_text()
+        return self.xdotool("search", "--pid", self.process.pid, "--name", "vct: ", check=False).split()[-1:]
+
+    def xdotool(self, *arguments, check=True):
+        words = [w for a in arguments for w in (a if isinstance(a, list) else [a])]
+        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, capture_output=True, text=True, check=False)
+        assert not check or done.returncode == 0, done.stderr
+        return done.stdout
+
+    def do(self, *arguments):
+        self.xdotool(*arguments)
+        time.sleep(0.4)
+
+    def drag(self, button, right, down):
+        self.do("mousemove", 400, 300, "mousedown", button, "mousemove_relative", "--", right // 2, down // 2,
+                "mousemove_relative", "--", right - right // 2, down - down // 2, "mouseup", button)
+
+    def save(self):
+        """What it prints and saves of what is seen: the options, and the picture."""
+        lines = self.out.read_text().count("\n")
+        files = set(self.folder.glob("vct-view-*.png"))
+        time.sleep(1.5)
+        self.xdotool("key", "p")
+        wait_for("a line", lambda: self.out.read_text().count("\n") > lines)
+        wait_for("a picture", lambda: self.err.read_text().count("saved vct-view-") > len(files))
+        new = set(self.folder.glob("vct-view-*.png")) - files
+        assert len(new) == 1
+        words = shlex.split(self.out.read_text().splitlines()[-1])
+        assert words[:2] == ["vct", "render"]
+        options = dict(zip(words[3::2], words[4::2]))
+        return words, options, np.asarray(PIL.Image.open(new.pop()).convert("RGB")).astype(int)
+
+    def screen(self, width, height):
+        data = self.screen_file.read_bytes()  # X's window dump
+        head = struct.unpack(">25I", data[:100])
+        row, first = head[12], head[0] + 12 * head[19]
+        pixels = np.frombuffer(data, np.uint8, row * head[5], first).reshape(head[5], -1, 4)
+        return pixels[:height, :width, 2::-1].astype(int)
+
+    def close(self, *arguments):
+        self.xdotool(*arguments)
+        assert self.process.wait(20) == 0, self.err.read_text()
+        assert "error" not in self.err.read_text()
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+@pytest.fixture
+def view(program, display, tmp_path):
+    if "built without GLFW" in subprocess.run([program, "view", "x.glb"], capture_output=True, text=True, check=False).stderr:
+        pytest.skip("this vct was built without GLFW: install libglfw3-dev and build again")
+    views = []
+
+    def start(*arguments):
+        views.append(View(program, display, tmp_path, *arguments))
+        return views[-1]
+    yield start
+    for one in views:
+        one.end()
+
+
+def rendered(program, words, folder):
+    """The picture of the line that was printed."""
+    words[words.index("--out") + 1] = str(folder / "rendered")
+    done = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    picture = folder / "rendered" / (words[words.index("--mode") + 1] + ".png")
+    return np.asarray(PIL.Image.open(picture).convert("RGB")).astype(int)
+
+
+def difference(a, b):
+    """Mean of 8-bit values; and shapes must be the same."""
+    assert a.shape == b.shape
+    return np.abs(a - b).mean()
+
+
+def test_what_is_seen_is_what_the_printed_line_renders(view, program, root, tmp_path):
+    window = view(root / "assets/courtyard.glb", "--size", "480x360")
+    window.do("key", "h")  # the panel goes, but for its button
+    _, start, first = window.save()
+    assert (tmp_path / "vct-view-1.png").is_file()
+    window.drag(1, 60, -20)
+    window.do("click", 4)
+    window.drag(2, -30, 20)
+    words, options, turned = window.save()
+    assert (tmp_path / "vct-view-2.png").is_file(), "nothing is overwritten"
+    assert options["--camera"] != start["--camera"]
+    assert difference(first, turned) > 5
+    again = rendered(program, words, tmp_path)
+    assert difference(turned, again) < 0.5
+    # The window itself, below the panel's button; the cursor may be in it.
+    shown = window.screen(480, 360)[60:]
+    assert difference(shown, turned[60:]) < 0.5
+    window.close("key", "Escape")
+
+
+def test_a_scene_without_a_camera_and_a_window_upright(view, program, maker, tmp_path):
+    maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), maker.grey(0.6))
+    maker.quad((-1, 0, -1), (2, 0, 0), (0, 1.5, 0), maker.glb.material("red", (0.8, 0.2, 0.1)))
+    maker.path.write_bytes(maker.glb.to_bytes())
+    window = view(maker.path, "--size", "200x320", "--preset", "thesis", "--grid", "64", "--mode", "gi")
+    words, options, picture = window.save()
+    assert picture.shape == (320, 200, 3)
+    assert f"seen by --camera {options['--camera']}\n" in window.err.read_text()
+    assert difference(picture, rendered(program, words, tmp_path)) < 0.5
+    window.close("key", "Escape")
+
+
+def test_keys_and_the_right_button(view, root, tmp_path):
+    for name in ("cornell", "moving"):
+        shutil.copy(root / f"assets/{name}.glb", tmp_path)
+    window = view("moving.glb", "--size", "480x360", "--preset", "quality", "--grid", "64", "--mode", "phong", "--time", "1.5")
+    _, options, first = window.save()
+    assert (options["--preset"], options["--mode"], options["--grid"], options["--time"]) == ("quality", "phong", "64", "1.5")
+    window.do("key", "4")
+    window.do("key", "Tab")
+    window.drag(3, 80, 40)
+    window.do("keydown", "w")
+    window.do("keyup", "w")
+    _, changed, picture = window.save()
+    assert (changed["--preset"], changed["--mode"]) == ("thesis", "gi")  # the first after the last
+    assert changed["--light"] != options["--light"]
+    assert changed["--time"] == "1.5"
+    assert changed["--camera"] != options["--camera"]
+    assert difference(first, picture) > 2
+    window.do("key", "r")
+    window.do("key", "space")
+    _, reset, _ = window.save()
+    assert (reset["--light"], reset["--camera"]) == (options["--light"], options["--camera"])
+    assert reset["--time"] != "1.5", "it plays"
+    window.do("key", "n")
+    wait_for("the other scene", lambda: "cornell.glb: " in window.err.read_text())
+    words, _, _ = window.save()
+    assert words[2].endswith("cornell.glb")
+    window.close("key", "Escape")
+
+
+def test_the_panel_is_the_apps(view, root):
+    window = view(root / "assets/cornell.glb", "--size", "480x600", "--mode", "phong")
+    _, options, _ = window.save()
+    window.do("mousemove", 147, 386,  # the handle of "light from"
+              "mousedown", 1, "mousemove_relative", "--", 20, 0)
+    window.do("mousemove_relative", "--", 20, 0, "mouseup", 1)
+    _, turned, _ = window.save()
+    assert turned["--light"] != options["--light"]
+    assert turned["--camera"] == options["--camera"], "the finger was the panel's"
+    window.do("mousemove", 25, 22)
+    before = window.screen(480, 600)
+    window.do("click", 1)  # "Hide"
+    time.sleep(1)
+    assert difference(before[100:300, 10:300], window.screen(480, 600)[100:300, 10:300]) > 10
+    window.close("key", "Escape")
+
+
+def send_close(display, window):
+    """What the window's button sends."""
+    x = ctypes.CDLL("libX11.so.6")
+    x.XOpenDisplay.restype = ctypes.c_void_p
+    for function in (x.XInternAtom, x.XSendEvent, x.XCloseDisplay):
+        function.argtypes = None
+    connection = ctypes.c_void_p(x.XOpenDisplay(display.encode()))
+    x.XInternAtom.restype = ctypes.c_ulong
+    event = (ctypes.c_long * 24)()
+    atom = [x.XInternAtom(connection, name, 0) for name in (b"WM_PROTOCOLS", b"WM_DELETE_WINDOW")]
+    # XClientMessageEvent: type, serial, send_event, display, window, message_type, format, data
+    event[0], event[4], event[5], event[6], event[7] = 33, window, atom[0], 32, atom[1]
+    assert x.XSendEvent(connection, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+    x.XCloseDisplay(connection)
+
+
+def test_sizes_and_the_windows_own_button(view, root, display):
+    window = view(root / "assets/cornell.glb", "--size", "300x200", "--mode", "phong")
+    for width, height in ((640, 240), (1, 1), (64, 400), (300, 300)):
+        window.do("windowsize", window.window, width, height)
+        assert window.process.poll() is None, window.err.read_text()
+    _, options, picture = window.save()
+    assert options["--size"] == "300x300" and picture.shape == (300, 300, 3)
+    window.do("windowunmap", window.window)
+    window.do("windowmap", window.window)
+    window.do("windowminimize", window.window)
+    window.do("windowmap", window.window)
+    assert window.process.poll() is None, window.err.read_text()
+    send_close(display[0], int(window.window[0]))
+    assert window.process.wait(20) == 0, window.err.read_text()
+    assert "error" not in window.err.read_text()
+
+
+@pytest.mark.parametrize("value", [None, "", ":4321", "nonsense"])
+def test_without_a_display_it_says_why_and_what_to_do(program, root, value):
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    if value is not None:
+        environment["DISPLAY"] = value
+    done = subprocess.run([program, "view", root / "assets/cornell.glb"], env=environment, capture_output=True, text=True,
+                          timeout=60, check=False)
+    assert done.returncode == 1
+    assert re.fullmatch(r"vct: error: .*(no window can be opened: .*DISPLAY|built without GLFW).*\n", done.stderr), done.stderr
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["missing.glb"], "no such file"),
+    (["assets/cornell.glb", "--mode", "all"], "name one"),
+    (["assets/cornell.glb", "--camera", "target=1,2,3"], "has no eye"),
+    (["assets/cornell.glb", "--light", "direction=0,0,0"], "must not be 0,0,0"),
+    (["assets/cornell.glb", "--preset", "best"], "thesis, mobile"),
+    (["assets/cornell.glb", "--sky", "blue"], "'blue' is not a number"),
+])
+def test_what_cannot_be_shown_is_said_before_a_window_opens(program, root, arguments, words):
+    done = subprocess.run([program, "view", *arguments], cwd=root, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 1
+    if "built without GLFW" not in done.stderr:
+        assert words in done.stderr
+
+
+def test_a_scene_that_cannot_be_loaded_is_an_error(program, display, tmp_path):
+    (tmp_path / "broken.glb").write_bytes(b"glTF\2\0\0\0")
+    done = subprocess.run([program, "view", "broken.glb"], cwd=tmp_path, env={**os.environ, "DISPLAY": display[0]},
+                          capture_output=True, text=True, timeout=60, check=False)
+    if "built without GLFW" in done.stderr:
+        pytest.skip("this vct was built without GLFW")
+    assert done.returncode == 1 and done.stderr.count("error: ") == 1 and "broken.glb" in done.stderr, done.stderr
