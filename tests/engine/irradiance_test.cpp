@@ -160,8 +160,8 @@ TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     EXPECT_GE(foot.min, 0.6);
 }
 
-// A closed box whose inside has radiance 1: the right answer is 1 everywhere. Slanted walls shine too little from
-// the front (shaders/directional/light_shine.comp).
+// A closed box whose inside has radiance 1: the right answer is 1 everywhere. Slanted walls shine too little
+// from the front (shaders/directional/light_shine.comp).
 TEST(Gather, WhiteFurnaceIsOne) {
     const Context context = openContext(Backend::egl);
     for (const double turnDeg : {0.0, 30.0}) {
@@ -298,7 +298,8 @@ TEST(Gather, ALampRightUnderACeilingSendsAllItsLight) {
         scene = finished(std::move(scene));
         FrameInspector frame(context, scene, noLight(), mobileAt(16), lookAt({0, 0.5, 0}, {0, 0, 0.01}, 40));
         for (const auto& [entry, face] : frame.received(true))
-            if (shared::unpackFace(entry) == 2) received[ceiling ? 1 : 0] += face.coverage * face.light.g * frame.radianceRange();
+            if (shared::unpackFace(entry) == 2)
+                received[ceiling ? 1 : 0] += face.coverage * face.light.g * frame.radianceRange();
     }
     // Cones that pass the lamp's edge meet the ceiling, or nothing.
     EXPECT_NEAR(received[1] / received[0], 1.0, 0.1);
