@@ -111,7 +111,8 @@ SurfacePlane facePlane(uint slot, int face) {
 // Whether the face's surface, of that plane, is one side of a sheet or a thin plate. (Two walls of an edge look to opposite sides
 // too, but not against each other.)
 bool hasBack(uint slot, int face, SurfacePlane plane) {
-    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) && dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
+    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) &&
+           dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
 }
 
 // A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of

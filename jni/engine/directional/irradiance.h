@@ -53,6 +53,7 @@ class Irradiance {
     // What each face received, in the order of the base level's list of faces:
     // shaders/directional/received.glsl.
     const gl::Buffer& received() const { return received_; }
+    // Of each face in received(): two more where the scene has lamps.
     std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
 
