@@ -29,10 +29,11 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (!occlusion && !showsIndirectLight(inputs.picture)) return light;
     Irradiance& received = irradiance(occlusion ? GatherOf::occlusion : GatherOf::light, inputs.scene);
     if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) received.forget();
-    timer.time(Step::irradiance, [&] {
-        for (int i = 0; i < inputs.lightSteps && !received.settled(); ++i)
-            received.step(voxels_, mipmapper_, inputs.allBounces);
-    });
+    if (!received.settled())
+        timer.time(Step::irradiance, [&] {
+            for (int i = 0; i < inputs.lightSteps && !received.settled(); ++i)
+                received.step(voxels_, mipmapper_, inputs.allBounces);
+        });
     light.irradiance = received.irradiance();
     light.bricks = received.bricks();
     return light;
