@@ -30,9 +30,9 @@ const std::vector<Sky>& skies();
 const char* skyName(Sky sky);  // "scene", "dark", "plain"
 
 struct Choices {
-    std::string preset = "thesis";
+    std::string preset = defaultPreset;
     Mode mode = Mode::giConeShadow;
-    int grid = 256;  // voxels along a side
+    int grid = presetSettings(preset).grid;  // voxels along a side
     float coneAngleDeg = 5.0F;
     int resolution = 2;  // index into resolutions()
     // Where the light comes from: degrees from +Z towards +X, and above the horizon. Empty: as in the scene.

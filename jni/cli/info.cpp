@@ -21,7 +21,7 @@ namespace {
 struct InfoOptions {
     SceneOptions scene;
     bool listDevices = false, printCamera = false;
-    std::string preset = "thesis";
+    std::string preset = defaultPreset;
     std::string mode = "gi-cone-shadow";
     SkyOption sky;
     int timedFrames = 0;
@@ -34,7 +34,7 @@ constexpr const char* infoFooter =
     "  vct info                     the default driver\n"
     "  vct info --list-devices      the indices that --device takes\n"
     "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
-    "  vct info assets/courtyard.glb --preset mobile --grid auto\n"
+    "  vct info assets/courtyard.glb --grid auto\n"
     "                               what each feature of the scene adds to a frame\n"
     "  vct info my.glb --print-camera --size 640x360\n"
     "                               where it is seen from";

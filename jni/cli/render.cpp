@@ -26,7 +26,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string out, timings, animation;
     std::string mode = "gi-cone-shadow";
-    std::string preset = "thesis";
+    std::string preset = defaultPreset;
     std::string toneMap = "neutral";
     SkyOption sky;
     // Over the preset's, where given.
@@ -240,9 +240,9 @@ constexpr const char* renderFooter =
     "  vct render assets/cornell.glb --out out --mode all --debug-views --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
     "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
-    "  vct render assets/patio.glb --out out --preset mobile --environment assets/patio.hdr --samples 16\n"
-    "  vct render assets/moving.glb --out out --mode gi --preset mobile --time 1.5\n"
-    "  vct render assets/moving.glb --out out --mode gi --preset mobile --frames 96 --fps 24";
+    "  vct render assets/patio.glb --out out --environment assets/patio.hdr --samples 16\n"
+    "  vct render assets/moving.glb --out out --mode gi --time 1.5\n"
+    "  vct render assets/moving.glb --out out --mode gi --frames 96 --fps 24";
 
 }  // namespace
 

@@ -38,7 +38,7 @@ namespace {
 struct ViewOptions {
     SceneOptions scene;
     SkyOption sky;
-    std::string preset = "mobile", mode = "gi-cone-shadow", exposure = "auto";
+    std::string preset = defaultPreset, mode = "gi-cone-shadow", exposure = "auto";
     std::optional<float> coneAngleDeg;
     std::optional<double> timeS;
 };

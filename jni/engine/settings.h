@@ -119,6 +119,8 @@ struct Settings {
 
 const std::vector<int>& allGrids();  // 64, 128, 256, 512
 
+// What a picture is made with where no preset is named: seconds on a CPU, milliseconds on a phone.
+constexpr const char* defaultPreset = "mobile";
 const std::vector<std::string>& presetNames();
 std::string presetList();  // with commas
 // Throws vct::Error listing the presets.

@@ -36,7 +36,7 @@ TEST(Render, EachModeOnceInTheOrderGiven) {
 
 TEST(Render, TellsHowLargeVoxelsAreAndWhatIsSmaller) {
     ProgramRun program;
-    const std::string options = " --size 16x16 --grid 64 --out out --mode phong";
+    const std::string options = " --preset thesis --size 16x16 --grid 64 --out out --mode phong";
     program.expectSuccess(std::string("render ") + ProgramRun::cornell + options);
     expectMentions(program.err, {"\ngrid 64: voxels of 3.39 cm\n"});
     EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;

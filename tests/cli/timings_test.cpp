@@ -17,7 +17,7 @@ constexpr std::size_t frameCount = 5;
 
 std::string renderSmall(const std::string& options) {
     return std::string("render ") + ProgramRun::cornell +
-           " --grid 64 --size 64x64 --out out --timings t.json --revoxelize " + options;
+           " --preset thesis --grid 64 --size 64x64 --out out --timings t.json --revoxelize " + options;
 }
 
 void expectSpread(const json& step) {
