@@ -90,7 +90,7 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
                        "scale it down, or free memory");
         result.rgba = picture.decode(4);
     } catch (const PictureError& error) {
-        file_.fail(what + " cannot be decoded: " + error.what(), "save it again as PNG or JPEG");
+        file_.fail(what + " cannot be decoded: " + asClause(error.what()), "save it again as PNG or JPEG");
     }
     file_.usedBytes -= ofItsOwn.size();  // they go here, and the pixels stay
     return pixels_.emplace(identity, std::move(result)).first->second;
