@@ -31,7 +31,7 @@ target_include_directories(vct_single_headers SYSTEM PUBLIC
 add_library(vct_headers INTERFACE)
 target_include_directories(vct_headers SYSTEM INTERFACE ${glm_SOURCE_DIR})
 add_library(vct_dependencies INTERFACE)
-target_link_libraries(vct_dependencies INTERFACE vct_headers vct_single_headers EGL)
+target_link_libraries(vct_dependencies INTERFACE vct_headers vct_single_headers EGL z)
 
 add_library(vct_imgui STATIC ${imgui_SOURCE_DIR}/imgui.cpp ${imgui_SOURCE_DIR}/imgui_draw.cpp
     ${imgui_SOURCE_DIR}/imgui_tables.cpp ${imgui_SOURCE_DIR}/imgui_widgets.cpp)

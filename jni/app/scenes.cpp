@@ -24,7 +24,8 @@ void Scenes::load(const SceneFile& file) {
     log("loading " + file.path);
     file_ = file;
     loaded_ = std::async(std::launch::async, [this, file] {
-        return std::make_shared<const Scene>(loadGltf(file.path, read_(file, cancelled_)));
+        return std::make_shared<const Scene>(
+            loadGltf(file.path, read_(file, cancelled_), {.allowOutside = file.allowOutside}));
     });
 }
 

@@ -15,9 +15,10 @@ namespace vct::app {
 
 // A scene that can be chosen.
 struct SceneFile {
-    std::string name;      // "cornell.glb"
-    std::string path;      // in the APK, or a file's
-    bool bundled = false;  // in the APK
+    std::string name;           // "cornell.glb"
+    std::string path;           // in the APK, or a file's
+    bool bundled = false;       // in the APK
+    bool allowOutside = false;  // as GltfOptions has it
 };
 
 using FindScenes = std::function<std::vector<SceneFile>()>;

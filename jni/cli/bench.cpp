@@ -36,7 +36,7 @@ void bench(BenchOptions& options) {
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
-    const auto scene = std::make_shared<const Scene>(loadGltf(request.scene));
+    const auto scene = std::make_shared<const Scene>(given.load());
     DirectionalLight light = lightFromText(given.light, *scene);
     Settings sky;
     options.sky.applyTo(sky);

@@ -72,7 +72,7 @@ void printScene(const InfoOptions& options) {
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
-    const Scene scene = loadGltf(options.scene.path);
+    const Scene scene = options.scene.load();
     frame.camera = options.scene.cameraOf(scene);
     frame.light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, frame.light, frame.settings);
@@ -91,7 +91,7 @@ void printScene(const InfoOptions& options) {
 
 // For tools: they need not know how a view is chosen. Without a driver.
 void printCamera(const InfoOptions& options) {
-    const Scene scene = loadGltf(options.scene.path);
+    const Scene scene = options.scene.load();
     const Camera camera = options.scene.cameraOf(scene);
     const auto three = [&](int column) {
         const glm::dvec4& v = camera.worldFromCamera[column];

@@ -9,6 +9,7 @@
 #include "engine/grid_choice.h"
 #include "lab/options.h"
 #include "scene/camera.h"
+#include "scene/gltf.h"
 
 namespace vct::cli {
 
@@ -24,7 +25,7 @@ std::string positive(const std::string& text) {
 
 gl::ReadShader shaders() {
     const char* folder = std::getenv("VCT_SHADER_DIR");
-    return gl::shadersFromFolder(folder != nullptr ? folder : VCT_DEFAULT_SHADER_DIR);
+    return gl::shadersFromFolder(folder != nullptr && *folder != '\0' ? folder : VCT_DEFAULT_SHADER_DIR);
 }
 
 void addSize(CLI::App& command, glm::ivec2& size) {
@@ -54,6 +55,21 @@ Context BackendOption::open() const {
     return context;
 }
 
+CLI::Option* SceneFileOption::addFileTo(CLI::App& command) {
+    CLI::Option* const option = command.add_option("scene", path, "Scene, .gltf or .glb");
+    command
+        .add_flag("--allow-outside", allowOutside,
+                  "Let the scene name buffers and images outside of its folder and those below it (links are "
+                  "resolved first); only for files that you trust")
+        ->needs(option);
+    return option;
+}
+
+Scene SceneFileOption::load(const std::string& animation) const {
+    const Progress progress("loading " + path, Progress::Begin::afterTwoSeconds);
+    return loadGltf(path, readFileFromDisk, {animation, allowOutside});
+}
+
 CLI::Option* SceneOptions::addTo(CLI::App& command) {
     CLI::Option* const sceneOption = addWithoutBackendTo(command);
     backend.addTo(command);
@@ -61,7 +77,7 @@ CLI::Option* SceneOptions::addTo(CLI::App& command) {
 }
 
 CLI::Option* SceneOptions::addWithoutBackendTo(CLI::App& command) {
-    CLI::Option* sceneOption = command.add_option("scene", path, "Scene, .gltf or .glb");
+    CLI::Option* sceneOption = addFileTo(command);
     CLI::Option* gridOption =
         command
             .add_option(

@@ -31,9 +31,19 @@ struct BackendOption {
     Context open() const;
 };
 
+// A glTF file, of the commands that load one.
+struct SceneFileOption {
+    std::string path;
+    bool allowOutside = false;
+
+    CLI::Option* addFileTo(CLI::App& command);  // returns the path's
+    // Says that it is at it where that takes long. `animation` as GltfOptions has it.
+    Scene load(const std::string& animation = "") const;
+};
+
 // A scene, how it is seen, and in which voxels.
-struct SceneOptions {
-    std::string path, camera, light;
+struct SceneOptions : SceneFileOption {
+    std::string camera, light;
     glm::ivec2 size{400, 400};
     std::optional<std::string> grid;  // a number or "auto"
     std::optional<double> voxelSize;  // metres

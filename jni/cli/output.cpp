@@ -1,29 +1,14 @@
 #include "cli/output.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 #include "core/error.h"
+#include "core/files.h"
 
 namespace vct::cli {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// Only an attempt tells: permissions say nothing to root, on a full disk or in /proc. The name is the one
-// that the file is written under before it is renamed.
-int causeNotWritable(const std::string& path) {
-    const std::string probe = path + ".tmp";
-    std::FILE* file = std::fopen(probe.c_str(), "wb");
-    if (file == nullptr) return errno;
-    std::fclose(file);
-    std::remove(probe.c_str());
-    return 0;
-}
-
-}  // namespace
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
@@ -32,10 +17,15 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     };
     std::error_code error;
     if (fs::exists(path, error) && !fs::is_directory(path, error)) fail("it is not a folder");
+    std::vector<fs::path> missing;  // innermost first
     for (fs::path folder = fs::path(path).lexically_normal(); !folder.empty() && !fs::exists(folder, error);
          folder = folder.parent_path())
-        made_.push_back(folder);
-    fs::create_directories(path, error);
+        missing.push_back(folder);
+    // Each before it is made, the outermost first: an interruption may come in between.
+    for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
+        made_.emplace_back(folder->string());
+        fs::create_directory(*folder, error);
+    }
     if (error) fail(error.message());
     if (const int cause = causeNotWritable(file("vct"))) fail(std::strerror(cause));
 }
@@ -46,15 +36,20 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::removeMade() {
     std::error_code ignored;
-    for (const fs::path& folder : made_)
-        fs::remove(folder, ignored);
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+        fs::remove(folder->path(), ignored);
 }
 
 void requireWritableFile(const std::string& path) {
     std::error_code ignored;
-    const int cause = fs::is_directory(path, ignored) ? EISDIR : causeNotWritable(path);
-    if (cause != 0)
-        throw Error("cannot write '" + path + "': " + std::strerror(cause) +
+    const fs::file_status found = fs::status(path, ignored);
+    std::string cause;
+    if (fs::exists(found) && !fs::is_regular_file(found))
+        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it is there, and not a file";
+    else if (const int error = causeNotWritable(path))
+        cause = std::strerror(error);
+    if (!cause.empty())
+        throw Error("cannot write '" + path + "': " + cause +
                     "; choose a file in an existing, writable folder");
 }
 

@@ -1,14 +1,16 @@
 // Where a command will write: found out before anything slow, and left as it was where the command fails.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "core/files.h"
 
 namespace vct::cli {
 
 // A folder that is there, and can be written to, from the constructor on. Folders that it had to make go away
-// again (if nothing is in them) unless keep() is called: a command that fails leaves nothing behind.
+// again (if nothing is in them) unless keep() is called: a command that fails or is interrupted leaves
+// nothing behind.
 class OutputFolder {
   public:
     // Throws vct::Error where `path` cannot be made or written to.
@@ -25,7 +27,7 @@ class OutputFolder {
     void removeMade();
 
     std::string path_;
-    std::vector<std::filesystem::path> made_;  // innermost first
+    std::vector<RemovedOnInterruption> made_;  // outermost first
 };
 
 // Throws vct::Error where a file could not be written at `path`; writes nothing.

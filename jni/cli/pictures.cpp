@@ -6,6 +6,7 @@
 
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "core/list_text.h"
 #include "core/number_text.h"
 
 namespace vct::cli {
@@ -71,10 +72,9 @@ void PictureWriter::nameOlderPictures() const {
         if ((picture || path.filename() == "debug_views") && entry.last_write_time() < start_)
             older.insert(path.filename().string());
     }
-    std::string names;
-    for (const std::string& name : older)
-        names += (names.empty() ? "" : ", ") + name;
-    if (!names.empty()) say("note: not of this run, but in " + folder_.path() + ": " + names);
+    if (!older.empty())
+        say("note: not of this run, but in " + folder_.path() + ": " +
+            listText({older.begin(), older.end()}));
 }
 
 void PictureWriter::warnIfWhite(const std::string& name, const Image& image) {

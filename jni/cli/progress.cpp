@@ -11,8 +11,8 @@ void say(const std::string& line) {
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
-Progress::Progress(const std::string& what) {
-    say(what);
+Progress::Progress(const std::string& what, Begin begin) {
+    if (begin == Begin::atOnce) say(what);
     reminder_ = std::jthread([what](const std::stop_token& stop) {
         std::mutex mutex;
         std::unique_lock lock(mutex);

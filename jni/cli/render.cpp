@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/sky_option.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/number_text.h"
 #include "engine/renderer.h"
 #include "lab/debug_view.h"
@@ -109,6 +110,15 @@ Image meanOfSamples(Renderer& renderer, Mode mode, const Camera& camera, int cou
     return sum;
 }
 
+// The driver's targets of a picture in main memory, and its copies while it is encoded: 50 bytes per pixel
+// with llvmpipe and mode 1, and some more for other modes.
+void requirePictureMemory(glm::ivec2 size) {
+    constexpr std::size_t bytesPerPixel = 64;
+    requireMainMemory(bytesPerPixel * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
+                      "a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels",
+                      "ask for a smaller picture");
+}
+
 // One mode, seen by a camera that comes to a scene whose light is there. With timings a still picture is
 // drawn several times; of a sequence each frame is one sample. Reading back and writing is not timed.
 void renderMode(const Placed& placed, Mode mode, const std::vector<double>& moments, PictureWriter& pictures,
@@ -166,8 +176,10 @@ void render(const RenderOptions& options) {
     PictureWriter pictures(options.out, exposure, toneMapFromText(options.toneMap), options.contactSheet);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
+    requirePictureMemory(settings.size);
+
     const std::string& path = options.scene.path;
-    Scene scene = loadGltf(path, readFileFromDisk, options.animation);
+    Scene scene = options.scene.load(options.animation);
     for (Material& material : scene.materials)
         material.emissive *= options.emission;
     for (const std::string& warning : scene.warnings)

@@ -25,7 +25,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct ShadersOptions {
-    std::string scene, out;
+    SceneFileOption scene;
+    std::string out;
     glm::ivec2 size{400, 400};
     BackendOption backend;
     SkyOption sky;
@@ -135,7 +136,7 @@ void writeShaders(const ShadersOptions& options) {
     Settings sky;
     options.sky.applyTo(sky);
     OutputFolder out(options.out);
-    const Scene scene = loadGltf(options.scene);
+    const Scene scene = options.scene.load();
     const double aspect = aspectOf(options.size);
     const Camera camera = chooseCamera(scene, "", aspect);
     const std::string note = cameraNote(scene, "", camera, aspect);
@@ -147,7 +148,7 @@ void writeShaders(const ShadersOptions& options) {
         vertices += scene.meshes[instance.mesh].vertices.size();
     const Context context = options.backend.open();
 
-    ordered_json manifest{{"scene", options.scene.substr(options.scene.rfind('/') + 1)},
+    ordered_json manifest{{"scene", options.scene.path.substr(options.scene.path.rfind('/') + 1)},
                           {"width", options.size.x},
                           {"height", options.size.y},
                           {"vertices", vertices},
@@ -183,7 +184,7 @@ void addShaders(CLI::App& app, int&) {
         "shaders", "Write every program's ESSL 3.10 sources, and how often they run in a frame of a scene");
     const auto options = std::make_shared<ShadersOptions>();
     command->footer(shadersFooter);
-    command->add_option("scene", options->scene, "Scene, .gltf or .glb")->required();
+    options->scene.addFileTo(*command)->required();
     command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
         ->delimiter(',');

@@ -47,7 +47,7 @@ struct ViewOptions {
 using app::SceneFile;
 
 // The scene, and what else is in its folder.
-std::vector<SceneFile> scenesBeside(const std::string& path) {
+std::vector<SceneFile> scenesBeside(const std::string& path, bool allowOutside) {
     namespace fs = std::filesystem;
     std::vector<SceneFile> scenes;
     const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
@@ -56,7 +56,8 @@ std::vector<SceneFile> scenesBeside(const std::string& path) {
         const std::string ending = entry.path().extension().string();
         if (!entry.is_regular_file(ignored) || (ending != ".glb" && ending != ".gltf")) continue;
         const bool same = entry.path().filename() == fs::path(path).filename();
-        scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false});
+        scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false,
+                          allowOutside && same});
     }
     std::sort(scenes.begin(), scenes.end(),
               [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
@@ -145,7 +146,9 @@ bool view(const ViewOptions& options) {
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
-    desktop.findScenes = [path] { return scenesBeside(path); };
+    desktop.findScenes = [path, allowOutside = options.scene.allowOutside] {
+        return scenesBeside(path, allowOutside);
+    };
     desktop.readScene = [](const SceneFile&, const std::atomic<bool>& cancelled) -> ReadFile {
         return [&cancelled](const std::string& file) {
             if (cancelled) throw Error("loading was cancelled");

@@ -55,9 +55,17 @@ std::size_t availableMemory() {
 void requireMemory(std::size_t bytes, const std::string& what) {
     const std::size_t available = freeBytes();
     if (bytes + driverReserve > available)
-        throw Error("not enough memory for " + what + ": " + megabytesText(bytes) + ", and " +
-                    megabytesText(driverReserve) + " for the driver, of which " + megabytesText(available) +
+        throw Error("not enough memory for " + what + ": " +
+                    (bytes == 0 ? "" : megabytesText(bytes) + ", and ") + megabytesText(driverReserve) +
+                    " for the driver, of which " + megabytesText(available) +
                     " are available; use fewer voxels (a coarser grid), or free memory");
+}
+
+void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy) {
+    const std::size_t available = freeBytes();
+    if (bytes > available)
+        throw Error("not enough memory for " + what + ": " + megabytesText(bytes) + ", of which " +
+                    megabytesText(available) + " are available; " + remedy + ", or free memory");
 }
 
 }  // namespace vct

@@ -15,4 +15,8 @@ std::size_t availableMemory();
 // system does not tell.
 void requireMemory(std::size_t bytes, const std::string& what);
 
+// Likewise of what is no driver's: throws where `bytes` more than are available are asked for. `remedy`: what
+// to do about it besides freeing memory.
+void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy);
+
 }  // namespace vct

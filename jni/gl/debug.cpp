@@ -107,7 +107,10 @@ DebugGroup::~DebugGroup() {
 
 void label(unsigned identifier, unsigned name, const std::string& text) {
     // GL_BUFFER, GL_PROGRAM, ... are namespaces here; a texture's is GL_TEXTURE, whatever its target.
-    if (ObjectLabel) ObjectLabel(identifier, name, static_cast<GLsizei>(text.size()), text.c_str());
+    // A driver need take no more than 256 bytes, and the names of a scene may be longer.
+    constexpr std::size_t most = 255;
+    if (ObjectLabel)
+        ObjectLabel(identifier, name, static_cast<GLsizei>(std::min(text.size(), most)), text.c_str());
 }
 
 }  // namespace vct::gl

@@ -1,6 +1,7 @@
 #include "gl/shader_source.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -84,8 +85,12 @@ class Assembler {
 
 ReadShader shadersFromFolder(const std::string& folder) {
     return [folder](const std::string& path) {
-        std::ifstream file(folder + "/" + path, std::ios::binary);
-        if (!file)
+        // Of a pipe reading might never end.
+        std::error_code ignored;
+        std::ifstream file;
+        if (std::filesystem::is_regular_file(folder + "/" + path, ignored))
+            file.open(folder + "/" + path, std::ios::binary);
+        if (!file.is_open())
             throw Error("cannot read the shader " + folder + "/" + path +
                         "; name the project's folder of shaders (vct: VCT_SHADER_DIR)");
         std::ostringstream text;

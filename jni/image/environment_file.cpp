@@ -43,6 +43,9 @@ class RadianceFile {
                 skipRow();
     }
 
+    int width() const { return width_; }
+    int height() const { return height_; }
+
   private:
     std::string nextLine() {
         const auto end = std::find(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end(), '\n');
@@ -86,6 +89,9 @@ class RadianceFile {
 Image decodeRadiance(const Bytes& bytes) {
     if (bytes.size() > INT_MAX) throw Error("it is larger than 2 GiB");
     const RadianceFile whole(bytes);
+    requirePixelMemory(whole.width(), whole.height(),
+                       3 * sizeof(float) * static_cast<std::size_t>(whole.width()) *
+                           static_cast<std::size_t>(whole.height()));
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<float, void (*)(void*)> rgb(
         stbi_loadf_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels, 3),
@@ -111,9 +117,9 @@ Image readEnvironment(const std::string& path) {
     }
     try {
         return decodeRadiance(bytes);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         throw Error("cannot read the sky '" + path + "': " + error.what() +
-                    "; the file is damaged or of an unusual kind, make it again");
+                    "; the file is damaged, too large or of an unusual kind, make it again");
     }
 }
 

@@ -54,7 +54,9 @@ Image decodeExr(const std::string& path, const Bytes& bytes) {
         const bool colored = has("R") && has("G") && has("B");
         if (!colored && !has("Y")) throw Error("it has neither the channels R, G and B nor Y");
         const Imath::Box2i window = file.header().dataWindow();
-        Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+        const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+        requirePixelMemory(width, height, 0);
+        Image image(width, height);
         file.setFrameBuffer(planesOf(image, colored ? rgb : std::vector<const char*>{"Y"}, window.min));
         file.readPixels(window.min.y, window.max.y);
         if (!colored)
@@ -62,7 +64,7 @@ Image decodeExr(const std::string& path, const Bytes& bytes) {
                 pixel = glm::vec3(pixel.r);
         return image;
     } catch (const std::exception& error) {
-        throw Error("cannot read EXR '" + path + "': " + error.what() + "; make it again");
+        throw Error("cannot read EXR '" + path + "': " + error.what() + "; make it again, or smaller");
     }
 }
 

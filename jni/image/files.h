@@ -19,6 +19,9 @@ ImageFormat imageFormat(const std::string& path, const Bytes& bytes);
 // Throws vct::Error where a side is 0 or above maxImageSide, or where the pixels are not width x height.
 void checkWritable(const std::string& path, const Image& image);
 
+// Throws PictureError where there is no memory for a picture in linear RGB, and for so many bytes besides.
+void requirePixelMemory(int width, int height, std::size_t besides);
+
 Image decodePng(const std::string& path, const Bytes& bytes);
 Image decodeExr(const std::string& path, const Bytes& bytes);
 

@@ -1,13 +1,13 @@
-#include <stb_image.h>
 #include <zlib.h>
 
 #include <array>
-#include <climits>
 #include <cstring>
-#include <memory>
 
 #include "core/error.h"
+#include "core/memory.h"
+#include "core/number_text.h"
 #include "image/files.h"
+#include "image/stb_picture.h"
 #include "scene/gltf.h"
 
 namespace vct {
@@ -44,6 +44,15 @@ std::array<float, 256> decodeTable() {
 
 }  // namespace
 
+void requirePixelMemory(int width, int height, std::size_t besides) {
+    const std::size_t bytes =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec3) + besides;
+    if (bytes > availableMemory())
+        throw PictureError("its " + std::to_string(width) + " x " + std::to_string(height) + " pixels take " +
+                           megabytesText(bytes) + " of memory, of which " + megabytesText(availableMemory()) +
+                           " are available");
+}
+
 ImageFormat imageFormat(const std::string& path, const Bytes& bytes) {
     if (startsWith(bytes, {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'})) return ImageFormat::png;
     if (startsWith(bytes, {0x76, 0x2F, 0x31, 0x01})) return ImageFormat::exr;
@@ -57,35 +66,28 @@ Image decodePng(const std::string& path, const Bytes& bytes) {
         throw Error("cannot read PNG '" + path + "': " + cause +
                     "; the file is damaged or too large, make it again");
     };
-    if (bytes.size() > INT_MAX) fail("it is larger than 2 GiB");
     if (!chunksAreWhole(bytes)) fail("a part is missing or its checksum is wrong");
-    const int size = static_cast<int>(bytes.size());
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    const auto reason = [] {
-        const char* text = stbi_failure_reason();
-        return std::string(text != nullptr ? text : "unknown cause");
-    };
-    // The size first: a few bytes can ask for an enormous picture.
-    if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) fail(reason());
-    if (width > maxImageSide || height > maxImageSide) {
-        fail("it is " + std::to_string(width) + " x " + std::to_string(height) + ", above " +
-             std::to_string(maxImageSide) + " a side");
+    try {
+        const StbPicture png(bytes.data(), bytes.size());
+        if (png.width() > maxImageSide || png.height() > maxImageSide) {
+            fail("it is " + std::to_string(png.width()) + " x " + std::to_string(png.height()) + ", above " +
+                 std::to_string(maxImageSide) + " a side");
+        }
+        requirePixelMemory(png.width(), png.height(), png.decodingBytes());
+        // 16-bit PNGs are reduced to 8 bits here.
+        const std::vector<std::uint8_t> rgb = png.decode(3);
+        static const std::array<float, 256> linear = decodeTable();
+        Image image(png.width(), png.height());
+        const std::uint8_t* value = rgb.data();
+        for (glm::vec3& pixel : image.pixels) {
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = linear[*value++];
+        }
+        return image;
+    } catch (const PictureError& error) {
+        fail(error.what());
     }
-    // 16-bit PNGs are reduced to 8 bits here.
-    const std::unique_ptr<stbi_uc, void (*)(void*)> rgb(
-        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 3), stbi_image_free);
-    if (!rgb) fail(reason());
-
-    static const std::array<float, 256> linear = decodeTable();
-    Image image(width, height);
-    const stbi_uc* value = rgb.get();
-    for (glm::vec3& pixel : image.pixels) {
-        for (int c = 0; c < 3; ++c)
-            pixel[c] = linear[*value++];
-    }
-    return image;
+    return {};
 }
 
 Image readImage(const std::string& path) {

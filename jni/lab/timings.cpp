@@ -168,7 +168,8 @@ std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
 }
 
 void writeJson(const std::string& path, const ordered_json& json) {
-    replaceFile(path, json.dump(2) + "\n");
+    // A file's name need not be UTF-8, as JSON has to be.
+    replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace vct

@@ -32,7 +32,11 @@ Backend backendFromName(const std::string& name) {
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
     switch (options.backend) {
         case Backend::egl:
-            return detail::createEgl(options, "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
+            // Without memory no driver can be loaded, and what it says then hardly tells.
+            return detail::createEgl(options,
+                                     availableMemory() == 0
+                                         ? "; there is too little memory for a driver, free some"
+                                         : "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
         case Backend::osmesa:
             return detail::createOsmesa(options);
         case Backend::zink:

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
@@ -80,7 +81,7 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
     computeBounds(scene);
     addCameras(file, nodes, scene);
-    scene.warnings = std::move(file.warnings);
+    scene.warnings = file.takeWarnings();
     return scene;
 }
 
@@ -99,6 +100,7 @@ std::vector<unsigned char> readFileFromDisk(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     if (error || !stream)
         throw Error("cannot read " + oneLine(path) + ": access is denied; check its permissions");
+    requireMainMemory(static_cast<std::size_t>(size), "the file " + oneLine(path), "make it smaller");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (static_cast<std::uintmax_t>(stream.gcount()) != size)
@@ -106,17 +108,18 @@ std::vector<unsigned char> readFileFromDisk(const std::string& path) {
     return bytes;
 }
 
-Scene loadGltf(const std::string& path, const ReadFile& readFile, const std::string& animation) {
+Scene loadGltf(const std::string& path, const ReadFile& readFile, const GltfOptions& options) {
     try {
-        GltfFile file = openGltf(path, readFile);
-        return buildScene(file, animation);
+        const std::vector<unsigned char> bytes = readFile(path);
+        GltfFile file = openGltf(path, bytes, readFile, options.allowOutside);
+        return buildScene(file, options.animation);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
         throw Error("cannot load " + oneLine(path) +
                     ": it needs more memory than there is; simplify the scene");
     } catch (const std::exception& error) {
-        throw Error("cannot load " + oneLine(path) + ": " + oneLine(error.what()) + "; " + reexportRemedy);
+        throw Error("cannot load " + oneLine(path) + ": " + asClause(error.what()) + "; " + reexportRemedy);
     }
 }
 

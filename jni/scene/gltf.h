@@ -14,10 +14,16 @@ using ReadFile = std::function<std::vector<unsigned char>(const std::string& pat
 
 std::vector<unsigned char> readFileFromDisk(const std::string& path);
 
-// Throws vct::Error with one sentence: the file, the cause, the remedy. `animation`: the one to play, by name
-// or index; "" takes the first.
+struct GltfOptions {
+    std::string animation = "";  // the one to play, by name or index; "" takes the first
+    // Whether the file may name buffers and images outside of its folder and those below, after links are
+    // resolved. A file from somebody else could name any.
+    bool allowOutside = false;
+};
+
+// Throws vct::Error with one sentence: the file, the cause, the remedy.
 Scene loadGltf(const std::string& path, const ReadFile& readFile = readFileFromDisk,
-               const std::string& animation = "");
+               const GltfOptions& options = {});
 
 // Recomputes scene.boundsWorld from the vertices that the triangles of the instances use: at rest and in
 // every pose, as the volume of the voxels must not change from frame to frame. (The poses at all keys and

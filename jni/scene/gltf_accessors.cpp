@@ -118,11 +118,11 @@ std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Access
 
 ByteRange viewBytes(const GltfFile& file, int bufferView) {
     const tinygltf::BufferView& view = file.at(file.model.bufferViews, bufferView, "buffer view");
-    const std::vector<unsigned char>& buffer = file.at(file.model.buffers, view.buffer, "buffer").data;
-    if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset)
+    const ByteRange& buffer = file.at(file.buffers, view.buffer, "buffer");
+    if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset)
         file.fail("buffer view " + std::to_string(bufferView) + " reaches beyond its buffer of " +
-                  std::to_string(buffer.size()) + " bytes");
-    return {buffer.data() + view.byteOffset, view.byteLength};
+                  std::to_string(buffer.size) + " bytes");
+    return {buffer.data + view.byteOffset, view.byteLength};
 }
 
 std::vector<float> readFloats(GltfFile& file, int index, int width, Components components,

@@ -9,10 +9,6 @@
 namespace vct {
 
 // The bytes of a buffer view; throws where it does not lie inside its buffer.
-struct ByteRange {
-    const unsigned char* data = nullptr;
-    std::size_t size = 0;
-};
 ByteRange viewBytes(const GltfFile& file, int bufferView);
 
 // Which component types an attribute may have besides float.

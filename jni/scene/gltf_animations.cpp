@@ -2,6 +2,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/error.h"
+#include "core/list_text.h"
 #include "core/number_text.h"
 #include "scene/gltf_accessors.h"
 #include "scene/gltf_nodes.h"
@@ -30,11 +32,9 @@ std::vector<std::string> namesOf(const json& animations) {
 }
 
 // All but `left`, which may be none.
-std::string listed(const std::vector<std::string>& names, std::size_t left) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (i != left) list += (list.empty() ? "" : ", ") + names[i];
-    return list;
+std::string listed(std::vector<std::string> names, std::size_t left) {
+    if (left < names.size()) names.erase(names.begin() + static_cast<std::ptrdiff_t>(left));
+    return listText(names);
 }
 
 std::size_t choose(const GltfFile& file, const std::string& nameOrIndex) {
@@ -175,13 +175,9 @@ class ChannelLoader {
     std::string name_;
 };
 
-}  // namespace
-
-Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed) {
-    const std::size_t chosen = choose(file, nameOrIndex);
+Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string>& names,
+               std::vector<PlacedNode>& placed) {
     Animation animation;
-    if (file.animations.empty()) return animation;
-    const std::vector<std::string> names = namesOf(file.animations);
     if (names.size() > 1)
         file.warn("animation " + names[chosen] +
                   " is played; not played (--animation): " + listed(names, chosen));
@@ -222,6 +218,21 @@ Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vec
         animation.channels.push_back(std::move(channel));
     }
     return animation;
+}
+
+}  // namespace
+
+Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed) {
+    const std::size_t chosen = choose(file, nameOrIndex);
+    if (file.animations.empty()) return {};
+    const std::vector<std::string> names = namesOf(file.animations);
+    if (!nameOrIndex.empty()) return load(file, chosen, names, placed);
+    try {
+        return load(file, chosen, names, placed);
+    } catch (const Error& error) {
+        file.warn("an animation cannot be played, and the scene stands still: " + asClause(error.what()));
+        return {};
+    }
 }
 
 }  // namespace vct

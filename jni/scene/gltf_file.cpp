@@ -1,12 +1,15 @@
 #include "scene/gltf_file.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 
 #include "core/error.h"
+#include "core/list_text.h"
+#include "core/memory.h"
+#include "core/number_text.h"
 
 namespace vct {
 namespace {
@@ -73,18 +76,52 @@ Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
     return chunks;
 }
 
+// Before the parser and in one pass over the text: the parser's own callback, which knows the depth too, goes
+// over all of a list for each of its elements.
+void checkDepth(const GltfFile& file, const Chunks& chunks) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < chunks.jsonSize; ++i) {
+        const unsigned char c = chunks.json[i];
+        if (inString) {
+            if (c == '\\') ++i;
+            inString = c != '"';
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > maxJsonDepth)
+                file.fail("its JSON is nested more than " + std::to_string(maxJsonDepth) + " levels deep");
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+}
+
 json parseJson(const GltfFile& file, const Chunks& chunks) {
-    const auto checkDepth = [&file](int depth, json::parse_event_t, json&) {
-        if (depth > maxJsonDepth)
-            file.fail("its JSON is nested more than " + std::to_string(maxJsonDepth) + " levels deep");
-        return true;
-    };
+    checkDepth(file, chunks);
     try {
-        json document = json::parse(chunks.json, chunks.json + chunks.jsonSize, checkDepth);
+        json document = json::parse(chunks.json, chunks.json + chunks.jsonSize);
         if (!document.is_object()) file.fail("its JSON is not an object");
         return document;
     } catch (const json::exception& error) {
-        file.fail("its JSON is damaged (" + oneLine(error.what()) + ")");
+        file.fail("its JSON is damaged (" + asClause(error.what()) + ")");
+    }
+}
+
+// The same numbers, but those that are whole as integers: for the specification 60.0 is one (section 3.1),
+// for tinygltf it is not. Beyond 32 bits tinygltf's integers of extensions end.
+void integersAsSuch(json& value) {
+    if (value.is_number_float()) {
+        const double number = value.get<double>();
+        if (std::abs(number) > std::numeric_limits<std::int32_t>::max() || number != std::floor(number))
+            return;
+        if (number < 0.0)
+            value = static_cast<std::int64_t>(number);
+        else
+            value = static_cast<std::uint64_t>(number);
+    } else if (value.is_structured()) {
+        for (json& element : value)
+            integersAsSuch(element);
     }
 }
 
@@ -99,7 +136,7 @@ void checkAsset(const GltfFile& file, const json& document) {
             "export it as glTF 2.0");
 }
 
-void checkExtensions(GltfFile& file, const json& document) {
+void checkExtensions(GltfFile& file, json& document) {
     const auto names = [&](const char* key) {
         std::vector<std::string> result;
         const auto found = document.find(key);
@@ -113,13 +150,20 @@ void checkExtensions(GltfFile& file, const json& document) {
         }
         return result;
     };
-    std::string missing;
-    for (const std::string& name : names("extensionsRequired"))
-        missing += (missing.empty() ? "" : ", ") + name;
+    const std::vector<std::string> missing = names("extensionsRequired");
     if (!missing.empty())
-        file.fail("it requires an extension that is not supported: " + missing, "export it without that");
-    for (const std::string& name : names("extensionsUsed"))
-        file.warn("extension " + name + " is ignored");
+        file.fail("it requires an extension that is not supported: " + listText(missing),
+                  "export it without that");
+    const std::vector<std::string> ignored = names("extensionsUsed");
+    if (ignored.size() == 1) file.warn("extension " + ignored[0] + " is ignored");
+    if (ignored.size() > 1)
+        file.warn(std::to_string(ignored.size()) + " extensions are ignored: " + listText(ignored));
+    const auto used = document.find("extensionsUsed");
+    file.isQuantized = used != document.end() && used->is_array() &&
+                       std::find(used->begin(), used->end(), "KHR_mesh_quantization") != used->end();
+    // tinygltf has no use for them.
+    document.erase("extensionsUsed");
+    document.erase("extensionsRequired");
 }
 
 // Before tinygltf, whose 2.8 reads a negative offset as none.
@@ -137,23 +181,6 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
-// RFC 3986 section 2.1; a '%' without two digits stays as it is.
-std::string percentDecoded(const std::string& text) {
-    const auto isHexDigit = [&](std::size_t i) {
-        return i < text.size() && std::isxdigit(static_cast<unsigned char>(text[i])) != 0;
-    };
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '%' && isHexDigit(i + 1) && isHexDigit(i + 2)) {
-            result += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-        } else {
-            result += text[i];
-        }
-    }
-    return result;
-}
-
 void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const json& source = buffers[i];
@@ -162,21 +189,20 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
         if (length == source.end() || !length->is_number_unsigned()) file.fail(what + " has no byteLength");
         const auto byteLength = length->get<std::uint64_t>();
 
-        tinygltf::Buffer buffer;
+        ByteRange available{chunks.binary, chunks.binarySize};
         const std::string uri = textAt(source, "uri");
-        std::size_t available = chunks.binarySize;
         if (!uri.empty()) {
-            buffer.data = readUri(file, uri, what);
-            available = buffer.data.size();
+            const std::string resolved = resolvedUri(file, uri, what);
+            const auto [known, isNew] = file.bytesOf.try_emplace(identityOf(resolved, what));
+            if (isNew) known->second = readResolved(file, resolved, what);
+            available = {known->second.data(), known->second.size()};
         } else if (i != 0 || chunks.binary == nullptr) {
             file.fail(what + " has neither a uri nor a binary chunk");
         }
-        if (byteLength > available)
-            file.fail(what + " is cut short: it holds " + std::to_string(available) + " of " +
+        if (byteLength > available.size)
+            file.fail(what + " is cut short: it holds " + std::to_string(available.size) + " of " +
                       std::to_string(byteLength) + " bytes");
-        if (uri.empty()) buffer.data.assign(chunks.binary, chunks.binary + byteLength);
-        buffer.data.resize(static_cast<std::size_t>(byteLength));
-        file.model.buffers.push_back(std::move(buffer));
+        file.buffers.push_back({available.data, static_cast<std::size_t>(byteLength)});
     }
 }
 
@@ -200,7 +226,24 @@ void GltfFile::fail(const std::string& cause, const std::string& remedy) const {
 }
 
 void GltfFile::warn(const std::string& what) {
-    if (std::find(warnings.begin(), warnings.end(), what) == warnings.end()) warnings.push_back(what);
+    constexpr std::size_t most = 20;
+    if (knownWarnings.insert(what).second && warnings.size() < most) warnings.push_back(what);
+}
+
+std::vector<std::string> GltfFile::takeWarnings() {
+    const std::size_t more = knownWarnings.size() - warnings.size();
+    if (more > 0) warnings.push_back(std::to_string(more) + " more warnings are left out");
+    return std::move(warnings);
+}
+
+void GltfFile::reserve(std::size_t bytes, const std::string& what) {
+    if (bytes > limitBytes - usedBytes)
+        fail(what + " asks for " + megabytesText(bytes) + ", and of the " + megabytesText(limitBytes) +
+                 " that a scene's buffers, images and meshes may take here (half of the memory that is "
+                 "available) " +
+                 megabytesText(limitBytes - usedBytes) + " are left",
+             "make it smaller, or free memory");
+    usedBytes += bytes;
 }
 
 void GltfFile::reserveGeometry(std::size_t count, std::size_t bytesEach) {
@@ -208,38 +251,16 @@ void GltfFile::reserveGeometry(std::size_t count, std::size_t bytesEach) {
         fail("its meshes ask for more than " + std::to_string(maxGeometryBytes >> 20) + " MiB of vertices",
              "simplify the scene");
     geometryBytes += count * bytesEach;
+    reserve(count * bytesEach, "one of its meshes");
 }
 
-void GltfFile::reserveTexture(std::size_t bytes) {
+void GltfFile::reserveTexture(std::size_t bytes, const std::string& what) {
     if (bytes > maxTextureBytes - textureBytes)
-        fail("its textures ask for more than " + std::to_string(maxTextureBytes >> 20) + " MiB",
+        fail("its textures ask for more than " + std::to_string(maxTextureBytes >> 20) + " MiB, the last " +
+                 megabytesText(bytes) + " of them for " + what,
              "scale them down");
     textureBytes += bytes;
-}
-
-bool GltfFile::uses(const std::string& extension) const {
-    return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) !=
-           model.extensionsUsed.end();
-}
-
-std::vector<unsigned char> readUri(const GltfFile& file, const std::string& uri, const std::string& what) {
-    if (uri.compare(0, 5, "data:") == 0) {
-        Bytes bytes;
-        std::string mediaType;
-        if (!tinygltf::DecodeDataURI(&bytes, mediaType, uri, 0, false))
-            file.fail(what + " has a data URI that is not base64 of a media type of glTF");
-        return bytes;
-    }
-
-    const std::size_t slash = file.path.find_last_of("/\\");
-    const std::string folder = slash == std::string::npos ? std::string() : file.path.substr(0, slash + 1);
-    const std::string path = folder + percentDecoded(uri);
-    try {
-        return file.readFile(path);
-    } catch (const Error& error) {
-        file.fail(what + " is in a file of its own, which fails (" + oneLine(error.what()) + ")",
-                  "put " + oneLine(path) + " there, or export the scene as one .glb");
-    }
+    reserve(bytes, what);
 }
 
 std::string textAt(const json& object, const char* key) {
@@ -264,26 +285,38 @@ std::string indexAndName(std::size_t index, const std::string& name) {
 
 std::string oneLine(std::string text) {
     constexpr std::size_t maxLength = 300;
-    if (text.size() > maxLength) text = text.substr(0, maxLength) + "...";
+    if (text.size() > maxLength) {
+        std::size_t end = maxLength;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+            --end;  // not inside a letter of several bytes
+        text = text.substr(0, end) + "...";
+    }
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
     }
+    return text;
+}
+
+std::string asClause(const std::string& message) {
+    std::string text = oneLine(message);
     while (!text.empty() && (text.back() == ' ' || text.back() == '.'))
         text.pop_back();
     return text;
 }
 
-GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
+GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& readFile, bool allowOutside) {
     GltfFile file;
     file.path = path;
     file.readFile = readFile;
+    file.allowOutside = allowOutside;
+    file.limitBytes = availableMemory() / 2;
 
-    const Bytes bytes = readFile(path);
     if (bytes.empty()) file.fail("the file is empty", "copy or export it again");
     Chunks chunks{bytes.data(), bytes.size(), nullptr, 0};
     if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) chunks = splitGlb(file, bytes);
 
     json document = parseJson(file, chunks);
+    integersAsSuch(document);
     checkAsset(file, document);
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
@@ -298,11 +331,13 @@ GltfFile openGltf(const std::string& path, const ReadFile& readFile) {
     std::string errors;
     std::string ignored;
     const std::string structure = document.dump();
+    document.clear();  // large files are large in here, too
     const bool parsed = parser.LoadASCIIFromString(&file.model, &errors, &ignored, structure.c_str(),
                                                    static_cast<unsigned>(structure.size()), "");
     // tinygltf drops an object with a missing property and goes on; a scene with holes would surprise more.
-    if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + oneLine(errors) + ")");
+    if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + asClause(errors) + ")");
 
+    file.reserve(chunks.binarySize, "its binary chunk");
     readBuffers(file, buffers, chunks);
     readImageSources(file, images);
     return file;

@@ -6,7 +6,10 @@
 
 #include <tiny_gltf.h>
 
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,28 +20,45 @@ namespace vct {
 // What fail() advises where nothing better is known.
 inline constexpr const char* reexportRemedy = "export it again, or check it with the Khronos glTF validator";
 
+struct ByteRange {
+    const unsigned char* data = nullptr;
+    std::size_t size = 0;
+};
+
 struct GltfFile {
     std::string path;
     ReadFile readFile;
-    tinygltf::Model model;  // buffers hold their bytes; images hold name, uri and bufferView, not pixels
+    bool allowOutside = false;  // as GltfOptions has it
+    tinygltf::Model model;      // without buffers; images hold name, uri and bufferView, not pixels
+    std::vector<ByteRange> buffers;
+    // What the buffers are parts of: each file and data URI once, however many buffers name it.
+    std::map<std::string, std::vector<unsigned char>> bytesOf;
     // A list of objects. In place of tinygltf's, which drops what it cannot read and does not say of which
     // animation it was.
     nlohmann::json animations;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  // the first of them, each once
+    std::set<std::string> knownWarnings;
+    bool isQuantized = false;  // by KHR_mesh_quantization
+    // Of buffers, images and meshes together: half of the memory that was available, as a driver in main
+    // memory has a copy of most of it.
+    std::size_t limitBytes = std::numeric_limits<std::size_t>::max();
+    std::size_t usedBytes = 0;
     std::size_t geometryBytes = 0;
     std::size_t textureBytes = 0;
 
     // Throws vct::Error: "cannot load <path>: <cause>; <remedy>".
     [[noreturn]] void fail(const std::string& cause, const std::string& remedy = reexportRemedy) const;
 
-    // Adds a warning that is not there yet.
+    // Adds a warning that is not there yet, up to a number that can be read.
     void warn(const std::string& what);
+    // The warnings, and how many there are no room for.
+    std::vector<std::string> takeWarnings();
 
-    // Counts what is about to be allocated; throws where the file asks for more than the program allows.
+    // Count what is about to be allocated; throw where the file asks for more than the program or the
+    // machine's memory allows. `what` asks for it: "image 3 (wall.png), 4096 x 4096 pixels,".
+    void reserve(std::size_t bytes, const std::string& what);
     void reserveGeometry(std::size_t count, std::size_t bytesEach);
-    void reserveTexture(std::size_t bytes);
-
-    bool uses(const std::string& extension) const;
+    void reserveTexture(std::size_t bytes, const std::string& what);
 
     // Element `index` of one of the model's arrays; throws where it is out of range. `kind` as in "mesh".
     template <class T>
@@ -50,10 +70,20 @@ struct GltfFile {
     }
 };
 
-GltfFile openGltf(const std::string& path, const ReadFile& readFile);
+// `bytes`: of the file at `path`, which outlive the result.
+GltfFile openGltf(const std::string& path, const std::vector<unsigned char>& bytes, const ReadFile& readFile,
+                  bool allowOutside);
 
-// The bytes behind a URI of the file: a data URI, or a file relative to it. `what` names it in an error.
-std::vector<unsigned char> readUri(const GltfFile& file, const std::string& uri, const std::string& what);
+// Where the bytes behind a URI are: a data URI stays as it is; of a file, relative to the glTF file, the path
+// with its links resolved. Throws where it is outside of the glTF file's folder and
+// that is not allowed. `what` names it in an error.
+std::string resolvedUri(const GltfFile& file, const std::string& uri, const std::string& what);
+
+// Equal for the same bytes; a data URI is known by `what` is in it, as it may be long.
+std::string identityOf(const std::string& resolved, const std::string& what);
+
+// The bytes at a place that resolvedUri() gave, counted by reserve() before they are read.
+std::vector<unsigned char> readResolved(GltfFile& file, const std::string& resolved, const std::string& what);
 
 // The text at `key` of an object, "" where there is none.
 std::string textAt(const nlohmann::json& object, const char* key);
@@ -66,7 +96,10 @@ nlohmann::json takeObjects(const GltfFile& file, nlohmann::json& object, const c
 // How messages name an element of one of the model's arrays: "3 (wall)", "3" where it has no name.
 std::string indexAndName(std::size_t index, const std::string& name);
 
-// Text of the file or of a library as a part of a sentence: one line, not too long.
+// Text of the file as a part of a sentence: one line, not too long.
 std::string oneLine(std::string text);
+
+// What a library or another vct::Error says, likewise, and without a full stop at its end.
+std::string asClause(const std::string& message);
 
 }  // namespace vct

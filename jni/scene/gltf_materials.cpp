@@ -106,13 +106,7 @@ int MaterialLoader::texture(const tinygltf::TextureInfo& info, UvSource& uv) {
     applyTransform(file_, info, uv);
     if (uv.texCoord < 0) file_.fail("a material refers to a negative texture coordinate set");
 
-    const auto found = textures_.find(info.index);
-    if (found != textures_.end()) return found->second;
-    Texture loaded = loadTexture(file_, info.index);
-    const int index = static_cast<int>(scene_.textures.size());
-    scene_.textures.push_back(std::move(loaded));
-    textures_[info.index] = index;
-    return index;
+    return textures_.get(info.index);
 }
 
 }  // namespace vct

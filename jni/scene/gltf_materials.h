@@ -3,6 +3,8 @@
 
 #include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 
 #include "scene/gltf_file.h"
 
@@ -26,9 +28,34 @@ struct MaterialUse {
     UvSource emissive;
 };
 
+// Textures by index in the file. An image is decoded once, whoever uses it; textures that are the same in
+// image and sampler are one.
+class TextureLoader {
+  public:
+    TextureLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+
+    // Index into Scene::textures. Decodes 8-bit RGBA from PNG or JPEG.
+    int get(int index);
+
+  private:
+    struct Pixels {
+        int width = 0, height = 0;
+        SharedBytes rgba;
+    };
+    Texture load(int index);
+    const Pixels& pixels(const tinygltf::Image& image, const std::string& what);
+
+    GltfFile& file_;
+    Scene& scene_;
+    std::map<int, int> textures_;           // index in the file to that in the scene
+    std::map<std::string, Pixels> pixels_;  // by where they come from
+    std::map<std::tuple<const void*, Texture::Wrap, Texture::Wrap, bool>, int>
+        known_;  // by image and sampler
+};
+
 class MaterialLoader {
   public:
-    MaterialLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+    MaterialLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene), textures_(file, scene) {}
 
     // The material `index` of the file; -1 is glTF's default material.
     const MaterialUse& get(int index);
@@ -41,15 +68,12 @@ class MaterialLoader {
     GltfFile& file_;
     Scene& scene_;
     std::map<int, MaterialUse> materials_;  // by index in the file
-    std::map<int, int> textures_;           // index in the file to index in the scene
+    TextureLoader textures_;
 };
 
 // One primitive as a Mesh. `meshIndex`: of the mesh that the primitive is of, which must exist. Nothing where
 // the primitive has no triangles (points and lines are left out with a warning).
 std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
                                   MaterialLoader& materials, std::size_t meshIndex);
-
-// Decodes the texture `index` of the file: 8-bit RGBA from PNG or JPEG.
-Texture loadTexture(GltfFile& file, int index);
 
 }  // namespace vct

@@ -23,8 +23,8 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file);
 void addCameras(GltfFile& file, const std::vector<PlacedNode>& nodes, Scene& scene);
 
 // The animation `nameOrIndex` ("" takes the first; where the file has none, there is none), and in `placed`
-// which nodes it moves. Throws where there is no such animation, or where it is not valid; warns of those
-// that are not played.
+// which nodes it moves. Throws where one was asked for that is not there or not valid; warns of those that
+// are not played, and of a first one that is not valid.
 Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed);
 
 }  // namespace vct

@@ -143,8 +143,8 @@ void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, con
             file.warn("a textured mesh has no " + name + "; its texture is a single texel");
         return;
     }
-    const Components components = file.uses("KHR_mesh_quantization") ? Components::anySmallInteger
-                                                                     : Components::floatOrNormalizedUnsigned;
+    const Components components =
+        file.isQuantized ? Components::anySmallInteger : Components::floatOrNormalizedUnsigned;
     const std::vector<float> values =
         readVertexFloats(file, accessor, 2, components, name, mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -175,8 +175,7 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         file.warn("a mesh without positions is left out");
         return std::nullopt;
     }
-    const Components components =
-        file.uses("KHR_mesh_quantization") ? Components::anySmallInteger : Components::floatOnly;
+    const Components components = file.isQuantized ? Components::anySmallInteger : Components::floatOnly;
     const std::vector<float> positions = readFloats(file, positionAccessor, 3, components, "POSITION");
     const std::size_t vertexCount = positions.size() / 3;
     if (vertexCount > std::numeric_limits<std::uint32_t>::max())

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/animation.h"
@@ -57,6 +59,21 @@ struct Instance {
     bool moves() const { return node >= 0; }
 };
 
+// Bytes that do not change, and that several owners share.
+class SharedBytes {
+  public:
+    SharedBytes(std::vector<std::uint8_t> bytes = {})
+        : bytes_(std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes))) {}
+
+    const std::uint8_t* data() const { return bytes_->data(); }
+    std::size_t size() const { return bytes_->size(); }
+    const std::uint8_t& operator[](std::size_t i) const { return (*bytes_)[i]; }
+    bool operator==(const SharedBytes& other) const { return *bytes_ == *other.bytes_; }
+
+  private:
+    std::shared_ptr<const std::vector<std::uint8_t>> bytes_;
+};
+
 // 8-bit RGBA, sRGB-encoded colour (linear alpha), first row at the top (glTF: uv (0,0)).
 struct Texture {
     enum class Wrap { repeat, clampToEdge, mirroredRepeat };
@@ -64,7 +81,7 @@ struct Texture {
     std::string name;
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba;
+    SharedBytes rgba;  // by textures of one image, which may repeat it differently
     Wrap wrapS = Wrap::repeat;
     Wrap wrapT = Wrap::repeat;
     bool linearFilter = true;  // magnification; minification is always trilinear

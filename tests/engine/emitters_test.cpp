@@ -92,7 +92,7 @@ TEST(EmitterParts, ATextureSaysHowMuchShines) {
     Texture halfLit;
     halfLit.width = 2;
     halfLit.height = 1;
-    halfLit.rgba = {255, 255, 255, 255, 0, 0, 0, 255};
+    halfLit.rgba = std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 255};
     scene.textures.push_back(halfLit);
     scene.materials.back().emissiveTexture = 0;
     Mesh& lamp = scene.meshes.back();

@@ -251,8 +251,7 @@ TEST(Animation, AnotherOneIsChosenByNameOrIndexAndTheRestIsNamed) {
     builder.document["animations"][1]["name"] = "wave";
     const auto loadWith = [&](const std::string& animation) {
         const Bytes file = builder.glb();
-        return loadGltf(
-            "test.glb", [&](const std::string&) { return file; }, animation);
+        return loadGltf("test.glb", [&](const std::string&) { return file; }, {.animation = animation});
     };
     for (const char* first : {"", "0", "walk"}) {
         const Scene scene = loadWith(first);
@@ -318,7 +317,8 @@ TEST(Animation, KeysThatAreNotValidAreOneErrorThatNamesTheChannel) {
     for (const Keys& keys : wrong) {
         GltfBuilder builder;
         builder.animate(builder.triangle(), "rotation", keys.times, keys.values);
-        expectMentions(loadError(builder), {keys.part, "test.glb", "animation 0, channel 0"});
+        expectMentions(loadError(builder, {.animation = "0"}),
+                       {keys.part, "test.glb", "animation 0, channel 0"});
     }
 }
 

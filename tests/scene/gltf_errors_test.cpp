@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include "core/error.h"
@@ -145,7 +146,8 @@ TEST(GltfErrors, EachDamageIsNamedInOneSentence) {
             builder.document[place.parent_pointer()].erase(place.back());
         else
             builder.document[place] = json::parse(damage.value);
-        expectError(loadError(builder), damage.part);
+        // An animation is asked for: one that is not may be of any kind.
+        expectError(loadError(builder, {.animation = "0"}), damage.part);
     }
 }
 
@@ -201,6 +203,31 @@ TEST(GltfErrors, FilesThatAreNotGltf) {
     expectError(loadError(newer), "version 3");
 }
 
+// glTF 2.0 section 3.1: a whole number may be written as 60.0, and an accessor without a view is zeros.
+TEST(GltfFiles, NumbersAndAccessorsThatTheSpecificationAllows) {
+    GltfBuilder plain = completeFile(encodePng(8));
+    // Every number of the document as a fraction.
+    const std::function<void(json&)> asFraction = [&](json& value) {
+        if (value.is_number_integer()) value = value.get<double>();
+        if (value.is_structured())
+            for (json& element : value)
+                asFraction(element);
+    };
+    GltfBuilder fractions = plain;
+    fractions.document["buffers"] = {{{"byteLength", plain.binary.size()}}};
+    asFraction(fractions.document);
+    const std::string written = fractions.document.dump();
+    EXPECT_NE(written.find("\"mesh\":0.0"), std::string::npos) << written;
+    const Scene scene = load(fractions);
+    EXPECT_EQ(triangleSoup(scene.meshes.at(0)), triangleSoup(load(plain).meshes.at(0)));
+    EXPECT_EQ(scene.textures.at(0).rgba, load(plain).textures.at(0).rgba);
+    EXPECT_EQ(scene.cameras.size(), 1U);
+
+    GltfBuilder zeros = plain;
+    zeros.document["accessors"][2].erase("bufferView");  // texture coordinates
+    EXPECT_EQ(load(zeros).meshes.at(0).vertices.at(1).uv, glm::vec2(0.0F));
+}
+
 // A small file may name the same accessor or image any number of times.
 TEST(GltfErrors, WhatIsAllocatedIsCountedAndLimited) {
     GltfFile file;
@@ -209,9 +236,9 @@ TEST(GltfErrors, WhatIsAllocatedIsCountedAndLimited) {
     EXPECT_THROW(file.reserveGeometry((1U << 30) + 1, 1), Error);
     EXPECT_THROW(file.reserveGeometry(~std::size_t{0} / 2, 40), Error);
     file.reserveGeometry(1U << 30, 1);
-    file.reserveTexture(std::size_t{3} << 30);
-    EXPECT_THROW(file.reserveTexture(std::size_t{2} << 30), Error);
-    EXPECT_THROW(file.reserveTexture(~std::size_t{0}), Error);
+    file.reserveTexture(std::size_t{3} << 30, "image 0");
+    EXPECT_THROW(file.reserveTexture(std::size_t{2} << 30, "image 1"), Error);
+    EXPECT_THROW(file.reserveTexture(~std::size_t{0}, "image 1"), Error);
 }
 
 TEST(GltfFiles, TextWithDataUriAndBinaryAreTheSame) {

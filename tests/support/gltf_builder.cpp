@@ -184,23 +184,24 @@ Bytes bytesOf(const std::string& text) {
     return Bytes(text.begin(), text.end());
 }
 
-Scene load(const Bytes& file) {
-    return loadGltf("test.glb", [&](const std::string& path) {
+Scene load(const Bytes& file, const GltfOptions& options) {
+    const auto read = [&](const std::string& path) {
         if (path != "test.glb") throw Error("cannot read " + path + ": there is no such file");
         return file;
-    });
+    };
+    return loadGltf("test.glb", read, options);
 }
 
-Scene load(const GltfBuilder& builder) {
-    return load(builder.glb());
+Scene load(const GltfBuilder& builder, const GltfOptions& options) {
+    return load(builder.glb(), options);
 }
 
-std::string loadError(const Bytes& file) {
-    return errorOf([&] { load(file); });
+std::string loadError(const Bytes& file, const GltfOptions& options) {
+    return errorOf([&] { load(file, options); });
 }
 
-std::string loadError(const GltfBuilder& builder) {
-    return loadError(builder.glb());
+std::string loadError(const GltfBuilder& builder, const GltfOptions& options) {
+    return loadError(builder.glb(), options);
 }
 
 std::vector<glm::vec3> triangleSoup(const Mesh& mesh) {

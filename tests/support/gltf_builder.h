@@ -78,12 +78,12 @@ std::string base64(const Bytes& bytes);
 Bytes bytesOf(const std::string& text);
 
 // Loads from memory under the name "test.glb"; no other file exists.
-Scene load(const Bytes& file);
-Scene load(const GltfBuilder& builder);
+Scene load(const Bytes& file, const GltfOptions& options = {});
+Scene load(const GltfBuilder& builder, const GltfOptions& options = {});
 
 // The message of the vct::Error that loading ends in, or "" where it succeeds.
-std::string loadError(const Bytes& file);
-std::string loadError(const GltfBuilder& builder);
+std::string loadError(const Bytes& file, const GltfOptions& options = {});
+std::string loadError(const GltfBuilder& builder, const GltfOptions& options = {});
 
 // Corner positions in object space, three per triangle; each triangle rotated to begin with its smallest
 // corner and the triangles sorted: equal for equal triangles whatever the order.

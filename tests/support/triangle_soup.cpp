@@ -60,9 +60,11 @@ Texture chequers() {
     Texture texture;
     texture.name = "chequers";
     texture.width = texture.height = 8;
+    std::vector<std::uint8_t> rgba;
     for (int i = 0; i < 64; ++i)
         for (int c = 0; c < 4; ++c)
-            texture.rgba.push_back((i + i / 8) % 2 == 0 || c == i % 3 ? 255 : 0);
+            rgba.push_back((i + i / 8) % 2 == 0 || c == i % 3 ? 255 : 0);
+    texture.rgba = rgba;
     return texture;
 }
 

@@ -1,0 +1,18 @@
+// Lists in messages, which stay short however long the list is.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vct {
+
+// "a, b, c", or the first few and how many more: "a, b, c, d, e and 95 more".
+inline std::string listText(const std::vector<std::string>& items) {
+    constexpr std::size_t most = 5;
+    std::string text;
+    for (std::size_t i = 0; i < items.size() && i < most; ++i)
+        text += (i == 0 ? "" : ", ") + items[i];
+    return items.size() <= most ? text : text + " and " + std::to_string(items.size() - most) + " more";
+}
+
+}  // namespace vct

@@ -1,0 +1,126 @@
+#include "image/stb_picture.h"
+
+#include <stb_image.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstring>
+#include <memory>
+#include <string>
+
+namespace vct {
+namespace {
+
+constexpr unsigned char pngSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr unsigned char jpegSignature[] = {0xFF, 0xD8, 0xFF};
+
+std::size_t bigEndian32(const unsigned char* p) {
+    return std::size_t(p[0]) << 24 | std::size_t(p[1]) << 16 | std::size_t(p[2]) << 8 | std::size_t(p[3]);
+}
+
+// What stb says of nothing at all. It keeps its last reason until it has another, and some failures have
+// none, so a reason of an earlier picture must not be there.
+std::string reasonOfNothing() {
+    int unused = 0;
+    const unsigned char nothing = 0;
+    stbi_info_from_memory(&nothing, 1, &unused, &unused, &unused);
+    return stbi_failure_reason();
+}
+
+}  // namespace
+
+StbPicture::StbPicture(const unsigned char* bytes, std::size_t size) : bytes_(bytes), size_(size) {
+    const auto startsWith = [&](const unsigned char* magic, std::size_t count) {
+        return size >= count && std::memcmp(bytes, magic, count) == 0;
+    };
+    isPng_ = startsWith(pngSignature, sizeof pngSignature);
+    // The other formats that stb reads are its least tested code.
+    if (!isPng_ && !startsWith(jpegSignature, sizeof jpegSignature))
+        throw PictureError("it is neither PNG nor JPEG");
+    if (size > INT_MAX) throw PictureError("it is larger than 2 GiB");
+    if (isPng_) {
+        readPngHeader();
+        return;
+    }
+    int channels = 0;
+    if (stbi_info_from_memory(bytes, static_cast<int>(size), &width_, &height_, &channels) == 0)
+        throw PictureError("its header is damaged or of a kind that is not read");
+    // Up to four planes, of a progressive one 16 bits beside, the pixels, and their copy.
+    decodingBytes_ = std::size_t{16} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+}
+
+// Sections 11.2.2 and 7.2 of the specification of PNG (third edition).
+void StbPicture::readPngHeader() {
+    const unsigned char* const header = bytes_ + sizeof pngSignature;
+    if (size_ < 33 || bigEndian32(header) != 13 || std::memcmp(header + 4, "IHDR", 4) != 0)
+        throw PictureError("its header is damaged");
+    const std::size_t width = bigEndian32(header + 8), height = bigEndian32(header + 12);
+    if (width < 1 || height < 1 || width > INT_MAX || height > INT_MAX)
+        throw PictureError("it says that it has " + std::to_string(width) + " x " + std::to_string(height) +
+                           " pixels");
+    width_ = static_cast<int>(width);
+    height_ = static_cast<int>(height);
+    const unsigned depth = header[16], type = header[17];
+    const std::size_t channels = type == 0 || type == 3 ? 1 : type == 4 ? 2 : type == 2 ? 3 : 4;
+    // One byte per row for its filter; interlaced, in seven passes, each with rows of its own.
+    const std::size_t rows = header[20] == 0 ? height : 2 * height + 7;
+    const std::size_t rowBytes = (width * channels * std::min(depth, 16U) + 7) / 8;
+    inflatedBytes_ = height * rowBytes + rows * (header[20] == 0 ? 1 : 2) + 64;
+    const std::size_t unpacked = width * height * (depth == 16 ? 8 : 4) * (header[20] == 0 ? 1 : 2);
+    // Then there is a copy of the pixels, to be handed on.
+    decodingBytes_ = std::max(inflatedBytes_ + unpacked, width * height * 8);
+}
+
+// Deflate packs a thousand bytes into one, and stb unpacks all that there is, whatever the header says.
+void StbPicture::checkDeflatedSize() const {
+    constexpr std::size_t harmless = std::size_t{16} << 20;
+    if (size_ * 1032 <= inflatedBytes_ + harmless) return;
+    z_stream stream{};
+    if (inflateInit(&stream) != Z_OK) throw PictureError("there is no memory left to decode it");
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, inflateEnd);
+    std::vector<unsigned char> window(std::size_t{1} << 18);
+    std::size_t inflated = 0;
+    for (std::size_t at = sizeof pngSignature; size_ - at >= 12;) {
+        const std::size_t length = bigEndian32(bytes_ + at);
+        if (length > size_ - at - 12) return;  // cut short: stb says so
+        if (std::memcmp(bytes_ + at + 4, "IDAT", 4) == 0) {
+            stream.next_in = const_cast<unsigned char*>(bytes_ + at + 8);
+            stream.avail_in = static_cast<unsigned>(length);
+            do {
+                stream.next_out = window.data();
+                stream.avail_out = static_cast<unsigned>(window.size());
+                const int result = inflate(&stream, Z_NO_FLUSH);
+                if (result == Z_BUF_ERROR) break;  // nothing more of this chunk
+                if (result != Z_OK) return;        // its end, or damaged: stb says so
+                inflated += window.size() - stream.avail_out;
+                if (inflated > inflatedBytes_ + harmless)
+                    throw PictureError("it holds more data than its " + std::to_string(width_) + " x " +
+                                       std::to_string(height_) + " pixels");
+            } while (stream.avail_out == 0);
+        }
+        at += 12 + length;
+    }
+}
+
+std::vector<std::uint8_t> StbPicture::decode(int channels) const {
+    // Deflate packs at most 1032 bytes into one and JPEG 512 pixels: more is a lie, not worth its allocation.
+    const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    const std::string extent = std::to_string(width_) + " x " + std::to_string(height_) + " pixels";
+    if (pixels / 8 > size_ * 1032)  // a PNG pixel may be a single bit
+        throw PictureError("it says that it has " + extent + " but holds only " + std::to_string(size_) +
+                           " bytes");
+    if (isPng_) checkDeflatedSize();
+    const std::string noReason = reasonOfNothing();
+    int width = 0, height = 0, channelsOfFile = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
+        stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),
+        stbi_image_free);
+    if (decoded == nullptr)
+        throw PictureError(stbi_failure_reason() == noReason ? "its data are damaged"
+                                                             : stbi_failure_reason());
+    if (width != width_ || height != height_) throw PictureError("it contradicts its own size");
+    return {decoded.get(), decoded.get() + pixels * static_cast<std::size_t>(channels)};
+}
+
+}  // namespace vct

@@ -1,0 +1,131 @@
+// Inputs and surroundings that are unusual, and what is said of them.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "cli/program_run.h"
+#include "support/errors.h"
+#include "support/gltf_builder.h"
+
+namespace vct::test {
+namespace {
+
+constexpr const char* quick = " --size 16x16 --grid 64 --mode phong --out out ";
+
+std::string renderQuickly(const std::string& scene, const std::string& options = "") {
+    return "render '" + scene + "'" + quick + options;
+}
+
+TEST(HardInput, OnlyTheOptionLetsASceneNameFilesOutsideOfItsFolder) {
+    ProgramRun program;
+    GltfBuilder builder;
+    builder.triangle();
+    std::filesystem::create_directory(program.folder.file("scene"));
+    writeBytes(program.folder.file("scene/a.gltf"), builder.gltf("../a.bin"));
+    writeBytes(program.folder.file("a.bin"), builder.binary);
+    for (const char* command : {"render scene/a.gltf --out out --size 16x16 --mode phong --grid 64",
+                                "info scene/a.gltf --print-camera", "bench scene/a.gltf --repeat 1",
+                                "shaders scene/a.gltf --out out --preset thesis"}) {
+        EXPECT_EQ(program.run(command), 1) << command;
+        EXPECT_EQ(lineCount(program.err), 1) << program.err;
+        expectMentions(program.err, {"a.bin, outside of the scene's folder", "(--allow-outside)"});
+    }
+    program.expectSuccess("render scene/a.gltf --allow-outside" + std::string(quick));
+    program.expectSuccess("info scene/a.gltf --print-camera --allow-outside");
+}
+
+TEST(HardInput, NamesThatAreNotUtf8OrEndInADotAreNames) {
+    ProgramRun program;
+    GltfBuilder builder;
+    builder.triangle();
+    const std::string name = "a\xFF\xFE.glb";
+    writeBytes(program.folder.file(name), builder.glb());
+    program.expectSuccess(renderQuickly(name, "--timings t.json"));
+    EXPECT_TRUE(program.json("t.json").is_object());
+    EXPECT_EQ(program.run("render none.gltf. --out out"), 1);
+    expectMentions(program.err, {"none.gltf.: there is no such file"});
+    EXPECT_EQ(program.run("render . --out out"), 1);
+    expectMentions(program.err, {"cannot read .: it is not a file"});
+}
+
+TEST(HardInput, LongNamesAreCutOnlyWhereADriverWantsIt) {
+    ProgramRun program;
+    GltfBuilder builder = completeFile(encodePng(8));
+    builder.document["images"][0]["name"] = std::string(5000, 'x');
+    writeBytes(program.folder.file("a.glb"), builder.glb());
+    program.expectSuccess(renderQuickly("a.glb"));
+}
+
+TEST(HardInput, AnAnimationThatCannotBePlayedIsAWarningUnlessItIsAskedFor) {
+    ProgramRun program;
+    GltfBuilder builder = completeFile(encodePng(8));
+    builder.document["animations"][0]["samplers"][0]["interpolation"] = "BEZIER";
+    writeBytes(program.folder.file("a.glb"), builder.glb());
+    program.expectSuccess(renderQuickly("a.glb"));
+    expectMentions(program.err,
+                   {"warning: an animation cannot be played, and the scene stands still: ", "BEZIER"});
+    EXPECT_EQ(program.run(renderQuickly("a.glb", "--animation spin")), 1);
+    expectMentions(program.err, {"error: ", "unknown interpolation \"BEZIER\""});
+}
+
+TEST(HardInput, PipesAreNeitherScenesNorShaders) {
+    ProgramRun program;
+    ASSERT_EQ(mkfifo(program.folder.file("pipe.glb").c_str(), 0600), 0);
+    EXPECT_EQ(program.run("render pipe.glb --out out", "timeout 20"), 1);
+    expectMentions(program.err, {"pipe.glb: it is not a file"});
+    std::filesystem::copy(VCT_SOURCE_DIR "/shaders", program.folder.file("shaders"),
+                          std::filesystem::copy_options::recursive);
+    const std::string shader = program.folder.file("shaders/shared/layout.h");
+    ASSERT_TRUE(std::filesystem::remove(shader));
+    ASSERT_EQ(mkfifo(shader.c_str(), 0600), 0);
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), "VCT_SHADER_DIR=shaders timeout 60"), 1);
+    expectMentions(program.err, {"cannot read the shader shaders/shared/layout.h"});
+}
+
+TEST(HardInput, AnEmptyFolderOfShadersIsNone) {
+    ProgramRun program;
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), "VCT_SHADER_DIR="), 0) << program.err;
+}
+
+TEST(HardInput, StandardOutputThatIsFullIsAnError) {
+    ProgramRun program;
+    const std::string info = std::string("info --print-camera ") + ProgramRun::cornell;
+    EXPECT_EQ(program.run(info, "sh -c '\"$0\" \"$@\" > /dev/full'"), 1);
+    expectMentions(program.err, {"error: cannot write to standard output: No space left on device"});
+}
+
+TEST(HardInput, APictureThatMemoryDoesNotHoldIsOneErrorBeforeAnythingSlow) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    const std::string large =
+        std::string("render ") + ProgramRun::cornell + " --mode phong --grid 64 --out out ";
+    EXPECT_EQ(program.run(large + "--size 8192x8192", "ulimit -v 3000000;"), 1);
+    EXPECT_EQ(lineCount(program.err), 1) << program.err;
+    expectMentions(program.err, {"not enough memory for a picture of 8192 x 8192 pixels", "(--size)"});
+    EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
+}
+
+TEST(HardInput, MemoryThatADriverLacksIsNotAMissingDriver) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    EXPECT_EQ(program.run("info", "ulimit -v 100000;"), 1);
+    expectMentions(program.err, {"too little memory for a driver"});
+    EXPECT_EQ(program.err.find("install"), std::string::npos) << program.err;
+}
+
+TEST(HardInput, ManyPicturesOfAnEarlierRunAreACountAndTheFirstFew) {
+    ProgramRun program;
+    std::filesystem::create_directory(program.folder.file("out"));
+    for (int i = 0; i < 600; ++i)
+        writeBytes(program.folder.file("out/gi_" + std::to_string(1000 + i) + ".png"), "old");
+    program.expectSuccess(renderQuickly(ProgramRun::cornell));
+    expectMentions(program.err, {"but in out: gi_1000.png, gi_1001.png, ", "gi_1004.png and 595 more\n"});
+}
+
+}  // namespace
+}  // namespace vct::test
