@@ -3,6 +3,7 @@
 #include <EGL/egl.h>
 
 #include "app/log.h"
+#include "core/memory.h"
 #include "gl/debug.h"
 
 namespace vct::app {
@@ -29,6 +30,14 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     hud_.emplace(gl::ShaderLibrary{shaders_, gl::Language::essl300});
     if (missing_.empty()) presenter_.emplace(gl::ShaderLibrary{shaders_, capabilities_.language()});
     gl::checkErrors("setting up the display");
+}
+
+std::vector<int> GlObjects::possibleGrids(const Settings& settings, bool moves) const {
+    std::size_t bytes = availableMemory();
+    if (renderer_)
+        for (const Resource& resource : renderer_->resources())
+            bytes += resource.bytes;
+    return vct::possibleGrids(settings, moves, capabilities_, bytes);
 }
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,

@@ -12,7 +12,6 @@ namespace vct::app {
 namespace {
 
 constexpr float fontPixels = 13.0F;  // the built-in font is drawn for whole multiples of it
-constexpr int grids[] = {64, 128, 256, 512};
 constexpr float panelCharacters = 48.0F;
 
 ImVec4 warningColor() {
@@ -201,8 +200,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
         choosePreset(choices, *chosen);
     if (const Mode* chosen = choose("mode", allModes(), modeName(choices.mode), modeName))
         choices.mode = *chosen;
-    const auto gridName = [](int grid) { return std::to_string(grid) + "^3"; };
-    if (const int* chosen = choose("grid", grids, gridName(choices.grid), gridName)) choices.grid = *chosen;
+    buildGrid(content);
     const std::vector<Resolution>& all = resolutions();
     if (const Resolution* chosen = choose("pixels", all, all[choices.resolution].name,
                                           [](const Resolution& resolution) { return resolution.name; }))
@@ -223,6 +221,16 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
         choices.lightAnglesDeg.reset();
     }
     ImGui::SameLine();
+}
+
+// Which grids there are is asked while the list is open only, as it depends on how much memory is free.
+void Hud::buildGrid(const HudContent& content) const {
+    const auto name = [](int grid) { return std::to_string(grid) + "^3"; };
+    int& chosen = content.choices->grid;
+    if (!ImGui::BeginCombo("grid", name(chosen).c_str(), ImGuiComboFlags_HeightLargest)) return;
+    for (const int grid : content.possibleGrids())
+        if (ImGui::Selectable(name(grid).c_str(), grid == chosen)) chosen = grid;
+    ImGui::EndCombo();
 }
 
 void Hud::buildLight(const HudContent& content) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -25,10 +26,11 @@ struct HudContent {
     double frameMs = 0.0;                                   // between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // null: not timed
     glm::ivec2 renderSize{0};
-    bool animated = false;            // the scene
-    std::vector<std::string> lights;  // of the scene besides the sun, by name
-    std::string status;               // what is going on: loading, measuring
-    std::string message;              // what went wrong
+    std::function<std::vector<int>()> possibleGrids;  // of the scene and the driver, now
+    bool animated = false;                            // the scene
+    std::vector<std::string> lights;                  // of the scene besides the sun, by name
+    std::string status;                               // what is going on: loading, measuring
+    std::string message;                              // what went wrong
     bool measuring = false;
 };
 
@@ -71,6 +73,7 @@ class Hud {
     void beginPanel(const char* name, const glm::ivec4& free, float widest);
     void buildTimes(const HudContent& content) const;
     void buildChoices(const HudContent& content, HudActions& actions) const;
+    void buildGrid(const HudContent& content) const;
     void buildLight(const HudContent& content) const;
     void buildLights(const HudContent& content) const;
     void scrollByTouch() const;

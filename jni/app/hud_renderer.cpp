@@ -56,6 +56,7 @@ void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
                   0.0F, 0.0F);
     font_.bind(fontUnit);
     vertexArray_.bind();
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
     vertices_.bind(GL_ARRAY_BUFFER);
     for (int n = 0; n < data.CmdListsCount; ++n) {
         const ImDrawList& list = *data.CmdLists[n];

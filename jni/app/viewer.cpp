@@ -6,6 +6,7 @@
 #include "app/log.h"
 #include "gl/debug.h"
 #include "scene/camera.h"
+#include "scene/scene_features.h"
 
 namespace vct::app {
 
@@ -82,6 +83,9 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = settingsFor(choices_, window).size;
+    content.possibleGrids = [&] {
+        return gl_->possibleGrids(settingsFor(choices_, window), scene_ && featuresOf(*scene_).movingObjects);
+    };
     content.animated = scene_ && !scene_->animation.channels.empty();
     if (scene_)
         for (const PunctualLight& light : scene_->punctualLights)
@@ -124,7 +128,7 @@ void Viewer::drawScene(glm::ivec2 window) {
                                                                   : &scene_->cameras.front();
             if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
         }
-        if (choices_.timeSteps) renderer.timer().startRecording();
+        if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
         renderer.frame(choices_.mode, view_->camera(aspect_));
         if (!look_.exposure) exposure_.follow(renderer);
         stepMs_.reset();

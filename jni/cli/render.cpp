@@ -141,7 +141,7 @@ void renderMode(const Placed& placed, Mode mode, const std::vector<double>& mome
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
                 renderer.frame(mode, camera);
-            renderer.timer().startRecording();
+            renderer.timer().startRecording(Clocks::cpuAndGpu);
             for (int i = 0; i < timedFrames && !options.frames; ++i)
                 renderer.frame(mode, camera);
         }

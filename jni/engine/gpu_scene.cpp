@@ -281,8 +281,15 @@ void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
                         static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
 }
 
-void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
+void GpuScene::bindGeometry() const {
     vertexArray_.bind();
+    // The vertex array has it, but not on every Adreno and Mali: Filament, OpenGLContext.h,
+    // vao_doesnt_store_element_array_buffer_binding.
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);
+}
+
+void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
+    bindGeometry();
     gl::CullFace(GL_BACK);
     const gl::Program* current = nullptr;
     for (std::size_t i = 0; i < draws_.size(); ++i) {
@@ -301,7 +308,7 @@ bool GpuScene::isIn(const Draw& draw, const ScenePart& part) const {
 
 void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
                              const glm::ivec4& viewport) const {
-    vertexArray_.bind();
+    bindGeometry();
     gl::Disable(GL_CULL_FACE);
     std::optional<BlockScissor> scissor;
     if (part.touched != nullptr) scissor.emplace(*part.touched, viewport);

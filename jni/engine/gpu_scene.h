@@ -97,6 +97,7 @@ class GpuScene {
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
+    void bindGeometry() const;
     void bindDraw(const Draw& draw, const gl::Program*& current, const MaterialPrograms& programs) const;
 
     SceneFeatures features_;

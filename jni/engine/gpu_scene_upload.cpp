@@ -1,42 +1,11 @@
 // The scene's vertices, indices and textures on their way to the GPU.
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 
 #include "engine/gpu_scene.h"
+#include "engine/material_texture.h"
 
 namespace vct {
-
-namespace {
-
-GLenum glWrap(Texture::Wrap wrap) {
-    switch (wrap) {
-        case Texture::Wrap::clampToEdge:
-            return GL_CLAMP_TO_EDGE;
-        case Texture::Wrap::mirroredRepeat:
-            return GL_MIRRORED_REPEAT;
-        case Texture::Wrap::repeat:
-            break;
-    }
-    return GL_REPEAT;
-}
-
-gl::Texture uploadTexture(const Texture& source) {
-    const int levels = static_cast<int>(std::log2(std::max(source.width, source.height))) + 1;
-    gl::Texture texture =
-        gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
-    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl::TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      source.rgba.data());
-    gl::GenerateMipmap(GL_TEXTURE_2D);
-    texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, source.linearFilter ? GL_LINEAR : GL_NEAREST);
-    texture.setParameter(GL_TEXTURE_WRAP_S, glWrap(source.wrapS));
-    texture.setParameter(GL_TEXTURE_WRAP_T, glWrap(source.wrapT));
-    return texture;
-}
-
-}  // namespace
 
 void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
     struct Attribute {
@@ -77,7 +46,7 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
 
 void GpuScene::uploadTextures(const Scene& scene) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        textures_.push_back(features_.textures[i] ? uploadTexture(scene.textures[i]) : gl::Texture());
+        textures_.push_back(features_.textures[i] ? materialTexture(scene.textures[i]) : gl::Texture());
 }
 
 }  // namespace vct

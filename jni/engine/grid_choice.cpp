@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "engine/directional/directional_voxels.h"
+#include "engine/driver_needs.h"
 #include "engine/volume.h"
-#include "engine/voxel_pyramid.h"
 #include "scene/parts.h"
 
 namespace vct {
@@ -34,11 +33,6 @@ std::string lengthText(double metres) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g %s", metres / unit->metres, unit->name);
     return text;
-}
-
-std::size_t voxelBytes(const Settings& settings, int grid) {
-    return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
-                                             : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
 }
 
 struct Narrow {

@@ -15,8 +15,9 @@ namespace vct {
 
 namespace {
 
-const Settings& validated(const Settings& settings) {
+const Settings& validated(const Settings& settings, bool moves, const gl::Capabilities& capabilities) {
     validate(settings);
+    requireNeeds(settings, moves, capabilities);
     return settings;
 }
 
@@ -35,14 +36,9 @@ std::optional<Emitters> lampsOf(const Scene& scene, const Volume& volume, const 
 
 }  // namespace
 
-Settings forDriver(Settings settings, const gl::Capabilities& capabilities) {
-    if (!capabilities.meets("GL_EXT_geometry_shader")) settings.voxelization = Voxelization::sortedAxes;
-    return settings;
-}
-
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
-    : settings_(validated(settings)),
+    : settings_(validated(settings, featuresOf(scene).movingObjects, capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
       light_(light),
@@ -58,11 +54,6 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
                      GL_DYNAMIC_DRAW),
       // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
-    if (settings.voxelization == Voxelization::geometryShader)
-        capabilities.require("GL_EXT_geometry_shader", "the voxelization sorted-axes gives the same voxels");
-    if (scene_.moves() && settings.voxels == Voxels::directional)
-        capabilities.require("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6",
-                             "the preset thesis does without");
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
         others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
@@ -145,8 +136,7 @@ VoxelVolume& Renderer::voxels() {
     if (voxels_) return *voxels_;
     const bool packed = settings_.voxels == Voxels::packed;
     if (texturesInMainMemory_)
-        requireMemory((packed ? VoxelPyramid::bytesFor : DirectionalVoxels::bytesFor)(
-                          settings_.grid, settings_.activeVoxelLimit),
+        requireMemory(voxelBytes(settings_, settings_.grid),
                       "the voxels at " + std::to_string(settings_.grid) + "^3");
     if (packed)
         voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_);

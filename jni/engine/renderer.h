@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/directional/directional_volume.h"
+#include "engine/driver_needs.h"
 #include "engine/emitters.h"
 #include "engine/gpu_scene.h"
 #include "engine/packed/packed_volume.h"
@@ -22,9 +23,6 @@
 #include "lab/step_timer.h"
 
 namespace vct {
-
-// The same picture by other means where the driver lacks what `settings` would use.
-Settings forDriver(Settings settings, const gl::Capabilities& capabilities);
 
 class Renderer {
   public:

@@ -43,13 +43,6 @@ std::size_t listBytes(const std::vector<shared::LevelCommands>& commands) {
     return entries * sizeof(std::uint32_t);
 }
 
-void copyBuffer(const gl::Buffer& from, const gl::Buffer& to) {
-    from.bind(GL_COPY_READ_BUFFER);
-    to.bind(GL_COPY_WRITE_BUFFER);
-    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                          static_cast<GLsizeiptr>(to.bytes()));
-}
-
 }  // namespace
 
 gl::ProgramDescription packedClearProgram() {
@@ -62,8 +55,6 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
       initialCommands_(emptyCommands(grid, texture_.levels(), baseCapacity)),
       sparseClear_(shaders, packedClearProgram()) {
     const std::size_t commandBytes = initialCommands_.size() * sizeof initialCommands_[0];
-    resetCommands_ = gl::Buffer("voxel commands, empty", GL_COPY_READ_BUFFER, commandBytes,
-                                initialCommands_.data(), GL_STATIC_COPY);
     commands_ = gl::Buffer("voxel commands", GL_SHADER_STORAGE_BUFFER, commandBytes, initialCommands_.data(),
                            GL_DYNAMIC_COPY);
     activeVoxels_ = gl::Buffer("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_),
@@ -105,18 +96,16 @@ void VoxelPyramid::zero() {
 
 void VoxelPyramid::emptyLists() {
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    setCommands(resetCommands_);
+    setCommands(initialCommands_);
 }
 
-gl::Buffer VoxelPyramid::copyCommands(const std::string& label) const {
-    gl::Buffer copy(label, GL_COPY_WRITE_BUFFER, commands_.bytes(), nullptr, GL_STATIC_COPY);
-    gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    copyBuffer(commands_, copy);
-    return copy;
-}
-
-void VoxelPyramid::setCommands(const gl::Buffer& commands) {
-    copyBuffer(commands, commands_);
+// Not a copy of a buffer that has them: a PowerVR Rogue would let dispatches that came before read what it
+// brings (Skia, GrGLCaps.cpp, fTransferFromBufferToBufferSupport, driver 1.13@5720833). The clear of this
+// frame would find empty lists, and leave the voxels of the last one.
+void VoxelPyramid::setCommands(const std::vector<shared::LevelCommands>& commands) {
+    commands_.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(commands.size() * sizeof commands[0]),
+                      commands.data());
 }
 
 void VoxelPyramid::bindLevel(int unit, int level, GLenum access) const {
@@ -143,9 +132,7 @@ void VoxelPyramid::dispatchOverFaces(int level) const {
 }
 
 std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels) {
-    std::vector<shared::LevelCommands> current(VCT_MAX_LEVELS);
-    const std::size_t bytes = current.size() * sizeof current[0];
-    commands_.read(current.data(), bytes);
+    std::vector<shared::LevelCommands> current = readCommands();
     for (int level = 0; level < levels(); ++level) {
         const std::uint32_t capacity = 6 * std::min(voxels, initialCommands_[level].capacity);
         for (std::vector<shared::LevelCommands>* commands : {&current, &initialCommands_}) {
@@ -154,10 +141,7 @@ std::size_t VoxelPyramid::placeFaceLists(std::size_t first, std::uint32_t voxels
         }
         first += capacity;
     }
-    commands_.bind(GL_COPY_WRITE_BUFFER);
-    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), current.data());
-    resetCommands_.bind(GL_COPY_WRITE_BUFFER);
-    gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), initialCommands_.data());
+    setCommands(current);
     return first;
 }
 

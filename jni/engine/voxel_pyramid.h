@@ -37,9 +37,8 @@ class VoxelPyramid {
     // And the lists, where the texture is being emptied.
     void emptyLists();
 
-    // What the commands say now, and saying it again: which entries of the lists are active.
-    gl::Buffer copyCommands(const std::string& label) const;
-    void setCommands(const gl::Buffer& commands);
+    // Says which entries of the lists are active, as readCommands() has it.
+    void setCommands(const std::vector<shared::LevelCommands>& commands);
 
     // Binds one level for image access, and the list and its commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;
@@ -69,7 +68,7 @@ class VoxelPyramid {
     int grid_;
     gl::Texture texture_;
     std::vector<shared::LevelCommands> initialCommands_;
-    gl::Buffer resetCommands_, commands_, activeVoxels_;
+    gl::Buffer commands_, activeVoxels_;
     gl::Program sparseClear_;
 };
 

@@ -54,14 +54,6 @@ bool Capabilities::meets(const std::string& name) const {
                         [&](const Requirement& row) { return row.name == name && !row.met; });
 }
 
-void Capabilities::require(const std::string& name, const std::string& remedy) const {
-    for (const Requirement& row : requirements)
-        if (row.name == name && !row.met)
-            throw Error("the GL driver (" + renderer + ", " + version +
-                        ") lacks what these settings need:\n  " + lineOf(row) + ": " + row.neededBy + "\n" +
-                        remedy);
-}
-
 Capabilities queryCapabilities() {
     Capabilities result;
     result.vendor = stringOf(GL_VENDOR);
@@ -73,7 +65,9 @@ Capabilities queryCapabilities() {
     result.debugOutput = DebugMessageCallback != nullptr;
     result.softwareDriver = isSoftwareRenderer(result.renderer);
     result.texturesInMainMemory = result.softwareDriver;
-    result.gpuTimerBits = gpuTimerBits();
+    result.limits = limitsOf(getInteger);
+    result.faults = faultsOf(result.renderer, result.version);
+    result.gpuTimerBits = result.faults.timerQueries.empty() ? gpuTimerBits() : 0;
     result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);
 
     // An ES 3.1 context that takes it all the same (Mesa's does) does not promise what 3.20 has in core.
@@ -95,7 +89,9 @@ std::string describe(const Capabilities& capabilities) {
         << "debugging: " << (capabilities.debugOutput ? "KHR_debug messages and groups" : "glGetError only")
         << "\n"
         << "GPU clock: "
-        << (capabilities.gpuTimerBits > 0 ? std::to_string(capabilities.gpuTimerBits) + " bits" : "none")
+        << (capabilities.gpuTimerBits > 0              ? std::to_string(capabilities.gpuTimerBits) + " bits"
+            : capabilities.faults.timerQueries.empty() ? "none"
+                                                       : "not used: " + capabilities.faults.timerQueries)
         << "\n\n";
 
     size_t nameWidth = 0, foundWidth = 0;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/driver_faults.h"
 #include "gl/shader_source.h"
 
 namespace vct::gl {
@@ -17,6 +18,12 @@ struct Requirement {
     bool met = false;
 };
 
+// What settings are held to (engine/driver_needs.h).
+struct Limits {
+    int texture2d = 0, texture3d = 0, framebufferWidth = 0;  // texels
+    int fragmentStorageBlocks = 0, combinedOutputs = 0;
+};
+
 struct Capabilities {
     std::string vendor, renderer, version, shadingLanguage;
     bool desktopContext = false;        // OSMesa: a desktop core context that compiles the ES sources
@@ -24,15 +31,15 @@ struct Capabilities {
     bool debugOutput = false;           // KHR_debug entry points are there
     bool softwareDriver = false;        // runs on the CPU: llvmpipe, softpipe, lavapipe
     bool texturesInMainMemory = false;  // so how much there is can be asked before they are made
-    int gpuTimerBits = 0;               // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
+    Limits limits;
+    DriverFaults faults;
+    int gpuTimerBits = 0;  // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
     int uniformBufferOffsetAlignment = 256;
     std::vector<Requirement> requirements;
 
     Language language() const { return essl320 ? Language::essl320 : Language::essl310; }
     // Throws one vct::Error that names every required thing that is missing and what it is needed for.
     void requireAll() const;
-    // The same for a row that only some settings require, found by its name.
-    void require(const std::string& name, const std::string& remedy) const;
     // False only for a row of the requirements that is not met.
     bool meets(const std::string& name) const;
 };

@@ -34,6 +34,31 @@ std::size_t texelBytes(GLenum format) {
     }
 }
 
+// The driver itself would only say that a value is invalid.
+void throwIfTooLarge(const std::string& label, GLenum target, int width, int height, int depth) {
+    GLint most = 0;
+    GetIntegerv(target == GL_TEXTURE_3D         ? GL_MAX_3D_TEXTURE_SIZE
+                : target == GL_TEXTURE_CUBE_MAP ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                                : GL_MAX_TEXTURE_SIZE,
+                &most);
+    if (std::max({width, height, depth}) <= most) return;
+    throw Error(label + " needs " + std::to_string(width) + " x " + std::to_string(height) +
+                (target == GL_TEXTURE_3D ? " x " + std::to_string(depth) : "") +
+                " texels, and the driver allows " + std::to_string(most) +
+                " along a side; use a coarser grid, a smaller picture or smaller textures");
+}
+
+// Storage buffers are bound as one block each, whose size phones limit to 128 MiB and more.
+void throwIfTooLarge(const std::string& label, GLenum target, std::size_t bytes) {
+    if (target != GL_SHADER_STORAGE_BUFFER) return;
+    GLint most = 0;
+    GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    if (bytes > static_cast<std::size_t>(most))
+        throw Error(label + " needs " + megabytesText(bytes) + ", and the driver allows " +
+                    megabytesText(static_cast<std::size_t>(most)) +
+                    " in a storage block (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); use a coarser grid");
+}
+
 // Storage calls report these two and nothing else here: everything before is checked per pass.
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     const GLenum error = GetError();
@@ -55,6 +80,7 @@ std::size_t textureBytes(GLenum format, int width, int height, int depth, int le
 
 Texture Texture::create(const std::string& label, GLenum target, GLenum format, int width, int height,
                         int depth, int levels) {
+    throwIfTooLarge(label, target, width, height, depth);
     Texture texture;
     texture.handle_ = Handle<&DeleteTextures>(generate(GenTextures));
     texture.target_ = target;
@@ -131,6 +157,7 @@ PlainSampler::PlainSampler() {
 
 Buffer::Buffer(const std::string& label, GLenum target, std::size_t bytes, const void* data, GLenum usage)
     : handle_(generate(GenBuffers)), bytes_(bytes), label_(label) {
+    throwIfTooLarge(label, target, bytes);
     BindBuffer(target, name());
     BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
     throwIfOutOfMemory(label, bytes);
@@ -165,18 +192,33 @@ Framebuffer::Framebuffer(const std::string& label, const std::vector<const Textu
                          const Texture* depth, int level) {
     create(label);
     std::vector<GLenum> drawBuffers;
-    for (const Texture* color : colors) {
-        drawBuffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(drawBuffers.size()));
-        FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers.back(), GL_TEXTURE_2D, color->name(), level);
-    }
-    if (depth != nullptr)
-        FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), level);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        drawBuffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+    const auto attach = [&] {
+        for (std::size_t i = 0; i < colors.size(); ++i)
+            FramebufferTexture2D(GL_FRAMEBUFFER, drawBuffers[i], GL_TEXTURE_2D, colors[i]->name(), level);
+        if (depth != nullptr)
+            FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), level);
+    };
+    attach();
     if (drawBuffers.empty()) drawBuffers.push_back(GL_NONE);
     DrawBuffers(static_cast<GLsizei>(drawBuffers.size()), drawBuffers.data());
     const Texture& any = depth != nullptr ? *depth : *colors.front();
     width_ = std::max(any.width() >> level, 1);
     height_ = std::max(any.height() >> level, 1);
     check(label);
+    // On Mali-T before driver r26, as of the Galaxy S7, what is attached is lost to later work once the
+    // status has been asked for: Skia, skbug 12640.
+    if (!colors.empty()) attach();
+}
+
+// An Adreno 4xx loses what was drawn where the framebuffer that is deleted is the bound one: Chromium,
+// gpu_driver_bug_list #102.
+Framebuffer::~Framebuffer() {
+    if (handle_.get() == 0) return;
+    GLint bound = 0;
+    GetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    if (static_cast<GLuint>(bound) == handle_.get()) BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 Framebuffer::Framebuffer(const std::string& label, int width, int height) : width_(width), height_(height) {
@@ -195,21 +237,27 @@ void Framebuffer::bind() const {
 
 // ES has no clear for textures, but each slice can be a colour target.
 void zeroTexture3d(const Texture& texture, int depth) {
-    const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
-    framebuffer.bind();
-    const GLenum target = GL_COLOR_ATTACHMENT0;
-    DrawBuffers(1, &target);
-    ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const GLuint integers[4] = {0, 0, 0, 0};
-    const GLfloat floats[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-    for (int level = 0; level < texture.levels(); ++level)
-        for (int slice = 0; slice < std::max(depth >> level, 1); ++slice) {
-            FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture.name(), level, slice);
-            if (texture.format() == GL_R32UI)
-                ClearBufferuiv(GL_COLOR, 0, integers);
-            else
-                ClearBufferfv(GL_COLOR, 0, floats);
-        }
+    {
+        const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
+        framebuffer.bind();
+        const GLenum target = GL_COLOR_ATTACHMENT0;
+        DrawBuffers(1, &target);
+        ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        const GLuint integers[4] = {0, 0, 0, 0};
+        const GLfloat floats[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+        for (int level = 0; level < texture.levels(); ++level)
+            for (int slice = 0; slice < std::max(depth >> level, 1); ++slice) {
+                FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture.name(), level, slice);
+                if (texture.format() == GL_R32UI)
+                    ClearBufferuiv(GL_COLOR, 0, integers);
+                else
+                    ClearBufferfv(GL_COLOR, 0, floats);
+            }
+    }
+    // GL asks for no barrier here. An Adreno 640 reads the texels of before in compute: ANGLE,
+    // angle_end2end_tests_expectations.txt, ClearThenSampleWithCompute and DrawDispatchImageReadDraw
+    // (42264513).
+    MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 }  // namespace vct::gl

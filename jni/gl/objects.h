@@ -47,7 +47,7 @@ inline GLuint generate(decltype(GenTextures) entryPoint) {
 constexpr int scratchTextureUnit = 31;
 
 // An immutable-storage texture. Throws vct::Error naming `label`, the size and the remedy where there is no
-// memory for it.
+// memory for it, or where it is larger than the driver allows.
 class Texture {
   public:
     Texture() = default;
@@ -106,6 +106,7 @@ std::size_t textureBytes(GLenum format, int width, int height, int depth, int le
 // Zeroes all levels of a 3D texture whose texels can be rendered to.
 void zeroTexture3d(const Texture& texture, int depth);
 
+// Throws as Texture does; a storage buffer also where it is larger than a block may be.
 class Buffer {
   public:
     Buffer() = default;
@@ -141,6 +142,9 @@ class Framebuffer {
     Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
                 int level = 0);
     Framebuffer(const std::string& label, int width, int height);
+    ~Framebuffer();
+    Framebuffer(Framebuffer&&) = default;
+    Framebuffer& operator=(Framebuffer&&) = default;
 
     // Binds it for drawing and reading and sets the viewport to all of it.
     void bind() const;

@@ -60,21 +60,25 @@ constexpr Limit limits[] = {
     {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 2, true,
      "voxelization: the fragment shader appends to the active-voxel list and counts it in the indirect "
      "commands"},
+    {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 3, false,
+     "the presets mobile and quality: the fragment shader adds to the sums of faces, too"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 5, true,
      "clear and mipmap: two images and three storage buffers in one compute shader"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 6, false,
-     "moving objects in the presets mobile and quality: four images and four storage buffers in one compute "
+     "moving objects in the presets mobile and quality: two images and four storage buffers in one compute "
      "shader; without it they need the preset thesis"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
-    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 4, true,
-     "mipmap: a level of voxels and of faces is written while another is emptied"},
+    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,
+     "mipmap and clear: one level is read or written beside another"},
     {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS", 64, true,
      "mipmap and sparse clear: work groups of 64"},
     {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 256, true,
      "the voxel grid of 256^3, the default of all measurements"},
-    {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 512, false,
-     "the voxel grid of 512^3 is lost without it"},
+    {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 1536, false,
+     "the voxel grid of 512^3, which the presets mobile and quality need three times as wide: without it "
+     "grids "
+     "are at most that wide, or a third of it"},
     {GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", 2048, true,
      "material textures, the shadow map and the picture"},
     {GL_MAX_COLOR_ATTACHMENTS, "GL_MAX_COLOR_ATTACHMENTS", 4, true, "G-buffer: up to four colour targets"},
@@ -146,6 +150,11 @@ std::vector<Requirement> evaluateRequirements(const DriverReport& driver) {
     for (const Limit& limit : limits)
         rows.push_back(evaluate(limit, driver));
     return rows;
+}
+
+Limits limitsOf(const std::function<GLint(GLenum limit)>& limit) {
+    return {limit(GL_MAX_TEXTURE_SIZE), limit(GL_MAX_3D_TEXTURE_SIZE), limit(GL_MAX_FRAMEBUFFER_WIDTH),
+            limit(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS), limit(GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES)};
 }
 
 bool isSoftwareRenderer(const std::string& renderer) {

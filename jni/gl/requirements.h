@@ -18,6 +18,7 @@ struct DriverReport {
     std::function<GLint(GLenum limit)> limit;  // glGetIntegerv
 };
 
+Limits limitsOf(const std::function<GLint(GLenum limit)>& limit);
 std::vector<Requirement> evaluateRequirements(const DriverReport& driver);
 
 // True for the renderers that run on the CPU, also below another driver: "zink (llvmpipe ...)".

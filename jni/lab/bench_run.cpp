@@ -152,7 +152,7 @@ void BenchRun::beginRun() {
 }
 
 void BenchRun::frame() {
-    if (frame_ == warmUpFrames) renderer_->timer().startRecording();
+    if (frame_ == warmUpFrames) renderer_->timer().startRecording(Clocks::cpuAndGpu);
     renderer_->frame(modes_[mode_], camera_);
     if (++frame_ == warmUpFrames + timedFrames) endMode();
 }

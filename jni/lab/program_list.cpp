@@ -12,6 +12,7 @@
 #include "engine/passes/shade.h"
 #include "engine/passes/shadow_map.h"
 #include "lab/debug_view.h"
+#include "lab/driver_checks.h"
 #include "lab/voxel_view.h"
 
 namespace vct {
@@ -36,6 +37,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
         nextShadowMomentsProgram(),    staticResolveProgram(),     dirtyResolveProgram(),
         dirtyMipmapperProgram(),       dirtyClearBaseProgram(),    clearDynamicProgram(),
         clearRadianceProgram(),        relightResolveProgram()};
+    for (const gl::ProgramDescription& program : driverCheckPrograms())
+        programs.push_back(program);
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));

@@ -1,5 +1,5 @@
-// Whether this driver's image atomics, indirect dispatch and list give the voxels that the CPU expects, on a
-// scene small and simple enough to be known exactly. Drivers are wrong more often than one thinks.
+// Whether this driver can be trusted: the assumptions of driver_checks.h one by one, and then every preset on
+// a scene small and simple enough to be known exactly. Drivers are wrong more often than one thinks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace vct {
 
 struct SelfTest {
     bool passed = false;
-    std::string text;  // what was compared, or what is wrong and where
+    std::string text;  // what was compared, or what is wrong, where, and what to do
 };
 
 // Throws gl::ContextLost only; every other error is a failed test.

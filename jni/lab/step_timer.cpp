@@ -33,7 +33,9 @@ double median(std::vector<double> samples) {
 
 std::string whyGpuTimesAreWrong(const StepTimes& times) {
     if (times.gpuMs[0].empty())
-        return "the driver has no GL_EXT_disjoint_timer_query, or a clock of 0 bits, or runs on the CPU";
+        return "the driver has no GL_EXT_disjoint_timer_query, or a clock of 0 bits, or one that is known "
+               "not to be "
+               "sound, or runs on the CPU";
     if (times.gpuDisjoint) return "the driver reported a disjoint operation";
     // What submitting costs is in glFinish's times and not in the GPU's: short steps may differ widely.
     constexpr double longStepMs = 5.0;
@@ -48,10 +50,10 @@ std::string whyGpuTimesAreWrong(const StepTimes& times) {
     return "";
 }
 
-void StepTimer::startRecording() {
+void StepTimer::startRecording(Clocks clocks) {
     recording_ = true;
     times_ = {};
-    if (!hasGpuClock_) return;
+    if (!hasGpuClock_ || clocks == Clocks::cpu) return;
     gpuTimer_.emplace();
     gl::gpuTimerWasDisjoint();  // what happened before does not count
 }

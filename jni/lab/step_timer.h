@@ -32,13 +32,17 @@ std::string whyGpuTimesAreWrong(const StepTimes& times);
 
 double median(std::vector<double> samples);  // 0 for none
 
+// Which clocks a recording reads. The GPU's is for those who read its times: queries are among what drivers
+// get wrong most (gl/driver_faults.h).
+enum class Clocks { cpu, cpuAndGpu };
+
 // Does nothing (not even glFinish) unless recording.
 class StepTimer {
   public:
-    // `gpuTimerBits`: of the context; 0 without a GPU clock.
+    // `gpuTimerBits`: of the context; 0 without a GPU clock that is sound.
     explicit StepTimer(int gpuTimerBits) : hasGpuClock_(gpuTimerBits > 0) {}
 
-    void startRecording();
+    void startRecording(Clocks clocks);
     StepTimes stopRecording();
 
     void beginFrame();

@@ -40,6 +40,7 @@ const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
     voxels.texture().bind(VCT_TEX_VOXELS);
     vertexArray_.bind();
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
     // baseInstance must be 0 in ES 3.1, so the level's place in the list is the attribute's offset.
     voxels.activeVoxels().bind(GL_ARRAY_BUFFER);
     gl::EnableVertexAttribArray(VCT_ATTRIBUTE_VOXEL);

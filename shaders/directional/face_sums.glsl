@@ -27,8 +27,10 @@ uint packAlbedo(float coverage, vec3 albedo) {
     return (steps.x << 24) | (steps.y << 16) | (steps.z << 8) | steps.w;
 }
 
+// Bits are masked one component at a time, here and everywhere: of a vector and a constant some drivers for Mali give the
+// constant (Dolphin, DriverDetails.h, BUG_BROKEN_VECTOR_BITWISE_AND). Albedo would be white.
 vec3 unpackAlbedo(uint word) {
-    vec3 root = vec3((uvec3(word) >> uvec3(16, 8, 0)) & 255u) / 255.0;
+    vec3 root = vec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u) / 255.0;
     return root * root;
 }
 
@@ -46,7 +48,7 @@ struct SurfacePlane {
 };
 
 SurfacePlane unpackPlane(uint word) {
-    uvec3 steps = (uvec3(word) >> uvec3(16, 8, 0)) & 255u;
+    uvec3 steps = uvec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u);
     return SurfacePlane(decodeNormal(steps.yz * 32767u / 127u), float(steps.x) / 127.5 - 1.0);
 }
 

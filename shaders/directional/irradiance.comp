@@ -39,7 +39,8 @@ vec3 gatherDirection(int i) {
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    ivec2 inBlock = (axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy) & 3;
+    ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
+    ivec2 inBlock = ivec2(across.x & 3, across.y & 3);
     int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);

@@ -24,7 +24,7 @@ vec3 inBrickOf(vec3 position, ivec3 block) {
 mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
     // packBrick()'s numbers where they stand: a float holds them as exactly there, and one product shifts and scales them.
     const vec3 texelsOfUnit = float(VCT_BRICK_TEXELS) / vec3(1 << 20, 1 << 10, 1);
-    vec3 texel = inBrick + vec3(uvec3(brick) & uvec3(0x3FF00000u, 0xFFC00u, 0x3FFu)) * texelsOfUnit;
+    vec3 texel = inBrick + vec3(brick & 0x3FF00000u, brick & 0xFFC00u, brick & 0x3FFu) * texelsOfUnit;
     mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
     // Not a branch: nearly all are one.
     return brick != 0u ? received : vec4(0.0);
@@ -38,7 +38,7 @@ mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
 
 // From the middle of a cube to one of its corners, by the last three bits.
 vec3 towardsCorner(uint i) {
-    return vec3((uvec3(i) >> uvec3(0u, 1u, 2u)) & 1u) - 0.5;
+    return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
 // What a surface at a position (volume space) receives, relative to frame.radianceRange: from the faces on the normal's side of

@@ -22,7 +22,7 @@ vec3 chanceAt(ivec3 texel, uint which) {
     h = h * 747796405u + 2891336453u;
     h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
     h = (h >> 22u) ^ h;
-    return vec3(uvec3(h, h >> 10u, h >> 20u) & 1023u) / 1024.0;
+    return vec3(h & 1023u, h >> 10u & 1023u, h >> 20u & 1023u) / 1024.0;
 }
 
 // A face as it is stored in 8 bits: rgb rounded up or down by chance, so that dim light is right in the mean and

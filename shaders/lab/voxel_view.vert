@@ -10,7 +10,7 @@ out vec3 corner;
 void main() {
     uvec3 voxel = unpackEntry(entry);
     // The three bits of the index are the corner's coordinates.
-    corner = vec3(uvec3(gl_VertexID, gl_VertexID >> 1, gl_VertexID >> 2) & 1u);
+    corner = vec3(gl_VertexID & 1, gl_VertexID >> 1 & 1, gl_VertexID >> 2 & 1);
     uint word = texelFetch(voxels, ivec3(voxel), int(level)).r;
     vec3 unlit = vec3(0.06, 0.07, 0.09);  // so that voxels in shadow show their shape
     color = voxelLight(word) != 0u ? max(unpackSample(word).rgb, unlit) : unlit;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/hud.h"
 #include "stand_in/stand_in.h"
@@ -38,6 +39,7 @@ class Fingers {
             content.scene = &scene;
             content.scenes = &scenes;
             content.message = message;
+            content.possibleGrids = [&] { return grids; };
             content.animated = animated;
             content.lights = lights;
             const app::HudActions actions = hud.build(content, window, {0, 0, window}, 0.02);
@@ -54,6 +56,7 @@ class Fingers {
     std::vector<app::SceneFile> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
     int scene = 0;
     std::string message;
+    std::vector<int> grids = allGrids();
     bool animated = false;
     std::vector<std::string> lights;
 };
@@ -124,6 +127,27 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);
     EXPECT_TRUE(actions.measure);
+}
+
+// Whatever of the panel is touched, and whatever opens.
+TEST(Hud, OffersNoGridThatIsNotPossible) {
+    const auto chosenWith = [](const std::vector<int>& grids) {
+        Fingers fingers;
+        fingers.grids = grids;
+        fingers.frames();
+        std::set<int> chosen;
+        for (float y = 45.0F; y < 400.0F; y += 8.0F)
+            for (const float below : {22.0F, 40.0F, 60.0F, 80.0F, 100.0F}) {
+                fingers.choices.grid = 256;
+                fingers.choices.preset = "thesis";
+                fingers.tap({60.0F, y});
+                fingers.tap({60.0F, y + below});
+                if (fingers.choices.preset == "thesis") chosen.insert(fingers.choices.grid);
+            }
+        return chosen;
+    };
+    EXPECT_EQ(chosenWith(allGrids()), (std::set<int>{64, 128, 256, 512}));
+    EXPECT_EQ(chosenWith({64, 128}), (std::set<int>{64, 128, 256})) << "256 is where it began";
 }
 
 // A finger down the panel, over a driver that will compile nothing more: what was good stays on the screen.

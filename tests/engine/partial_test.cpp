@@ -122,7 +122,7 @@ TEST(PartOfTheVoxels, AStaticSceneTakesLess) {
     moving.frameAt(0.0);
     still.frame();
     EXPECT_LT(bytesOf(still.renderer().resources()), bytesOf(moving.renderer().resources()));
-    for (const char* name : {"static voxels and faces", "static voxel commands", "dirty blocks"})
+    for (const char* name : {"static voxels and faces", "dirty blocks"})
         EXPECT_EQ(bytesOf(still.renderer().resources(), name), 0U) << name;
     // A pose of nothing changes nothing.
     const Grid grid = gridOf(still.renderer());

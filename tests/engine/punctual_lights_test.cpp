@@ -253,7 +253,7 @@ TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
     const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
     renderer.frame(Mode::gi, camera);
     const Image first = renderer.radiance();
-    renderer.timer().startRecording();
+    renderer.timer().startRecording(Clocks::cpu);
     renderer.frame(Mode::gi, camera);
     const StepTimes times = renderer.timer().stopRecording();
     for (const Step step : {Step::shadowMap, Step::voxelize, Step::mipmap})

@@ -33,8 +33,12 @@ gl::ProgramDescription directionalResolveProgram() {
 }
 
 FaceProjection::FaceProjection(int grid)
-    : viewport_(viewportFor(grid)),
-      framebuffer_("face voxelizer", viewport_.x + viewport_.z, viewport_.y + viewport_.w) {}
+    : viewport_(viewportFor(grid)), framebuffer_("face voxelizer", sideFor(grid), sideFor(grid)) {}
+
+int FaceProjection::sideFor(int grid) {
+    const glm::ivec4 viewport = viewportFor(grid);
+    return viewport.x + viewport.z;
+}
 
 void FaceProjection::use() const {
     framebuffer_.bind();

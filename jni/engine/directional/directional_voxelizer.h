@@ -23,6 +23,8 @@ class FaceProjection {
     // Of draws to come.
     void use() const;
     const glm::ivec4& viewport() const { return viewport_; }  // x, y, width, height
+    // Pixels of the framebuffer's sides.
+    static int sideFor(int grid);
 
   private:
     glm::ivec4 viewport_;

@@ -48,8 +48,8 @@ class DirectionalVoxels {
 
     // Empties voxels, faces and sums, through the last frame's lists.
     void clear();
-    // Says which entries of the lists are active: VoxelPyramid::copyCommands().
-    void setCommands(const gl::Buffer& commands) { index_.setCommands(commands); }
+    // Says which entries of the lists are active: VoxelPyramid::readCommands().
+    void setCommands(const std::vector<shared::LevelCommands>& commands) { index_.setCommands(commands); }
     // Of how many voxels there is room for sums and faces, the first ones in the base level's list.
     std::uint32_t places() const { return places_; }
     // Makes that room. Sums and lists of faces that there were are gone.

@@ -81,8 +81,7 @@ void IncrementalUpdate::recordStatic(const GpuScene& scene, const DirectLight& l
     std::vector<BlockLists::List> lists{{voxels.index().readList(0), voxels.grid(), shared::unpackEntry}};
     for (int level = 1; level < voxels.levels(); ++level)
         lists.push_back({voxels.readFaceList(level), voxels.grid() >> level, shared::unpackFaceVoxel});
-    staticCommands_ = voxels.index().copyCommands("static voxel commands");
-    lastCommands_ = voxels.index().readCommands();
+    staticCommands_ = lastCommands_ = voxels.index().readCommands();
     staticFaces_ = lastCommands_[0].faceCount;
     staticEntries_.emplace("static voxels and faces", std::move(lists));
 }
@@ -156,9 +155,7 @@ void IncrementalUpdate::dispatchOverPart(int level) const {
 
 std::vector<const gl::Buffer*> IncrementalUpdate::buffers() const {
     if (!staticEntries_) return {};
-    std::vector<const gl::Buffer*> buffers = staticEntries_->buffers();
-    buffers.push_back(&staticCommands_);
-    return buffers;
+    return staticEntries_->buffers();
 }
 
 }  // namespace vct

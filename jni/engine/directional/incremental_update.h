@@ -53,8 +53,8 @@ class IncrementalUpdate {
     // The base level's voxels, and the faces of the coarser levels; nothing until they are known.
     std::optional<BlockLists> staticEntries_;
     std::uint32_t staticFaces_ = 0, keptFaces_ = 0;
-    gl::Buffer staticCommands_;                        // those of the static geometry alone
-    std::vector<shared::LevelCommands> lastCommands_;  // those of the last frame
+    // The commands of the static geometry alone, and those of the last frame.
+    std::vector<shared::LevelCommands> staticCommands_, lastCommands_;
 };
 
 }  // namespace vct

@@ -206,6 +206,8 @@ void Irradiance::makeRoomForFaces(std::uint32_t faces, std::uint32_t blocks) {
     gl::Buffer larger("received light", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
     if (!first) {
+        // Nothing before reads the new buffer, so it does no harm where a copy comes too early
+        // (VoxelPyramid::setCommands()).
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         received_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);

@@ -1,0 +1,84 @@
+#include "engine/driver_needs.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "engine/directional/directional_voxelizer.h"
+#include "engine/directional/directional_voxels.h"
+
+namespace vct {
+
+Settings forDriver(Settings settings, const gl::Capabilities& capabilities) {
+    if (!capabilities.meets("GL_EXT_geometry_shader")) settings.voxelization = Voxelization::sortedAxes;
+    return settings;
+}
+
+std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
+                                     const gl::Capabilities& capabilities) {
+    const gl::Limits& limits = capabilities.limits;
+    const bool faces = settings.voxels == Voxels::directional;
+    const std::string cubed = std::to_string(settings.grid) + "^3";
+    std::vector<gl::Requirement> needs;
+    const auto atLeast = [&](const char* name, int found, int needed, const std::string& neededBy) {
+        needs.push_back({std::string(name) + " >= " + std::to_string(needed), std::to_string(found), neededBy,
+                         true, found >= needed});
+    };
+    if (settings.voxelization == Voxelization::geometryShader) {
+        const bool met = capabilities.meets("GL_EXT_geometry_shader");
+        needs.push_back({"GL_EXT_geometry_shader", met ? "there" : "missing",
+                         "voxelization: the voxelization sorted-axes gives the same voxels without", true,
+                         met});
+    }
+    atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
+            faces ? DirectionalVoxels::blocksX * settings.grid : settings.grid,
+            "the voxels at " + cubed + (faces ? ", six faces of each side by side" : "") +
+                ": use a coarser grid");
+    atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
+            faces ? FaceProjection::sideFor(settings.grid) : settings.grid,
+            "voxelization at " + cubed + ": use a coarser grid");
+    atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, std::max(settings.size.x, settings.size.y),
+            "the picture: use a smaller one");
+    atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, settings.shadowMapSize,
+            "the shadow map: use a smaller one");
+    if (!faces) return needs;
+    atLeast("GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", limits.fragmentStorageBlocks, 3,
+            "voxels with faces, whose fragments add to sums besides: use the preset thesis");
+    const std::string& derivatives = capabilities.faults.derivatives;
+    needs.push_back({"derivatives in fragment shaders", derivatives.empty() ? "no fault known" : derivatives,
+                     "voxels with faces, whose coverage is made of them: use the preset thesis", true,
+                     derivatives.empty()});
+    if (moves)
+        atLeast("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", limits.combinedOutputs, 6,
+                "moving objects in voxels with faces: use the preset thesis");
+    return needs;
+}
+
+void requireNeeds(const Settings& settings, bool moves, const gl::Capabilities& capabilities) {
+    std::string missing;
+    for (const gl::Requirement& need : needsOf(settings, moves, capabilities))
+        if (!need.met) missing += "\n  " + need.name + " (found: " + need.found + "): " + need.neededBy;
+    if (!missing.empty())
+        throw Error("the GL driver (" + capabilities.renderer + ", " + capabilities.version +
+                    ") lacks what these settings need:" + missing);
+}
+
+std::size_t voxelBytes(const Settings& settings, int grid) {
+    return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
+                                             : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
+}
+
+std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::Capabilities& capabilities,
+                               std::size_t bytes) {
+    std::vector<int> grids;
+    for (const int grid : allGrids()) {
+        Settings there = forDriver(settings, capabilities);
+        there.grid = grid;
+        const std::vector<gl::Requirement> needs = needsOf(there, moves, capabilities);
+        const auto isMet = [](const gl::Requirement& need) { return need.met; };
+        if (voxelBytes(there, grid) <= bytes && std::all_of(needs.begin(), needs.end(), isMet))
+            grids.push_back(grid);
+    }
+    return grids;
+}
+
+}  // namespace vct

@@ -1,0 +1,29 @@
+// What settings ask of a driver beyond what every picture does (gl/requirements.h).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/settings.h"
+#include "gl/capabilities.h"
+
+namespace vct {
+
+// The same picture by other means where the driver lacks what `settings` would use.
+Settings forDriver(Settings settings, const gl::Capabilities& capabilities);
+
+// Met or not. `moves`: something in the scene does.
+std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
+                                     const gl::Capabilities& capabilities);
+
+// Throws one vct::Error that names every one that is not met.
+void requireNeeds(const Settings& settings, bool moves, const gl::Capabilities& capabilities);
+
+// What the voxels' textures and lists take at a grid; sums and light besides follow from the scene.
+std::size_t voxelBytes(const Settings& settings, int grid);
+
+// Those of allGrids() that the driver can do, and for which `bytes` are enough.
+std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::Capabilities& capabilities,
+                               std::size_t bytes);
+
+}  // namespace vct

@@ -1,0 +1,12 @@
+// A scene's texture on its way to the GPU.
+#pragma once
+
+#include "gl/objects.h"
+#include "scene/scene.h"
+
+namespace vct {
+
+// SRGB8_ALPHA8 with all its mip levels, filtered and wrapped as `source` says.
+gl::Texture materialTexture(const Texture& source);
+
+}  // namespace vct

@@ -1,0 +1,174 @@
+#include "lab/driver_checks.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "gl/debug.h"
+#include "gl/objects.h"
+
+namespace vct {
+
+namespace {
+
+constexpr int checkPixels = 64, checkFragments = checkPixels * checkPixels;
+constexpr int checkSide = 8, checkLevels = 3;  // coarser ones have no middle between texels
+constexpr std::size_t groupWords = 4, checkWords = 64, countedWord = 63;
+
+gl::ProgramDescription atomicsProgram() {
+    return {"check atomics", {"passes/full_screen.vert", "lab/check_atomics.frag"}, {}};
+}
+gl::ProgramDescription derivativesProgram() {
+    return {"check derivatives", {"passes/full_screen.vert", "lab/check_derivatives.frag"}, {}};
+}
+gl::ProgramDescription fillProgram(GLenum format) {
+    return {"check fill",
+            {"lab/check_fill.comp"},
+            {format == GL_RGBA8 ? "VCT_CHECK_FORMAT rgba8" : "VCT_CHECK_FORMAT rgba16f"}};
+}
+gl::ProgramDescription filteredProgram(bool cleared) {
+    return {"check filtered",
+            {"lab/check_filtered.comp"},
+            {cleared ? "VCT_CHECK_CLEARED true" : "VCT_CHECK_CLEARED false"}};
+}
+gl::ProgramDescription countProgram() {
+    return {"check count", {"lab/check_count.comp"}, {}};
+}
+
+class Checks {
+  public:
+    explicit Checks(const gl::ShaderLibrary& shaders)
+        : shaders_(shaders),
+          count_(shaders, countProgram()),
+          framebuffer_("driver check", checkPixels, checkPixels) {}
+
+    std::string atomics() {
+        return check(
+            [&] { draw(atomicsProgram()); }, checkFragments / 64,
+            [&](const auto& found) -> std::string {
+                const std::uint32_t sum = checkFragments * (checkFragments - 1) / 2;
+                if (found[0] != sum || found[1] != checkFragments - 1 || found[2] != 0xFFFFFFFFU ||
+                    found[3] != checkFragments || found[4] != sum)
+                    return "atomics on storage buffers from fragments: sum " + std::to_string(found[0]) +
+                           ", maximum " + std::to_string(found[1]) + ", bits " + std::to_string(found[2]) +
+                           ", count " + std::to_string(found[3]) + ", places " + std::to_string(found[4]) +
+                           "; right are " + std::to_string(sum) + ", " + std::to_string(checkFragments - 1) +
+                           ", all, " + std::to_string(checkFragments) + ", " + std::to_string(sum);
+                return "";
+            });
+    }
+
+    std::string derivatives() {
+        return check([&] { draw(derivativesProgram()); }, 0,
+                     [&](const auto& found) -> std::string {
+                         if (found[0] == 0 && found[1] == checkFragments) return "";
+                         return "derivatives (dFdx, dFdy): wrong in " + std::to_string(found[0]) + " of " +
+                                std::to_string(found[1]) + " fragments, of " + std::to_string(checkFragments);
+                     });
+    }
+
+    // Stores to the levels of a filtered 3D texture, and then their clear by framebuffer.
+    std::string levelsOf(GLenum format) {
+        const std::string name = format == GL_RGBA8 ? "rgba8" : "rgba16f";
+        const gl::Texture texture =
+            gl::Texture::make3d("check " + name, format, checkSide, checkSide, checkSide, checkLevels);
+        texture.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
+        const gl::Program fill(shaders_, fillProgram(format));
+        const std::string stores = check(
+            [&] {
+                fill.use();
+                for (int level = 0; level < checkLevels; ++level) {
+                    texture.bindImage(0, level, GL_WRITE_ONLY);
+                    gl::Uniform1ui(0, static_cast<GLuint>(level));
+                    gl::DispatchCompute(2, 2, 2);
+                }
+                gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+                sample(texture, false);
+            },
+            checkLevels, wrongLevels("stores to the levels of a filtered 3D texture (" + name + ")"));
+        if (!stores.empty()) return stores;
+        // Framebuffers write what compute wrote before.
+        gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+        gl::zeroTexture3d(texture, checkSide);
+        return check([&] { sample(texture, true); }, checkLevels,
+                     wrongLevels("clears of the slices of a 3D texture (" + name + ")"));
+    }
+
+  private:
+    using Words = std::array<std::uint32_t, groupWords + checkWords>;
+
+    static std::function<std::string(const std::uint32_t*)> wrongLevels(const std::string& what) {
+        return [what](const std::uint32_t* found) -> std::string {
+            for (int level = 0; level < checkLevels; ++level)
+                if (found[level] != 0)
+                    return what + ": wrong in level " + std::to_string(level) + " at " +
+                           std::to_string(found[level]) + " places";
+            return "";
+        };
+    }
+
+    void draw(const gl::ProgramDescription& description) const {
+        const gl::Program program(shaders_, description);
+        framebuffer_.bind();
+        gl::Disable(GL_DEPTH_TEST);
+        gl::Disable(GL_CULL_FACE);
+        program.use();
+        noVertices_.bind();
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    void sample(const gl::Texture& texture, bool cleared) const {
+        const gl::Program filtered(shaders_, filteredProgram(cleared));
+        filtered.use();
+        texture.bind(0);
+        for (int level = 0; level < checkLevels; ++level) {
+            gl::Uniform1ui(0, static_cast<GLuint>(level));
+            gl::DispatchCompute(1, 1, 1);
+        }
+    }
+
+    // Runs `work`, then a dispatch of as many groups as it asked for. `wrong`: of the words that it wrote.
+    template <typename Work, typename Wrong>
+    std::string check(const Work& work, std::uint32_t groups, const Wrong& wrong) const {
+        Words found{};
+        found[1] = found[2] = 1;  // groups along y and z
+        const gl::Buffer buffer("driver check", GL_SHADER_STORAGE_BUFFER, sizeof found, found.data(),
+                                GL_DYNAMIC_COPY);
+        buffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        work();
+        gl::MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+        count_.use();
+        buffer.bind(GL_DISPATCH_INDIRECT_BUFFER);
+        gl::DispatchComputeIndirect(0);
+        buffer.read(found.data(), sizeof found);
+        gl::checkErrors("driver check");
+        if (const std::string text = wrong(found.data() + groupWords); !text.empty()) return text;
+        const std::uint32_t invocations = found[groupWords + countedWord];
+        if (invocations == 64 * groups) return "";
+        return "indirect dispatch of a size that shaders wrote: " + std::to_string(invocations) +
+               " invocations, right are " + std::to_string(64 * groups);
+    }
+
+    const gl::ShaderLibrary& shaders_;
+    gl::Program count_;
+    gl::Framebuffer framebuffer_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace
+
+std::string failedAssumption(const gl::ShaderLibrary& shaders) {
+    Checks checks(shaders);
+    for (const std::function<std::string()>& check : std::initializer_list<std::function<std::string()>>{
+             [&] { return checks.atomics(); }, [&] { return checks.derivatives(); },
+             [&] { return checks.levelsOf(GL_RGBA8); }, [&] { return checks.levelsOf(GL_RGBA16F); }})
+        if (const std::string failure = check(); !failure.empty()) return failure;
+    return "";
+}
+
+std::vector<gl::ProgramDescription> driverCheckPrograms() {
+    return {atomicsProgram(),      derivativesProgram(),   fillProgram(GL_RGBA8), fillProgram(GL_RGBA16F),
+            filteredProgram(true), filteredProgram(false), countProgram()};
+}
+
+}  // namespace vct

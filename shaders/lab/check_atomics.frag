@@ -1,0 +1,13 @@
+// Fragments that add to a storage buffer, as voxelization's do.
+#include "lab/driver_check.glsl"
+
+void main() {
+    uint pixel = uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x);
+    atomicAdd(words[0], pixel);
+    atomicMax(words[1], pixel ^ 2730u);
+    atomicOr(words[2], 1u << (pixel & 31u));
+    // Places that fragments reserve are all different: their sum is known.
+    uint place = atomicAdd(words[3], 1u);
+    atomicAdd(words[4], place);
+    if ((place & 63u) == 0u) atomicAdd(groups[0], 1u);
+}

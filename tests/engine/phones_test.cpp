@@ -1,0 +1,210 @@
+// What real phones report (phones.csv) against what the renderer asks for: the table of docs/phone.md is made
+// of both, so it says what runs where, and a requirement that grows shows whom it shuts out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "engine/driver_needs.h"
+#include "gl/requirements.h"
+
+namespace vct::test {
+namespace {
+
+struct Phone {
+    std::string gpu, reports;
+    gl::Capabilities capabilities;
+};
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, at);)
+        parts.push_back(part);
+    return parts;
+}
+
+std::vector<Phone> phones() {
+    static const std::map<std::string, GLenum> limitNames{
+        {"fragment_images", GL_MAX_FRAGMENT_IMAGE_UNIFORMS},
+        {"compute_images", GL_MAX_COMPUTE_IMAGE_UNIFORMS},
+        {"fragment_storage_blocks", GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS},
+        {"compute_storage_blocks", GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS},
+        {"combined_outputs", GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES},
+        {"texture_3d", GL_MAX_3D_TEXTURE_SIZE},
+        {"texture_2d", GL_MAX_TEXTURE_SIZE},
+        {"storage_block_mib", GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
+        {"group_invocations", GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS},
+        {"framebuffer_width", GL_MAX_FRAMEBUFFER_WIDTH},
+        {"color_attachments", GL_MAX_COLOR_ATTACHMENTS},
+        {"vertex_textures", GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS},
+    };
+    std::ifstream file(VCT_SOURCE_DIR "/tests/engine/phones.csv");
+    std::vector<std::string> columns;
+    std::vector<Phone> phones;
+    for (std::string line; std::getline(file, line);) {
+        if (line[0] == '#') continue;
+        const std::vector<std::string> cells = split(line, ';');
+        if (columns.empty()) {
+            columns = cells;
+            continue;
+        }
+        std::map<GLenum, GLint> limits;
+        for (std::size_t i = 6; i < columns.size(); ++i)
+            limits[limitNames.at(columns[i])] = static_cast<GLint>(std::min(
+                std::stoll(cells.at(i)) << (columns[i] == "storage_block_mib" ? 20 : 0), 0x7FFFFFFFLL));
+        Phone phone{cells[0], cells[1], {}};
+        gl::Capabilities& capabilities = phone.capabilities;
+        capabilities.renderer = cells[3];
+        capabilities.version = cells[4];
+        capabilities.essl320 = cells[4].find("OpenGL ES 3.2") == 0;
+        const auto limit = [&](GLenum name) { return limits.at(name); };
+        capabilities.limits = gl::limitsOf(limit);
+        capabilities.faults = gl::faultsOf(capabilities.renderer, capabilities.version);
+        capabilities.requirements =
+            gl::evaluateRequirements({cells[4], split(cells[5], ' '), true, capabilities.essl320, limit});
+        phones.push_back(phone);
+    }
+    return phones;
+}
+
+// "up to 512^3", and in `missing` what no grid would do without.
+std::string outcome(const std::string& preset, const gl::Capabilities& capabilities,
+                    std::vector<std::string>& missing) {
+    const auto note = [&](const gl::Requirement& row) {
+        if (row.met || std::count(missing.begin(), missing.end(), row.name) > 0) return;
+        missing.push_back(row.name);
+    };
+    bool runs = true;
+    for (const gl::Requirement& row : capabilities.requirements)
+        if (row.required && !row.met) {
+            runs = false;
+            note(row);
+        }
+    Settings settings = forDriver(presetSettings(preset), capabilities);
+    const std::vector<int> grids =
+        possibleGrids(settings, true, capabilities, std::numeric_limits<std::size_t>::max());
+    if (runs && !grids.empty()) return "up to " + std::to_string(grids.back()) + "^3";
+    settings.grid = allGrids().front();
+    if (runs)
+        for (const gl::Requirement& row : needsOf(settings, true, capabilities))
+            note(row);
+    return "no";
+}
+
+// Phones of one outcome in a row, in the order of the data.
+std::string table() {
+    std::vector<std::pair<std::string, std::string>> rows;  // outcome, GPUs
+    for (const Phone& phone : phones()) {
+        std::vector<std::string> missing;
+        std::string text;
+        for (const char* preset : {"thesis", "mobile", "quality"})
+            text += " | " + outcome(preset, phone.capabilities, missing);
+        text += phone.capabilities.faults.timerQueries.empty() ? " | as it has" : " | not used";
+        std::string names;
+        for (const std::string& name : missing)
+            names += (names.empty() ? "" : "; ") + name;
+        text += " | " + (names.empty() ? "–" : names) + " |";
+        const std::string gpu = phone.gpu + " (" + phone.reports + ")";
+        if (rows.empty() || rows.back().first != text)
+            rows.emplace_back(text, gpu);
+        else
+            rows.back().second += ", " + gpu;
+    }
+    std::string table =
+        "| GPU (reports) | thesis | mobile | quality | GPU clock | what is missing "
+        "|\n|---|---|---|---|---|---|\n";
+    for (const auto& [text, gpus] : rows)
+        table += "| " + gpus + text + "\n";
+    return table;
+}
+
+TEST(Phones, RunWhatTheDocumentSays) {
+    ASSERT_EQ(phones().size(), 77U);
+    std::ifstream file(VCT_SOURCE_DIR "/docs/phone.md");
+    const std::string document{std::istreambuf_iterator<char>(file), {}};
+    const std::string expected = table();
+    EXPECT_NE(document.find(expected), std::string::npos) << "the table of docs/phone.md should be:\n"
+                                                          << expected;
+}
+
+// Phones whose driver has every limit, and a known fault, say so.
+TEST(Phones, WithDerivativesThatAreWrongAreToldToUseThePresetThesis) {
+    int told = 0;
+    for (const Phone& phone : phones()) {
+        if (phone.capabilities.faults.derivatives.empty()) continue;
+        const Settings settings = presetSettings("mobile");
+        try {
+            requireNeeds(settings, false, phone.capabilities);
+            ADD_FAILURE() << phone.gpu;
+        } catch (const std::exception& error) {
+            const std::string text = error.what();
+            EXPECT_NE(text.find("PowerVR Rogue before driver 1.16"), std::string::npos) << text;
+            EXPECT_NE(text.find("use the preset thesis"), std::string::npos) << text;
+        }
+        EXPECT_NO_THROW(requireNeeds(presetSettings("thesis"), true, phone.capabilities)) << phone.gpu;
+        ++told;
+    }
+    EXPECT_GT(told, 0);
+}
+
+// Each need is missed by one, and named.
+TEST(DriverNeeds, EachIsMissedByOne) {
+    Settings mobile = presetSettings("mobile"), finest = presetSettings("quality"),
+             thesis = presetSettings("thesis");
+    mobile.size = glm::ivec2(640, 2340);
+    finest.grid = 512;
+    thesis.grid = 512;
+    thesis.shadowMapSize = 4096;
+    gl::Capabilities enough;
+    enough.limits = {4096, 1536, 512, 3, 6};
+    for (const Settings& settings : {mobile, finest, thesis})
+        EXPECT_NO_THROW(requireNeeds(settings, true, enough));
+    const struct {
+        const Settings& settings;
+        int gl::Limits::*limit;
+        int least;
+        const char* name;
+    } needs[] = {
+        {mobile, &gl::Limits::texture3d, 192, "GL_MAX_3D_TEXTURE_SIZE >= 192"},
+        {finest, &gl::Limits::texture3d, 1536, "GL_MAX_3D_TEXTURE_SIZE >= 1536"},
+        {thesis, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
+        {mobile, &gl::Limits::framebufferWidth, 96, "GL_MAX_FRAMEBUFFER_WIDTH >= 96"},
+        {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},
+        {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
+        {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},
+        {mobile, &gl::Limits::fragmentStorageBlocks, 3, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS >= 3"},
+        {mobile, &gl::Limits::combinedOutputs, 6, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6"},
+    };
+    for (const auto& need : needs) {
+        gl::Capabilities capabilities = enough;
+        capabilities.limits.*need.limit = need.least;
+        EXPECT_NO_THROW(requireNeeds(need.settings, true, capabilities)) << need.name;
+        capabilities.limits.*need.limit = need.least - 1;
+        try {
+            requireNeeds(need.settings, true, capabilities);
+            ADD_FAILURE() << need.name;
+        } catch (const std::exception& error) {
+            EXPECT_NE(std::string(error.what()).find(need.name), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(DriverNeeds, GridsThatMemoryOrLimitsRefuseAreNotPossible) {
+    gl::Capabilities capabilities;
+    capabilities.limits = {8192, 2048, 8192, 4, 8};
+    const Settings mobile = presetSettings("mobile");
+    const std::size_t plenty = std::numeric_limits<std::size_t>::max();
+    EXPECT_EQ(possibleGrids(mobile, true, capabilities, plenty), allGrids());
+    EXPECT_EQ(possibleGrids(mobile, true, capabilities, voxelBytes(mobile, 128)),
+              (std::vector<int>{64, 128}));
+    capabilities.limits.texture3d = 3 * 256;
+    EXPECT_EQ(possibleGrids(mobile, true, capabilities, plenty), (std::vector<int>{64, 128, 256}));
+    EXPECT_EQ(possibleGrids(presetSettings("thesis"), true, capabilities, plenty), allGrids());
+}
+
+}  // namespace
+}  // namespace vct::test
