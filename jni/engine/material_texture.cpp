@@ -1,6 +1,7 @@
 #include "engine/material_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <vector>
@@ -23,37 +24,16 @@ GLenum glWrap(Texture::Wrap wrap) {
     return GL_REPEAT;
 }
 
-// A level as light, not as codes: alpha is in 0..1 either way.
-struct Level {
-    int width, height;
-    std::vector<glm::vec4> texels;
-};
-
-Level decoded(const Texture& source) {
-    Level level{source.width, source.height, {}};
-    for (std::size_t i = 0; i < source.rgba.size(); i += 4) {
-        glm::vec4 texel;
-        for (int c = 0; c < 4; ++c) {
-            const float code = static_cast<float>(source.rgba[i + static_cast<std::size_t>(c)]) / 255.0F;
-            texel[c] = c < 3 ? srgbDecode(code) : code;
-        }
-        level.texels.push_back(texel);
-    }
-    return level;
-}
-
-std::vector<std::uint8_t> encoded(const Level& level) {
-    std::vector<std::uint8_t> rgba;
-    for (const glm::vec4& texel : level.texels)
-        for (int c = 0; c < 4; ++c)
-            rgba.push_back(
-                static_cast<std::uint8_t>((c < 3 ? srgbEncode(texel[c]) : texel[c]) * 255.0F + 0.5F));
-    return rgba;
-}
-
-// Each texel the mean of those that it lies over.
-Level halved(const Level& from) {
-    Level to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
+// Half a level, at least one texel: each the mean, of light and not of codes, of those that it lies over.
+// Alpha is linear.
+std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fromHeight) {
+    static const std::array<float, 256> light = [] {
+        std::array<float, 256> ofCode{};
+        for (std::size_t code = 0; code < ofCode.size(); ++code)
+            ofCode[code] = srgbDecode(static_cast<float>(code) / 255.0F);
+        return ofCode;
+    }();
+    const int width = std::max(fromWidth / 2, 1), height = std::max(fromHeight / 2, 1);
     const auto forEach = [](int at, int count, int fromCount, const auto& visit) {
         const float ratio = static_cast<float>(fromCount) / static_cast<float>(count);
         const float low = static_cast<float>(at) * ratio, high = low + ratio;
@@ -61,18 +41,24 @@ Level halved(const Level& from) {
             visit(i,
                   (std::min(static_cast<float>(i + 1), high) - std::max(static_cast<float>(i), low)) / ratio);
     };
-    for (int y = 0; y < to.height; ++y)
-        for (int x = 0; x < to.width; ++x) {
+    std::vector<std::uint8_t> rgba;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
             glm::vec4 sum(0.0F);
-            forEach(y, to.height, from.height, [&](int row, float rowShare) {
-                forEach(x, to.width, from.width, [&](int column, float share) {
-                    sum +=
-                        rowShare * share * from.texels[static_cast<std::size_t>(row) * from.width + column];
+            forEach(y, height, fromHeight, [&](int row, float rowShare) {
+                forEach(x, width, fromWidth, [&](int column, float share) {
+                    const std::uint8_t* texel =
+                        from + (static_cast<std::size_t>(row) * fromWidth + column) * 4;
+                    const float alpha = static_cast<float>(texel[3]) / 255.0F;
+                    sum += rowShare * share *
+                           glm::vec4(light[texel[0]], light[texel[1]], light[texel[2]], alpha);
                 });
             });
-            to.texels.push_back(sum);
+            for (int c = 0; c < 4; ++c)
+                rgba.push_back(
+                    static_cast<std::uint8_t>((c < 3 ? srgbEncode(sum[c]) : sum[c]) * 255.0F + 0.5F));
         }
-    return to;
+    return rgba;
 }
 
 }  // namespace
@@ -82,18 +68,21 @@ gl::Texture materialTexture(const Texture& source) {
     gl::Texture texture =
         gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
     gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const auto upload = [](int level, int width, int height, const std::vector<std::uint8_t>& rgba) {
-        gl::TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    const auto upload = [](int level, int width, int height, const std::uint8_t* rgba) {
+        gl::TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
     };
-    upload(0, source.width, source.height, source.rgba);
+    upload(0, source.width, source.height, source.rgba.data());
     if (source.height <= source.width) {
         gl::GenerateMipmap(GL_TEXTURE_2D);
     } else {
         // A PowerVR Rogue makes none where the height is the greater: PPSSPP, PVR_GENMIPMAP_HEIGHT_GREATER.
-        Level mip = decoded(source);
+        std::vector<std::uint8_t> mip;
+        int width = source.width, height = source.height;
         for (int level = 1; level < levels; ++level) {
-            mip = halved(mip);
-            upload(level, mip.width, mip.height, encoded(mip));
+            mip = halved(level == 1 ? source.rgba.data() : mip.data(), width, height);
+            width = std::max(width / 2, 1);
+            height = std::max(height / 2, 1);
+            upload(level, width, height, mip.data());
         }
     }
     texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, source.linearFilter ? GL_LINEAR : GL_NEAREST);

@@ -88,13 +88,14 @@ TEST(DriverFaultsOfFrames, MipsOfPortraitTexturesAreMadeWithoutTheDriver) {
     vct::Texture upright, lying;
     upright.width = lying.height = 16;
     upright.height = lying.width = 64;
-    upright.rgba.resize(16 * 64 * 4);
-    lying.rgba = upright.rgba;
+    std::vector<std::uint8_t> standing(16 * 64 * 4), turned(standing);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 16; ++x)
             for (int c = 0; c < 4; ++c)
-                upright.rgba[(y * 16 + x) * 4 + c] = lying.rgba[(x * 64 + y) * 4 + c] =
+                standing[(y * 16 + x) * 4 + c] = turned[(x * 64 + y) * 4 + c] =
                     static_cast<std::uint8_t>((x * 37 + y * 101 + c * 59 + x * y * 13) & 255);
+    upright.rgba = standing;
+    lying.rgba = turned;
     gl::CallLog log;
     const gl::Texture made = materialTexture(upright);
     EXPECT_EQ(gl::summaryOf(log.calls()).byName.count("GenerateMipmap"), 0U);
