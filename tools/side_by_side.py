@@ -20,6 +20,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 import metrics
 import program
+import still
 from files import ROOT, write_whole
 from sweep.usual import PRESETS
 from tables import markdown
@@ -29,31 +30,17 @@ SCALE, GAP, TEXT, HEAD = 2, 16, 84, 40  # pixels; a pixel of a picture is SCALE 
 TRUTH = "path traced"
 
 
-def frame_ms(timings: dict[str, Any]) -> dict[str, float]:
-    """Medians, in ms: with shadow map, voxels and light made anew, and what is left where only the camera moves."""
-    steps = timings["modes"]["gi"]["steps"]
-    return {"all": steps["total"]["median"], "camera": steps["render_data"]["median"] + steps["trace"]["median"]}
-
-
 def judged(vct: Path, scene: str, preset: str, out: Path) -> dict[str, Any]:
-    """A preset's picture of a scene as (height, width, 3) linear RGB, with its time and its errors."""
-    reference = read_exr(ROOT / "references" / scene / "full.exr")
-    height, width = reference.shape[:2]
+    """tools/still.py's figures and `picture`, (height, width, 3), linear RGB."""
     folder = out / f"{scene}-{preset}"
-    program.render(vct, ROOT / "assets" / f"{scene}.glb", "--preset", preset, "--mode", "gi", "--revoxelize", "--size",
-                   f"{width}x{height}", "--out", folder, "--timings", folder / "timings.json")
-    timings = json.loads((folder / "timings.json").read_text())
-    picture = read_exr(folder / "gi.exr")
-    errors = metrics.compare(picture, reference, flip=True)
-    return {"scene": scene, "preset": preset, "grid": timings["settings"]["grid"], "ms": frame_ms(timings),
-            "driver": timings["driver"]["renderer"], "picture": picture,
-            **{name: errors[name] for name in ("relmse", "bias", "flip")}}
+    reference = read_exr(ROOT / "references" / scene / "full.exr")
+    figures = still.judged(vct, ROOT / "assets" / f"{scene}.glb", preset, reference, folder)
+    return {"scene": scene, **figures, "picture": read_exr(folder / "gi.exr")}
 
 
 def words(one: dict[str, Any]) -> tuple[str, str]:
     """The two lines under a picture."""
-    ms = one["ms"]
-    return (f"{ms['all']:.0f} ms, all changing; {ms['camera']:.0f} ms, camera moving",
+    return (f"{one['camera_ms']:.0f} ms, camera moving; {one['changing_ms']:.0f} ms, all changing",
             f"relMSE {one['relmse']:.4f}   bias {one['bias'] * 100:+.0f} %   FLIP {one['flip']:.2f}")
 
 
@@ -108,8 +95,8 @@ def main() -> int:
     write_whole(options.out / "presets.json", json.dumps(
         {"version": 1, "pictures": [{key: one[key] for key in one if key != "picture"} for one in every]}, indent=1) + "\n")
     print(f"Frames of mode 4 on {every[0]['driver']}; errors against path tracing, all bounces:\n")
-    print(markdown(["scene", "preset", "everything changing, ms", "camera moving, ms", "relMSE", "bias", "FLIP"],
-                   ([one["scene"], f"{one['preset']}, {one['grid']}^3", f"{one['ms']['all']:.1f}", f"{one['ms']['camera']:.1f}",
+    print(markdown(["scene", "preset", "camera moving, ms", "all changing, ms", "relMSE", "bias", "FLIP"],
+                   ([one["scene"], f"{one['preset']}, {one['grid']}^3", f"{one['camera_ms']:.1f}", f"{one['changing_ms']:.1f}",
                      f"{one['relmse']:.4f}", f"{one['bias'] * 100:+.0f} %", f"{one['flip']:.2f}"] for one in every)), end="")
     return 0
 

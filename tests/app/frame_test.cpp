@@ -50,10 +50,11 @@ INSTANTIATE_TEST_SUITE_P(Modes, Frame, testing::Values("phong", "gi", "gi-cone-s
 
 TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     const std::string mode = GetParam();
-    const Image screen = screenOf("scene=courtyard.glb pixels=1 grid=64 mode=" + mode, 120, 90);
+    const Image screen = screenOf("scene=courtyard.glb preset=thesis pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
-    program.expectSuccess(
-        "render " VCT_SOURCE_DIR "/assets/courtyard.glb --grid 64 --size 120x90 --out out --mode " + mode);
+    program.expectSuccess("render " VCT_SOURCE_DIR
+                          "/assets/courtyard.glb --preset thesis --grid 64 --size 120x90 --out out --mode " +
+                          mode);
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
@@ -69,7 +70,7 @@ TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
         screenOf("scene=bare.glb preset=thesis grid=64 pixels=1 mode=phong", 96, 72, scenes.path());
     ProgramRun program;
     program.expectSuccess("render '" + scenes.file("bare.glb") +
-                          "' --grid 64 --size 96x72 --out out --mode phong");
+                          "' --preset thesis --grid 64 --size 96x72 --out out --mode phong");
     expectMentions(program.err, {"the scene has no camera"});
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/phong.png")), 0);
 }

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from pathlib import Path
 
 
 class Html(str):
@@ -29,6 +30,17 @@ def table(head: Sequence[object], rows: Iterable[Sequence[object]]) -> Html:
     return tag("div", tag("table", tag("thead", tag("tr", *(tag("th", cell) for cell in head))),
                           tag("tbody", *(tag("tr", tag("th", first), *(tag("td", cell) for cell in cells))
                                          for first, *cells in rows))), class_="table")
+
+
+def document(title: str, *body: object) -> str:
+    """A whole page in the report's style, without scripts: its pictures are in it, or in its folder."""
+    return "<!doctype html>\n" + tag(
+        "html",
+        tag("head", Html('<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
+                         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; img-src \'self\' file: data:; '
+                         'style-src \'unsafe-inline\'">'),
+            tag("title", title), tag("style", Html((Path(__file__).parent / "style.css").read_text()))),
+        tag("body", tag("h1", title), *body), lang="en")
 
 
 def details(summary: object, *children: object, opened: bool = False) -> Html:

@@ -9,7 +9,7 @@ from typing import Any
 import files
 import phone_tables
 from motion.tables import tables as motion_tables
-from report.html import Html, details, image, join, table, tag
+from report.html import Html, details, document, image, join, table, tag
 from report.pictures import Album, small_png
 from report.sweep_sections import METRICS, SweepSections, number
 from tables import STEPS
@@ -121,15 +121,9 @@ def page(sweep: dict[str, Any], folder: Path, references: Path, album: Album, gi
                 "Light over frames": given["motion"] and motion(given["motion"]), "Hard cases": hard, "Method": method(sweep)}
     sections = {name: body for name, body in sections.items() if body}
     title = "Voxel cone tracing: speed against error"
-    return "<!doctype html>\n" + tag(
-        "html",
-        tag("head", Html('<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
-                         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; img-src data:; '
-                         'style-src \'unsafe-inline\'">'),
-            tag("title", title), tag("style", Html((Path(__file__).parent / "style.css").read_text()))),
-        tag("body", tag("h1", title),
-            tag("p", "Every picture of the renderer vct has two numbers here: the time it took, and how far it is from a "
-                     "path-traced picture of the same scene."),
-            facts(sweep), tag("nav", *(tag("a", name, href=f"#{number}") for number, name in enumerate(sections))),
-            *(tag("section", tag("h2", name, id=str(number)), body) for number, (name, body) in enumerate(sections.items()))),
-        lang="en")
+    return document(
+        title,
+        tag("p", "Every picture of the renderer vct has two numbers here: the time it took, and how far it is from a "
+                 "path-traced picture of the same scene."),
+        facts(sweep), tag("nav", *(tag("a", name, href=f"#{number}") for number, name in enumerate(sections))),
+        *(tag("section", tag("h2", name, id=str(number)), body) for number, (name, body) in enumerate(sections.items())))
