@@ -28,7 +28,7 @@ import program
 import still
 from files import program_sha256, write_whole
 from references import parse_samples, parse_size
-from report.html import document, image, join, table, tag
+from report.html import document, image, table, tag
 from report.pictures import error_png, exposure_for, picture_png
 from sweep.usual import PRESETS
 from tables import markdown
@@ -153,13 +153,13 @@ def page(options: argparse.Namespace, view: dict[str, Any], notes: Sequence[str]
         if driver else None,
         tag("p", tag("b", "Missing: "), ", ".join(missing), ". The same command continues.", class_="failed") if missing else None,
         table(HEAD, map(described, results)),
-        tag("dl", *(join([tag("dt", name), tag("dd", meaning)]) for name, meaning in MEANINGS)),
+        tag("dl", *(tag("div", tag("dt", name), tag("dd", meaning)) for name, meaning in MEANINGS)),
         *figures, tag("h2", "As seen"), tag("p", tag("code", f"--camera {view['option']}")), *(tag("p", note) for note in notes))
 
 
 def notes_of(said: str) -> list[str]:
-    """What `vct` chose, ignored or found too small."""
-    return [line for line in said.splitlines() if line.startswith(("note: ", "warning: ", "grid "))]
+    """What `vct` chose, and what it ignored."""
+    return [line for line in said.splitlines() if line.startswith(("note: ", "warning: "))]
 
 
 def judge(options: argparse.Namespace) -> int:
