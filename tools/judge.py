@@ -88,9 +88,13 @@ def numbers(text: str) -> np.ndarray:
 
 
 def lit_as_asked(scene, light: str | None, sky: str | None, environment: Path | None):
-    """The path tracer's scene with what was given in place of its own."""
+    """The path tracer's scene with what was given in place of its own. As in `vct`, a scene without lights has no sun under a
+    sky that is given."""
+    from truth.gltf_file import GltfFile
     from truth.hdr import read_sky
     from truth.scene import Sun, unit
+    if (sky or environment) and not GltfFile(scene.path).json.get("extensions", {}).get("KHR_lights_punctual"):
+        scene = dataclasses.replace(scene, sun=Sun(scene.sun.towards, np.zeros(3)))
     if light is not None:
         given = dict(re.findall(r"(\w+)=([^=]*?)(?=,\w+=|$)", light))
         color = numbers(given.get("color", "1,1,1"))
@@ -225,6 +229,8 @@ def arguments() -> argparse.Namespace:
     options.presets = options.presets.split(",")
     if unknown := [preset for preset in options.presets if preset not in PRESETS]:
         parser.error(f"unknown preset '{unknown[0]}'; choose from {', '.join(PRESETS)}")
+    if options.sky and options.environment:
+        parser.error("--sky and --environment exclude each other")
     if not options.scene.is_file():
         parser.error(f"{options.scene} is not there")
     options.out = options.out or Path("out/judge") / options.scene.stem

@@ -62,7 +62,8 @@ def test_a_scene_without_camera_and_light_is_the_same_on_both_sides(program, roo
 
 
 @pytest.mark.parametrize("options", [("--camera", "eye=1.5,1.2,1.5,target=0,0.3,0,fov=60"),
-                                     ("--light", "direction=1,-1,-0.5,color=1,0.5,0.2,intensity=6", "--sky", "0.1,0.2,0.4")])
+                                     ("--light", "direction=1,-1,-0.5,color=1,0.5,0.2,intensity=6", "--sky", "0.1,0.2,0.4"),
+                                     ("--environment", str(ROOT / "assets/patio.hdr"))])
 def test_options_reach_program_and_path_tracer(program, room, tmp_path, options):
     usual, given = tmp_path / "usual", tmp_path / "given"
     assert judge(program, room, usual).returncode == 0
