@@ -147,7 +147,7 @@ TEST(Sky, OfASceneInWhichNothingShinesIsThatOfRender) {
     const Image screen = screenWith("");
     ProgramRun program;
     program.expectSuccess("render " + scenes.file("unlit.glb") +
-                          " --grid 64 --size 96x72 --out out --mode gi");
+                          " --preset thesis --grid 64 --size 96x72 --out out --mode gi");
     EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
     EXPECT_GT(screen.at(2, 2).b, 0.1F);
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
