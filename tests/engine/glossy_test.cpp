@@ -8,6 +8,7 @@
 #include "engine/renderer.h"
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
+#include "support/pictures.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 
@@ -187,7 +188,7 @@ TEST(Glossy, RoughMaterialsArePicturesAsBefore) {
     const Context context = openContext(Backend::egl);
     const Settings settings = glossyAt({64, 64});
     const Image with = pictureOf(context, corner(), settings, Specular::cone);
-    EXPECT_EQ(with.pixels, pictureOf(context, corner(), settings, Specular::none).pixels);
+    expectSameInHalves(with, pictureOf(context, corner(), settings, Specular::none));
     // Not black: its diffuse light has not been taken from the metal.
     EXPECT_GT(with.pixels[48 * 64 + 32].x, 0.1F);
 }
@@ -209,7 +210,7 @@ TEST(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
             changed += with.pixels[i] != without.pixels[i] ? 1 : 0;
         } else {
             ++wall;
-            ASSERT_EQ(with.pixels[i], without.pixels[i]);
+            ASSERT_TRUE(sameInHalves(with.pixels[i], without.pixels[i]));
         }
     }
     EXPECT_GT(wall, 500);
