@@ -14,7 +14,8 @@ namespace vct::desktop {
 
 const char* const windowKeys =
     "Mouse: drag to turn the view (a double click resets it), drag with the middle button to shift it, the "
-    "wheel moves nearer and farther, drag with the right button to turn the light.\n"
+    "wheel moves nearer and farther or, over the panel, scrolls it, drag with the right button to turn the "
+    "light.\n"
     "Keys: W A S D, Q and E walk, go down and up (with Shift faster); 1 to 5 choose the mode, Tab the next "
     "preset, N and B the next scene of the folder and the one before; Space stops and plays the animation; T "
     "times the steps; H hides the panel; R resets view and light; P saves the picture as vct-view-N.png and "
@@ -80,7 +81,7 @@ class Window {
         glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
             of(window).move(of(window).inPixels(x, y));
         });
-        glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).pinch(y); });
+        glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).wheel(y); });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
             if (focused == GLFW_FALSE) of(window).viewer_->cancelTouch();
         });
@@ -152,8 +153,10 @@ class Window {
         cursor_ = to;
     }
 
-    void pinch(double clicks) {
-        if (held_ != -1 || viewer_->displayCovers(cursor_)) return;
+    void wheel(double clicks) {
+        if (held_ != -1) return;
+        if (viewer_->displayCovers(cursor_))
+            return viewer_->scrollDisplay(cursor_, static_cast<float>(clicks));
         fingers(2, cursor_);
         fingers(2, cursor_, 100.0F * std::pow(1.1F, static_cast<float>(clicks)));
         fingers(0, cursor_);
