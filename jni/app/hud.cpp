@@ -183,8 +183,8 @@ void Hud::buildMessage(const std::string& title, const std::string& text, glm::i
 void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
     if (content.divisor)
-        ImGui::TextWrapped("The sides are 1/%g of the window's, down to 1/%g, so that a frame takes %g ms.",
-                           *content.divisor, ResolutionScale::largestDivisor, ResolutionScale::mostMs);
+        ImGui::TextWrapped("1/%g of the window's sides: what %g ms a frame allow, but at least 1/%g",
+                           *content.divisor, ResolutionScale::mostMs, ResolutionScale::largestDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
     if (!ImGui::BeginTable("times", 3)) return;
