@@ -38,9 +38,12 @@ struct Glfw {
     Glfw() {
         glfwSetErrorCallback([](int, const char* text) { glfwProblem = text; });
         if (glfwInit() == GLFW_FALSE)
-            throw Error("no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
-                        "); run it on a desktop, or set DISPLAY to one that this user may use; `vct render` "
-                        "needs none");
+            throw Error(
+                "no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
+                ", WAYLAND_DISPLAY " + variable("WAYLAND_DISPLAY") +
+                "); run it on a desktop, or set DISPLAY to one that this user may use (Wayland "
+                "without Xwayland needs the package libglfw3-wayland in place of libglfw3); `vct render` "
+                "needs none");
     }
     ~Glfw() { glfwTerminate(); }
     Glfw(const Glfw&) = delete;
