@@ -46,12 +46,11 @@ TEST(Shaders, CameraAndGridAreThoseThatAreAskedFor) {
     const auto usual = counts(""), asked = counts(" --grid 128 --camera eye=0,0,3,target=0,9,3");
     EXPECT_EQ(usual.at("grid"), 64);
     EXPECT_EQ(asked.at("grid"), 128);
-    const char* gBuffer = "passes/g_buffer.frag";
-    const auto pixels = [&](const auto& preset) {
-        return preset.at("counts").at("gi").at(gBuffer).at("invocations").template get<long>();
+    const auto seesSomething = [](const auto& preset) {
+        return preset.at("counts").at("gi").contains("passes/g_buffer.frag");
     };
-    EXPECT_GT(pixels(usual), 0);
-    EXPECT_EQ(pixels(asked), 0) << "it looks away from the scene";
+    EXPECT_TRUE(seesSomething(usual));
+    EXPECT_FALSE(seesSomething(asked)) << "it looks away from the scene";
 }
 
 }  // namespace
