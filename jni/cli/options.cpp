@@ -125,7 +125,7 @@ void SceneOptions::fitGrid(Settings& settings, const Scene& loaded,
         // Only of main memory can be asked how much there is.
         const std::size_t bytes =
             capabilities.texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
-        const GridChoice choice = chooseGrid(loaded, settings, bytes);
+        const GridChoice choice = chooseGrid(loaded, settings, capabilities, bytes);
         settings.grid = choice.grid;
         say(choice.reason);
         return;
