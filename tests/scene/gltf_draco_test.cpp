@@ -28,7 +28,7 @@ GltfBuilder dracoFile(const Bytes& stream, std::size_t vertices, std::size_t ind
                        {{"POSITION", accessor(vertices, float32, "VEC3")},
                         {"NORMAL", accessor(vertices, float32, "VEC3")},
                         {"TEXCOORD_0", accessor(vertices, float32, "VEC2")}}},
-                      {"indices", accessor(indices, uint16, "SCALAR")}};
+                      {"indices", accessor(indices, uint32, "SCALAR")}};
     primitive["extensions"]["KHR_draco_mesh_compression"] = {
         {"bufferView", view}, {"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}}};
     builder.node({{"mesh", builder.mesh(primitive)}});
