@@ -234,8 +234,9 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
         const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
         if (attributes.Has(name))
             put(index, stream.points(), stream.attribute(indexAt(attributes, name.c_str()), accessor, name));
-        else if (accessor.bufferView < 0 && !accessor.sparse.isSparse)
-            file.fail(mesh + ": its " + name + " is neither in its Draco stream nor in a buffer view");
+        // Of others glTF says that they are zeros.
+        else if (name == "POSITION" && accessor.bufferView < 0 && !accessor.sparse.isSparse)
+            file.fail(mesh + ": its POSITION is neither in its Draco stream nor in a buffer view");
     }
     if (unpacked.indices == -1) {
         unpacked.indices = static_cast<int>(file.model.accessors.size());

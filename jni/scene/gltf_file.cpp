@@ -148,19 +148,21 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
-// Whether a buffer stands for what meshoptimizer unpacks, and nothing asks for its own bytes.
-bool isUnread(const GltfFile& file, std::size_t buffer, const json& source, bool hasUri) {
-    const auto isFallback = [&](const char* extension) {
+// Whether a buffer is there for programs that do not unpack meshoptimizer's streams.
+bool isFallback(const json& source) {
+    for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
         const json::json_pointer place(std::string("/extensions/") + extension + "/fallback");
-        return source.contains(place) && source.at(place) == true;
-    };
-    if (!isFallback("EXT_meshopt_compression") && !isFallback("KHR_meshopt_compression")) return false;
+        if (source.contains(place) && source.at(place) == true) return true;
+    }
+    return false;
+}
+
+// Whether nothing asks for a buffer's own bytes: all of its views are unpacked from those of another.
+bool isUnread(const GltfFile& file, std::size_t buffer) {
     const std::vector<tinygltf::BufferView>& views = file.model.bufferViews;
-    return !hasUri || (canUnpackMeshopt &&
-                       std::all_of(views.begin(), views.end(), [&](const tinygltf::BufferView& view) {
-                           return view.buffer != static_cast<int>(buffer) ||
-                                  meshoptOf(view.extensions) != nullptr;
-                       }));
+    return canUnpackMeshopt && std::all_of(views.begin(), views.end(), [&](const tinygltf::BufferView& view) {
+               return view.buffer != static_cast<int>(buffer) || meshoptOf(view.extensions) != nullptr;
+           });
 }
 
 void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
@@ -173,7 +175,10 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
 
         ByteRange available{chunks.binary, chunks.binarySize};
         const std::string uri = textAt(source, "uri");
-        if (isUnread(file, i, source, !uri.empty())) {
+        const bool fallback = isFallback(source);
+        const bool isMissing = uri.empty() && (i != 0 || chunks.binary == nullptr || fallback);
+        // Some files leave out the word "fallback".
+        if (fallback ? isMissing || isUnread(file, i) : isMissing && isUnread(file, i)) {
             file.buffers.push_back({});
             continue;
         }
@@ -182,7 +187,7 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
             const auto [known, isNew] = file.bytesOf.try_emplace(identityOf(resolved, what));
             if (isNew) known->second = readResolved(file, resolved, what);
             available = {known->second.data(), known->second.size()};
-        } else if (i != 0 || chunks.binary == nullptr) {
+        } else if (isMissing) {
             file.fail(what + " has neither a uri nor a binary chunk");
         }
         if (byteLength > available.size)
