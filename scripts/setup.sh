@@ -9,6 +9,7 @@ set -euo pipefail
 required=(
     g++ cmake ninja-build
     libglm-dev libtinygltf-dev libopenexr-dev zlib1g-dev libstb-dev nlohmann-json3-dev libcli11-dev libimgui-dev
+    libdraco-dev libmeshoptimizer-dev libwebp-dev
     libegl-dev libgles-dev libglfw3-dev
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools python3

@@ -9,9 +9,11 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "scene/gltf_file.h"
+#include "scene/gltf_instancing.h"
 #include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
+#include "scene/gltf_packings.h"
 
 namespace vct {
 namespace {
@@ -39,9 +41,11 @@ class MeshLoader {
         if (found != meshes_.end()) return found->second;
         const tinygltf::Mesh& source = file_.at(file_.model.meshes, index, "mesh");
         std::vector<int>& loaded = meshes_[index];
+        const std::string name = "mesh " + indexAndName(static_cast<std::size_t>(index), source.name);
         for (const tinygltf::Primitive& primitive : source.primitives) {
-            std::optional<Mesh> mesh =
-                loadPrimitive(file_, primitive, materials_, static_cast<std::size_t>(index));
+            const std::optional<tinygltf::Primitive> unpacked = unpackDraco(file_, primitive, name);
+            std::optional<Mesh> mesh = loadPrimitive(file_, unpacked ? *unpacked : primitive, materials_,
+                                                     static_cast<std::size_t>(index));
             if (!mesh) continue;
             loaded.push_back(static_cast<int>(scene_.meshes.size()));
             scene_.meshes.push_back(std::move(*mesh));
@@ -56,6 +60,28 @@ class MeshLoader {
     std::map<int, std::vector<int>> meshes_;
 };
 
+struct Placement {
+    glm::dmat4 worldFromObject;
+    int moving;  // as PlacedNode::moving
+};
+
+// Where a node's mesh lies: once, or once for each instance. Those of a node that moves hang on it as nodes
+// of their own, which are added to the animation.
+std::vector<Placement> placementsOf(GltfFile& file, const PlacedNode& placed, Animation& animation) {
+    const std::optional<std::vector<NodeTransform>> instances = instancesIn(file, *placed.node);
+    if (!instances) return {{placed.worldFromNode, placed.moving}};
+    std::vector<Placement> placements;
+    for (const NodeTransform& transform : *instances) {
+        const glm::dmat4 worldFromObject = placed.worldFromNode * transform.parentFromNode();
+        checkFinite(file, worldFromObject, *placed.node);
+        placements.push_back({worldFromObject, placed.moving});
+        if (placed.moving < 0) continue;
+        placements.back().moving = static_cast<int>(animation.nodes.size());
+        animation.nodes.push_back({placed.moving, glm::dmat4(1.0), transform});
+    }
+    return placements;
+}
+
 Scene buildScene(GltfFile& file, const std::string& animation) {
     Scene scene;
     scene.path = file.path;
@@ -67,15 +93,17 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
         addLight(file, placed, scene);
         if (placed.node->mesh == -1) continue;
         const std::vector<int>& parts = meshes.get(placed.node->mesh);
-        if (placed.moving < 0 && isFlattened(placed.worldFromNode)) {
-            file.warn("nodes scaled to zero are left out");
-            continue;
-        }
-        for (const int mesh : parts) {
-            scene.instances.push_back({mesh, placed.worldFromNode, placed.moving});
-            triangles += scene.meshes[mesh].indices.size() / 3;
-            if (triangles > maxTriangles || scene.instances.size() > maxInstances)
-                file.fail("it places more triangles than this program can draw", "simplify the scene");
+        for (const Placement& place : placementsOf(file, placed, scene.animation)) {
+            if (place.moving < 0 && isFlattened(place.worldFromObject)) {
+                file.warn("nodes scaled to zero are left out");
+                continue;
+            }
+            for (const int mesh : parts) {
+                scene.instances.push_back({mesh, place.worldFromObject, place.moving});
+                triangles += scene.meshes[mesh].indices.size() / 3;
+                if (triangles > maxTriangles || scene.instances.size() > maxInstances)
+                    file.fail("it places more triangles than this program can draw", "simplify the scene");
+            }
         }
     }
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");

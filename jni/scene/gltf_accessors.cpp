@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "scene/gltf_packings.h"
+
 namespace vct {
 namespace {
 
@@ -69,7 +71,7 @@ float loadFloat(const unsigned char* bytes, int type, bool normalized) {
     }
 }
 
-void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::size_t elementSize,
+void applySparse(GltfFile& file, const tinygltf::Accessor& accessor, std::size_t elementSize,
                  std::vector<unsigned char>& elements, const std::string& name) {
     const auto& sparse = accessor.sparse;
     const int indexType = sparse.indices.componentType;
@@ -93,11 +95,16 @@ void applySparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::
 }
 
 // The elements without gaps.
-std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Accessor& accessor,
-                                          std::size_t elementSize, const std::string& name) {
+std::vector<unsigned char> packedElements(GltfFile& file, int index, std::size_t elementSize,
+                                          const std::string& name) {
+    const tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
     const unsigned char* first = nullptr;  // without a view: zeros, usually under sparse values
     std::size_t stride = elementSize;
-    if (accessor.bufferView >= 0) {
+    const auto unpacked = file.unpackedAccessors.find(index);
+    if (unpacked != file.unpackedAccessors.end()) {
+        const ByteRange elements{unpacked->second.data(), unpacked->second.size()};
+        first = checkedElements(file, elements, 0, stride, elementSize, accessor.count, name);
+    } else if (accessor.bufferView >= 0) {
         const ByteRange view = viewBytes(file, accessor.bufferView);
         const std::size_t declared = file.model.bufferViews[accessor.bufferView].byteStride;
         if (declared != 0) stride = declared;
@@ -106,6 +113,12 @@ std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Access
                       std::to_string(elementSize));
         first = checkedElements(file, view, accessor.byteOffset, stride, elementSize, accessor.count, name);
     }
+    // By no extension that is known here: then the elements are elsewhere, and not zeros.
+    if (first == nullptr && accessor.count > 0 && !accessor.sparse.isSparse &&
+        !file.missingExtensions.empty())
+        file.fail(name + " has no data in a buffer, and the file requires what is not supported: " +
+                      file.missingExtensions,
+                  "export it without that");
     file.reserveGeometry(accessor.count, elementSize);
     std::vector<unsigned char> elements(accessor.count * elementSize);
     for (std::size_t i = 0; first != nullptr && i < accessor.count; ++i)
@@ -116,9 +129,19 @@ std::vector<unsigned char> packedElements(GltfFile& file, const tinygltf::Access
 
 }  // namespace
 
-ByteRange viewBytes(const GltfFile& file, int bufferView) {
+ByteRange viewBytes(GltfFile& file, int bufferView) {
     const tinygltf::BufferView& view = file.at(file.model.bufferViews, bufferView, "buffer view");
     const ByteRange& buffer = file.at(file.buffers, view.buffer, "buffer");
+    const tinygltf::Value* const packing = meshoptOf(view.extensions);
+    if (packing != nullptr && (canUnpackMeshopt || buffer.data == nullptr)) {
+        const auto known = file.unpackedViews.find(bufferView);
+        const std::vector<unsigned char>& bytes =
+            known != file.unpackedViews.end()
+                ? known->second
+                : file.unpackedViews.emplace(bufferView, unpackMeshopt(file, bufferView, *packing))
+                      .first->second;
+        return {bytes.data(), bytes.size()};
+    }
     if (view.byteOffset > buffer.size || view.byteLength > buffer.size - view.byteOffset)
         file.fail("buffer view " + std::to_string(bufferView) + " reaches beyond its buffer of " +
                   std::to_string(buffer.size) + " bytes");
@@ -146,7 +169,7 @@ std::vector<float> readFloats(GltfFile& file, int index, int width, Components c
         file.fail(name + " has component type " + std::to_string(type) + ", which is not allowed there");
 
     const auto scalars = static_cast<std::size_t>(width);
-    const std::vector<unsigned char> bytes = packedElements(file, accessor, scalars * componentSize, name);
+    const std::vector<unsigned char> bytes = packedElements(file, index, scalars * componentSize, name);
     file.reserveGeometry(accessor.count, scalars * sizeof(float));
     std::vector<float> values(accessor.count * scalars);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -162,7 +185,7 @@ std::vector<std::uint32_t> readIndices(GltfFile& file, int index, std::size_t ve
         file.fail(name + " is not a list of unsigned integers (component type " + std::to_string(type) + ")");
 
     const std::size_t size = componentBytes(type);
-    const std::vector<unsigned char> bytes = packedElements(file, accessor, size, name);
+    const std::vector<unsigned char> bytes = packedElements(file, index, size, name);
     file.reserveGeometry(accessor.count, sizeof(std::uint32_t));
     std::vector<std::uint32_t> indices(accessor.count);
     for (std::size_t i = 0; i < indices.size(); ++i) {

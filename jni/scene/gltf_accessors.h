@@ -8,8 +8,9 @@
 
 namespace vct {
 
-// The bytes of a buffer view; throws where it does not lie inside its buffer.
-ByteRange viewBytes(const GltfFile& file, int bufferView);
+// The bytes of a buffer view, unpacked where it is packed; throws where it does not lie inside its buffer, or
+// cannot be unpacked.
+ByteRange viewBytes(GltfFile& file, int bufferView);
 
 // Which component types an attribute may have besides float.
 enum class Components { floatOnly, floatOrNormalizedUnsigned, floatOrNormalized, anySmallInteger };

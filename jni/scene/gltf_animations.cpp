@@ -111,8 +111,11 @@ class ChannelLoader {
     }
 
     void setInterpolation(const json& sampler, AnimationChannel& channel) const {
-        const std::string name =
-            sampler.contains("interpolation") ? textAt(sampler, "interpolation") : "LINEAR";
+        std::string name = sampler.contains("interpolation") ? textAt(sampler, "interpolation") : "LINEAR";
+        if (sampler.contains("interpolation") && sampler["interpolation"] == "") {
+            file_.warn("animations with an empty interpolation are played as LINEAR");
+            name = "LINEAR";
+        }
         const auto found = find(interpolations, name);
         require(found.has_value(), "has the unknown interpolation \"" + oneLine(name) + "\"");
         channel.interpolation = *found;
@@ -134,10 +137,14 @@ class ChannelLoader {
             require(std::isfinite(times[key]) && times[key] >= 0.0F,
                     "has the time " + numberText(times[key]) + " for " + which +
                         ", which is negative or not a number");
-            require(key == 0 || times[key] > times[key - 1],
+            if (key == 0) continue;
+            require(times[key] >= times[key - 1],
                     "has unsorted keys: " + which + " at " + numberText(times[key]) +
-                        " s does not come after " + numberText(times[key == 0 ? 0 : key - 1]) + " s",
+                        " s does not come after " + numberText(times[key - 1]) + " s",
                     "sort its keys by time, each time once");
+            // Exporters write cuts so, and other viewers play them: the first key is come to, the last left.
+            if (times[key] == times[key - 1])
+                file_.warn("animations with two keys at one time jump there from the first to the last");
         }
     }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 
 #include "core/error.h"
-#include "core/list_text.h"
 #include "core/memory.h"
 #include "core/number_text.h"
+#include "scene/gltf_extensions.h"
+#include "scene/gltf_packings.h"
 
 namespace vct {
 namespace {
@@ -23,9 +23,6 @@ constexpr int maxJsonDepth = 64;
 // Several times the largest public scenes; keeps a small malicious file from asking for all of the memory.
 constexpr std::size_t maxGeometryBytes = std::size_t{2} << 30;
 constexpr std::size_t maxTextureBytes = std::size_t{4} << 30;
-
-const char* const supportedExtensions[] = {"KHR_lights_punctual", "KHR_texture_transform",
-                                           "KHR_materials_emissive_strength", "KHR_mesh_quantization"};
 
 struct Chunks {
     const unsigned char* json = nullptr;
@@ -136,36 +133,6 @@ void checkAsset(const GltfFile& file, const json& document) {
             "export it as glTF 2.0");
 }
 
-void checkExtensions(GltfFile& file, json& document) {
-    const auto names = [&](const char* key) {
-        std::vector<std::string> result;
-        const auto found = document.find(key);
-        if (found == document.end() || !found->is_array()) return result;
-        for (const json& name : *found) {
-            if (!name.is_string()) continue;
-            const std::string extension = name.get<std::string>();
-            const bool supported = std::find(std::begin(supportedExtensions), std::end(supportedExtensions),
-                                             extension) != std::end(supportedExtensions);
-            if (!supported) result.push_back(oneLine(extension));
-        }
-        return result;
-    };
-    const std::vector<std::string> missing = names("extensionsRequired");
-    if (!missing.empty())
-        file.fail("it requires an extension that is not supported: " + listText(missing),
-                  "export it without that");
-    const std::vector<std::string> ignored = names("extensionsUsed");
-    if (ignored.size() == 1) file.warn("extension " + ignored[0] + " is ignored");
-    if (ignored.size() > 1)
-        file.warn(std::to_string(ignored.size()) + " extensions are ignored: " + listText(ignored));
-    const auto used = document.find("extensionsUsed");
-    file.isQuantized = used != document.end() && used->is_array() &&
-                       std::find(used->begin(), used->end(), "KHR_mesh_quantization") != used->end();
-    // tinygltf has no use for them.
-    document.erase("extensionsUsed");
-    document.erase("extensionsRequired");
-}
-
 // Before tinygltf, whose 2.8 reads a negative offset as none.
 void checkSparseOffsets(const GltfFile& file, const json& document) {
     const auto accessors = document.find("accessors");
@@ -181,6 +148,23 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
+// Whether a buffer is there for programs that do not unpack meshoptimizer's streams.
+bool isFallback(const json& source) {
+    for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        const json::json_pointer place(std::string("/extensions/") + extension + "/fallback");
+        if (source.contains(place) && source.at(place) == true) return true;
+    }
+    return false;
+}
+
+// Whether nothing asks for a buffer's own bytes: all of its views are unpacked from those of another.
+bool isUnread(const GltfFile& file, std::size_t buffer) {
+    const std::vector<tinygltf::BufferView>& views = file.model.bufferViews;
+    return canUnpackMeshopt && std::all_of(views.begin(), views.end(), [&](const tinygltf::BufferView& view) {
+               return view.buffer != static_cast<int>(buffer) || meshoptOf(view.extensions) != nullptr;
+           });
+}
+
 void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const json& source = buffers[i];
@@ -191,12 +175,19 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
 
         ByteRange available{chunks.binary, chunks.binarySize};
         const std::string uri = textAt(source, "uri");
+        const bool fallback = isFallback(source);
+        const bool isMissing = uri.empty() && (i != 0 || chunks.binary == nullptr || fallback);
+        // Some files leave out the word "fallback".
+        if (fallback ? isMissing || isUnread(file, i) : isMissing && isUnread(file, i)) {
+            file.buffers.push_back({});
+            continue;
+        }
         if (!uri.empty()) {
             const std::string resolved = resolvedUri(file, uri, what);
             const auto [known, isNew] = file.bytesOf.try_emplace(identityOf(resolved, what));
             if (isNew) known->second = readResolved(file, resolved, what);
             available = {known->second.data(), known->second.size()};
-        } else if (i != 0 || chunks.binary == nullptr) {
+        } else if (isMissing) {
             file.fail(what + " has neither a uri nor a binary chunk");
         }
         if (byteLength > available.size)
@@ -320,6 +311,7 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkAsset(file, document);
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
+    hideDracoIndices(document);
     // What is taken here, tinygltf does not see.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");

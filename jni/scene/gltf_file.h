@@ -33,11 +33,17 @@ struct GltfFile {
     std::vector<ByteRange> buffers;
     // What the buffers are parts of: each file and data URI once, however many buffers name it.
     std::map<std::string, std::vector<unsigned char>> bytesOf;
+    // Buffer views that were packed, by index, each from when something first asks for it.
+    std::map<int, std::vector<unsigned char>> unpackedViews;
+    // Elements of accessors, without gaps, that a Draco stream holds: of the primitive that is being loaded.
+    std::map<int, std::vector<unsigned char>> unpackedAccessors;
     // A list of objects. In place of tinygltf's, which drops what it cannot read and does not say of which
     // animation it was.
     nlohmann::json animations;
     std::vector<std::string> warnings;  // the first of them, each once
     std::set<std::string> knownWarnings;
+    std::string
+        missingExtensions;     // those that it requires and that are not supported; "" where there are none
     bool isQuantized = false;  // by KHR_mesh_quantization
     // Of buffers, images and meshes together: half of the memory that was available, as a driver in main
     // memory has a copy of most of it.

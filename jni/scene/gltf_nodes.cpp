@@ -15,15 +15,6 @@ std::string named(const GltfFile& file, const tinygltf::Node& node) {
     return "node " + indexAndName(index, node.name);
 }
 
-void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!(std::abs(matrix[column][row]) <= 1e30))
-                file.fail(named(file, node) + " has a transformation that is not a usable number");
-        }
-    }
-}
-
 NodeTransform localTransform(const GltfFile& file, const tinygltf::Node& node) {
     const auto wrongSize = [](const std::vector<double>& values, std::size_t size) {
         return !values.empty() && values.size() != size;
@@ -72,6 +63,15 @@ std::vector<int> findRoots(const GltfFile& file) {
 }
 
 }  // namespace
+
+void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(matrix[column][row]) <= 1e30))
+                file.fail(named(file, node) + " has a transformation that is not a usable number");
+        }
+    }
+}
 
 std::vector<PlacedNode> placeNodes(const GltfFile& file) {
     struct Pending {

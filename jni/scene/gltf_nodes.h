@@ -15,6 +15,9 @@ struct PlacedNode {
     int moving = -1;  // index into Animation::nodes, or -1: it never moves
 };
 
+// Throws where a transformation of a node has elements that are not numbers, or too large to reckon with.
+void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node);
+
 // The nodes of the default scene, parents first. Throws where one is in the scene twice.
 std::vector<PlacedNode> placeNodes(const GltfFile& file);
 

@@ -1,8 +1,11 @@
 #include "core/memory.h"
 #include "core/number_text.h"
 #include "image/stb_picture.h"
+#include "image/webp_picture.h"
 #include "scene/gltf_accessors.h"
+#include "scene/gltf_extensions.h"
 #include "scene/gltf_materials.h"
+#include "scene/gltf_packings.h"
 
 namespace vct {
 namespace {
@@ -24,6 +27,18 @@ Texture::Wrap wrapMode(const GltfFile& file, int mode) {
 
 }  // namespace
 
+int imageOf(const GltfFile& file, int texture) {
+    const tinygltf::Texture& source = file.at(file.model.textures, texture, "texture");
+    const tinygltf::Value* const webp = extensionOf(source.extensions, "EXT_texture_webp");
+    if (webp != nullptr && (readsWebp || source.source < 0)) return indexAt(*webp, "source");
+    if (source.source >= 0) return source.source;
+    const std::string what = "texture " + std::to_string(texture);
+    if (extensionOf(source.extensions, "KHR_texture_basisu") != nullptr)
+        file.fail(what + " is KTX2 (KHR_texture_basisu), which needs the library libktx and is not read",
+                  "export it with PNG, JPEG or WebP textures, or with one of them as a fallback");
+    file.fail(what + " has no PNG, JPEG or WebP image", "export it with PNG, JPEG or WebP textures");
+}
+
 int TextureLoader::get(int index) {
     const auto found = textures_.find(index);
     if (found != textures_.end()) return found->second;
@@ -37,10 +52,8 @@ int TextureLoader::get(int index) {
 
 Texture TextureLoader::load(int index) {
     const tinygltf::Texture& source = file_.at(file_.model.textures, index, "texture");
-    if (source.source < 0)
-        file_.fail("texture " + std::to_string(index) + " has no PNG or JPEG image",
-                   "export it with PNG or JPEG textures");
-    const tinygltf::Image& image = file_.at(file_.model.images, source.source, "image");
+    const int imageIndex = imageOf(file_, index);
+    const tinygltf::Image& image = file_.at(file_.model.images, imageIndex, "image");
 
     Texture texture;
     texture.name = image.name.empty() && image.uri.compare(0, 5, "data:") != 0 ? image.uri : image.name;
@@ -53,7 +66,7 @@ Texture TextureLoader::load(int index) {
         file_.fail("texture " + std::to_string(index) + " refers to a negative sampler");
     }
     const Pixels& decoded =
-        pixels(image, "image " + indexAndName(static_cast<std::size_t>(source.source), texture.name));
+        pixels(image, "image " + indexAndName(static_cast<std::size_t>(imageIndex), texture.name));
     texture.width = decoded.width;
     texture.height = decoded.height;
     texture.rgba = decoded.rgba;
@@ -74,8 +87,7 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     const ByteRange bytes =
         inView ? viewBytes(file_, image.bufferView) : ByteRange{ofItsOwn.data(), ofItsOwn.size()};
     Pixels result;
-    try {
-        const StbPicture picture(bytes.data, bytes.size);
+    const auto checkSize = [&](const auto& picture) {
         result.width = picture.width();
         result.height = picture.height();
         const std::string extent =
@@ -88,7 +100,17 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
             file_.fail(what + ", " + extent + ", takes " + megabytesText(picture.decodingBytes()) +
                            " to decode, and " + megabytesText(availableMemory()) + " are available",
                        "scale it down, or free memory");
-        result.rgba = picture.decode(4);
+    };
+    try {
+        if (isWebp(bytes.data, bytes.size)) {
+            const WebpPicture picture(bytes.data, bytes.size);
+            checkSize(picture);
+            result.rgba = picture.decode();
+        } else {
+            const StbPicture picture(bytes.data, bytes.size);
+            checkSize(picture);
+            result.rgba = picture.decode(4);
+        }
     } catch (const PictureError& error) {
         file_.fail(what + " cannot be decoded: " + asClause(error.what()), "save it again as PNG or JPEG");
     }

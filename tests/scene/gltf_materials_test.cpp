@@ -135,13 +135,17 @@ TEST(GltfMaterials, TextureThatTwoMaterialsUseIsLoadedOnce) {
     EXPECT_EQ(scene.textures.size(), 1U);
 }
 
-TEST(GltfMaterials, RequiredExtensionIsAnErrorAndAnOptionalOneAWarning) {
+TEST(GltfMaterials, AnExtensionThatIsNotKnownIsAWarningUnlessItHoldsTheGeometry) {
     GltfBuilder builder;
     builder.triangle();
-    builder.document["extensionsUsed"] = {"KHR_draco_mesh_compression"};
-    EXPECT_TRUE(hasWarning(load(builder), "KHR_draco_mesh_compression"));
-    builder.document["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    expectMentions(loadError(builder), {"KHR_draco_mesh_compression"});
+    builder.document["extensionsUsed"] = {"EXT_of_tomorrow"};
+    EXPECT_TRUE(hasWarning(load(builder), "EXT_of_tomorrow"));
+    builder.document["extensionsRequired"] = {"EXT_of_tomorrow"};
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    expectMentions(scene.warnings[0], {"requires", "EXT_of_tomorrow"});
+    builder.document["accessors"][0].erase("bufferView");
+    expectMentions(loadError(builder), {"accessor 0", "no data", "EXT_of_tomorrow"});
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+// WebP by libwebp, with the memory that decoding takes known before, as StbPicture has it.
+#pragma once
+
+#include "image/stb_picture.h"
+
+namespace vct {
+
+// Whether a picture that begins with these bytes is WebP.
+bool isWebp(const unsigned char* bytes, std::size_t size);
+
+// Whether this build has libwebp.
+extern const bool readsWebp;
+
+// The header of a picture, read from bytes that outlive it. It throws PictureErrors, always where the build
+// lacks the library.
+class WebpPicture {
+  public:
+    WebpPicture(const unsigned char* bytes, std::size_t size);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    // The most that decode() has allocated at once, its result included.
+    std::size_t decodingBytes() const;
+    // Rows from the top of four 8-bit values per pixel, RGBA.
+    std::vector<std::uint8_t> decode() const;
+
+  private:
+    const unsigned char* bytes_;
+    std::size_t size_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace vct
