@@ -2,9 +2,11 @@
 from __future__ import annotations
 
 import hashlib
+import importlib.metadata
 import json
 import os
 import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +19,21 @@ def file_sha256(path: Path) -> str:
 
 def program_sha256(program: Path) -> str:
     """Of the program and of the shaders, which it reads when it runs."""
-    digest = hashlib.sha256(program.read_bytes())
-    for shader in sorted((ROOT / "shaders").rglob("*")):
-        if shader.is_file():
-            digest.update(str(shader.relative_to(ROOT)).encode() + b"\0" + shader.read_bytes())
+    return files_sha256(program.read_bytes(), (ROOT / "shaders").rglob("*"))
+
+
+def path_tracer_sha256() -> str:
+    """Of the sources in tools/truth, and of what they are made of."""
+    versions = " ".join(f"{package} {importlib.metadata.version(package)}" for package in ("mitsuba", "drjit"))
+    return files_sha256(versions.encode(), (ROOT / "tools/truth").glob("*.py"))
+
+
+def files_sha256(first: bytes, paths: Iterable[Path]) -> str:
+    """Of bytes, and of the names and contents of the repository's files among `paths`."""
+    digest = hashlib.sha256(first)
+    for path in sorted(paths):
+        if path.is_file():
+            digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()
 
 

@@ -11,12 +11,13 @@ keeps what is done. Exit status: 0 all is there, 1 something failed, 130 stopped
 from __future__ import annotations
 
 import argparse
-import dataclasses
 import hashlib
 import json
 import re
 import sys
+import tempfile
 import time
+import urllib.parse
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -26,14 +27,17 @@ import numpy as np
 import metrics
 import program
 import still
-from files import program_sha256, write_whole
+from files import file_sha256, path_tracer_sha256, program_sha256, write_whole
+from mali.compiler import CompilerError
+from mali.frames import bounds_ms
+from mali.loops import LoopError
 from references import parse_samples, parse_size
 from report.html import document, image, table, tag
-from report.pictures import error_png, exposure_for, picture_png
+from report.pictures import error_png, error_scale_png, exposure_for, picture_png
 from sweep.usual import PRESETS
 from tables import markdown
 from truth.exr import read_exr, write_exr
-from truth.gltf_file import GltfError
+from truth.gltf_file import GltfError, GltfFile
 from truth.hdr import SkyError
 
 # What a reader must know, where it stands.
@@ -45,6 +49,8 @@ MEANINGS = (
     ("FLIP", "how different the two look to a person who flips between them, 0 to 1; one sample per pixel without smooth edges "
              "alone costs .02 to .04"),
 )
+MALI_MEANING = (("Mali-T880", "milliseconds below which no Mali-T880 of 12 cores can draw that frame, by the words that Mesa's compiler "
+                              "makes of the shaders (docs/mali.md): arithmetic alone, no memory and no waiting"),)
 
 
 class Work:
@@ -64,6 +70,7 @@ class Work:
         except (OSError, ValueError, KeyError, TypeError):
             pass
         path.unlink(missing_ok=True)  # its pictures are about to change
+        path.parent.mkdir(parents=True, exist_ok=True)
         rest = sum(self.seconds) / len(self.seconds) * (self.count - self.at + 1) if self.seconds else None
         print(f"[{self.at}/{self.count}] {what}" + (f", about {rest:.0f} s to go" if rest else ""), file=sys.stderr, flush=True)
         start = time.monotonic()
@@ -74,78 +81,98 @@ class Work:
 
 
 def scene_sha256(path: Path) -> str:
-    """Of the file and, of a .gltf, of the files that it names."""
+    """Of the file and of the files that it names."""
     digest = hashlib.sha256(path.read_bytes())
-    if path.suffix == ".gltf":
-        for uri in re.findall(r'"uri"\s*:\s*"((?!data:)[^"]+)"', path.read_text(errors="replace")):
-            named = path.parent / uri
-            digest.update(uri.encode() + b"\0" + (named.read_bytes() if named.is_file() else b""))
+    document = GltfFile(path).json
+    for one in [*document.get("buffers", []), *document.get("images", [])]:
+        uri = one.get("uri", "data:")
+        named = path.parent / urllib.parse.unquote(uri)
+        if not uri.startswith("data:") and named.is_file():
+            digest.update(uri.encode() + b"\0" + named.read_bytes())
     return digest.hexdigest()
 
 
-def numbers(text: str) -> np.ndarray:
-    return np.array([float(x) for x in text.split(",")])
+class Countdown:
+    """Says every few seconds how much of something is done, and how long the rest may take."""
 
+    EVERY_S = 4.0
 
-def lit_as_asked(scene, light: str | None, sky: str | None, environment: Path | None):
-    """The path tracer's scene with what was given in place of its own. As in `vct`, a scene without lights has no sun under a
-    sky that is given."""
-    from truth.gltf_file import GltfFile
-    from truth.hdr import read_sky
-    from truth.scene import Sun, unit
-    if (sky or environment) and not GltfFile(scene.path).json.get("extensions", {}).get("KHR_lights_punctual"):
-        scene = dataclasses.replace(scene, sun=Sun(scene.sun.towards, np.zeros(3)))
-    if light is not None:
-        given = dict(re.findall(r"(\w+)=([^=]*?)(?=,\w+=|$)", light))
-        color = numbers(given.get("color", "1,1,1"))
-        lux = float(given["intensity"]) if "intensity" in given else float(scene.sun.irradiance.max()) or np.pi
-        towards = unit(-numbers(given["direction"])) if "direction" in given else scene.sun.towards
-        scene = dataclasses.replace(scene, sun=Sun(towards, color * lux))
-    if environment is not None:
-        return dataclasses.replace(scene, sky=read_sky(environment))
-    return dataclasses.replace(scene, sky=None if sky is None else np.tile(numbers(sky), (2, 4, 1)))
+    def __init__(self, of: int) -> None:
+        self.of, self.done = of, 0
+        self.start = self.told = time.monotonic()
+
+    def tell(self, count: int) -> None:
+        self.done += count
+        now = time.monotonic()
+        if now - self.told < self.EVERY_S or self.done >= self.of:
+            return
+        self.told = now
+        left = (now - self.start) * (self.of - self.done) / self.done
+        print(f"  {100 * self.done // self.of} %, about {left:.0f} s to go", file=sys.stderr, flush=True)
 
 
 def trace(options: argparse.Namespace, view: dict[str, Any], folder: Path) -> dict[str, Any]:
     """Writes reference.exr: all bounces of light."""
+    from truth.asked import lit_by, seen_by
     from truth.drawing import draw, make_world
     from truth.scene import load_scene
-    scene = load_scene(options.scene, options.size)
-    axes, eye = np.array(view["right_up_back"]), np.array(view["eye_world"])
-    camera = dataclasses.replace(scene.camera, axes=axes, eye_world=eye, eye=(eye - scene.centre_world) / scene.side_world,
-                                 vertical_fov_rad=view["vertical_fov_rad"])
-    scene = lit_as_asked(dataclasses.replace(scene, camera=camera), options.light, options.sky, options.environment)
-    drawn = draw(make_world(scene), scene, "full", options.size, options.spp, 0)
+    scene = lit_by(seen_by(load_scene(options.scene, options.size), view), options.light, options.sky, options.environment,
+                   options.emission)
+    drawn = draw(make_world(scene), scene, "full", options.size, options.spp, 0, Countdown(options.spp).tell)
     if not np.isfinite(drawn.image).all():
         raise program.Failed("the path-traced picture has values that are not finite")
     write_exr(folder / "reference.exr", drawn.image)
     return {"noise": metrics.noise_of_halves(*drawn.halves)}
 
 
-def described(one: dict[str, Any]) -> list[str]:
+def mali_bounds(options: argparse.Namespace, camera: str, lighting: Sequence[str]) -> dict[str, Any]:
+    """By preset, in ms, for a Mali-T880: of a frame of mode gi while the camera moves, and of one in which all changes."""
+    with tempfile.TemporaryDirectory() as name:
+        done = program.run(options.program, "shaders", options.scene, "--out", name, "--size", size_text(options), "--preset",
+                           ",".join(options.presets), "--camera", camera, *lighting)
+        if done.returncode != 0:
+            raise program.Failed(program.last_words(done.stderr))
+        manifest = json.loads((Path(name) / "manifest.json").read_text())
+        bounds = bounds_ms(manifest, Path(name), options.mali_compiler, "gi")
+    return {preset: {"camera_ms": ms["render_data"] + ms["trace"], "changing_ms": sum(ms.values())} for preset, ms in bounds.items()}
+
+
+def described(one: dict[str, Any], bounds: dict[str, Any]) -> list[str]:
     """A row of the table."""
-    return [f"{one['preset']}, {one['grid']}^3", f"{one['camera_ms']:.1f}", f"{one['changing_ms']:.1f}", f"{one['relmse']:.4f}",
-            f"{one['bias'] * 100:+.1f} %", f"{one['flip']:.3f}"]
+    row = [f"{one['preset']}, {one['grid']}^3", f"{one['camera_ms']:.1f}", f"{one['changing_ms']:.1f}", f"{one['relmse']:.4f}",
+           f"{one['bias'] * 100:+.1f} %", f"{one['flip']:.3f}"]
+    bound = bounds.get(one["preset"])
+    return row + [f"{bound['camera_ms']:.2f}", f"{bound['changing_ms']:.2f}"] if bound else row
 
 
 HEAD = ("preset, voxels", "camera moving, ms", "all changing, ms", "relMSE", "bias", "FLIP")
+MALI_HEAD = ("Mali-T880, camera moving, ms", "Mali-T880, all changing, ms")
+
+
+def head(bounds: dict[str, Any]) -> tuple[str, ...]:
+    return HEAD + (MALI_HEAD if bounds else ())
+
+
+def size_text(options: argparse.Namespace) -> str:
+    return f"{options.size[0]}x{options.size[1]}"
 
 
 def page(options: argparse.Namespace, view: dict[str, Any], notes: Sequence[str], results: list[dict[str, Any]],
-         missing: Sequence[str], truth: dict[str, Any] | None) -> str:
+         missing: Sequence[str], truth: dict[str, Any] | None, bounds: dict[str, Any]) -> str:
     """Writes the pictures too, all by one exposure."""
     folder, figures, exposure = options.out, [], 1.0
     if truth:
         reference = read_exr(folder / "reference.exr")
         exposure = exposure_for(reference)
         write_whole(folder / "reference.png", picture_png(reference, exposure))
+        write_whole(folder / "error_scale.png", error_scale_png())
         for one in results:
             picture = read_exr(folder / one["preset"] / "gi.exr")
             write_whole(folder / f"{one['preset']}.png", picture_png(picture, exposure))
             write_whole(folder / f"{one['preset']}_error.png", error_png(picture, reference))
             figures.append(tag("figure", image(f"{one['preset']}.png", one["preset"]), image(f"{one['preset']}_error.png", "error"),
-                               tag("figcaption", tag("b", one["preset"]), ": the picture, and where it is too bright (red, yellow) or too dark "
-                                   "(blue, cyan): full colour at an error as large as the light itself")))
+                               image("error_scale.png", "colours of errors", "scale"), tag("figcaption", tag("b", one["preset"]), ": the picture, and where it is too bright (red, yellow) or too dark "
+                                   "(blue, cyan), in shares of the light that should be there")))
         figures.insert(0, tag("figure", image("reference.png", "path traced"), tag("figcaption", tag("b", "path traced"),
                        f": the truth, {options.spp} samples per pixel; its own noise has a relMSE of {truth['noise']:.1e}")))
     driver = results[0]["driver"] if results else None
@@ -156,49 +183,64 @@ def page(options: argparse.Namespace, view: dict[str, Any], notes: Sequence[str]
         tag("p", f"Times on {driver}." + (" It runs on the CPU: compare its times with each other only." if "llvmpipe" in driver else ""))
         if driver else None,
         tag("p", tag("b", "Missing: "), ", ".join(missing), ". The same command continues.", class_="failed") if missing else None,
-        table(HEAD, map(described, results)),
-        tag("dl", *(tag("div", tag("dt", name), tag("dd", meaning)) for name, meaning in MEANINGS)),
+        table(head(bounds), [described(one, bounds) for one in results]),
+        tag("dl", *(tag("div", tag("dt", name), tag("dd", meaning)) for name, meaning in (*MEANINGS, *(MALI_MEANING if bounds else ())))),
         *figures, tag("h2", "As seen"), tag("p", tag("code", f"--camera {view['option']}")), *(tag("p", note) for note in notes))
 
 
 def notes_of(said: str) -> list[str]:
-    """What `vct` chose, and what it ignored."""
-    return [line for line in said.splitlines() if line.startswith(("note: ", "warning: "))]
+    """What `vct` chose, what it ignored, and which grid it advises (with --grid auto)."""
+    lines = said.splitlines()
+    return [line for line in lines if line.startswith(("note: ", "warning: "))] + [
+        f"hint: the scene wants --{line}" for line in lines if line.startswith("grid ")]
 
 
 def judge(options: argparse.Namespace) -> int:
     vct, folder = options.program, options.out
-    given = [word for name in ("light", "sky", "environment", "grid") if (value := getattr(options, name)) is not None
+    given = [word for name in ("light", "sky", "environment") if (value := getattr(options, name)) is not None
              for word in (f"--{name}", str(value))]
     camera = ["--camera", options.camera] if options.camera else []
-    size = f"{options.size[0]}x{options.size[1]}"
+    size = size_text(options)
     done = program.run(vct, "info", options.scene, "--print-camera", "--size", size, *camera)
     if done.returncode != 0:
         raise program.Failed(program.last_words(done.stderr))
     view = json.loads(done.stdout)
-    # A small picture says what the program chooses where the scene is silent.
-    notes = notes_of(program.render(vct, options.scene, "--mode", "phong", "--size", "16x16", "--exposure", "1", "--out", folder / "probe",
-                                    "--camera", view["option"], *given))
-    chosen = re.search(r"as with --light (\S+) --sky (\S+)", "\n".join(notes))
+    # A small picture says what the program chooses where the scene is silent, and which grid it wants.
+    with tempfile.TemporaryDirectory() as probe:
+        said = program.render(vct, options.scene, "--mode", "phong", "--size", "16x16", "--exposure", "1", "--grid", "auto",
+                              "--out", probe, "--camera", view["option"], "--emission", options.emission, *given)
+    notes = notes_of(said)
+    chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
     if chosen and not (options.light or options.sky or options.environment):
         options.light, options.sky = chosen.groups()
         given += ["--light", options.light, "--sky", options.sky]
+    if options.grid:
+        given += ["--grid", options.grid]
 
     shown = {"scene": scene_sha256(options.scene), "size": size, "camera": view["option"], "light": options.light, "sky": options.sky,
-             "environment": options.environment and hashlib.sha256(options.environment.read_bytes()).hexdigest(), "spp": options.spp}
-    of_program = {**shown, "grid": options.grid, "program": program_sha256(vct)}
-    work, results, status = Work(1 + len(options.presets)), [], 0
+             "environment": options.environment and hashlib.sha256(options.environment.read_bytes()).hexdigest(), "emission": options.emission}
+    traced = {**shown, "spp": options.spp, "path_tracer": path_tracer_sha256()}
+    of_program = {**traced, "grid": options.grid, "program": program_sha256(vct)}
+    work, results, status = Work(1 + len(options.presets) + bool(options.mali_compiler)), [], 0
+    bounds: dict[str, Any] = {}
     truth: dict[str, Any] | None = None
     try:
-        truth = work.make(f"path tracing, {options.spp} samples per pixel", shown, folder / "reference.json",
+        truth = work.make(f"path tracing, {options.spp} samples per pixel", traced, folder / "reference.json",
                           lambda: trace(options, view, folder))
         reference = read_exr(folder / "reference.exr")
         for preset in options.presets:
             try:
                 results.append(work.make(preset, of_program, folder / preset / "judged.json", lambda: still.judged(
-                    vct, options.scene, preset, reference, folder / preset, ["--camera", view["option"], *given])))
+                    vct, options.scene, preset, reference, folder / preset, ["--camera", view["option"], "--emission", str(options.emission), *given])))
             except program.Failed as failed:
                 print(f"error: {preset}: {failed}", file=sys.stderr)
+                status = 1
+        if options.mali_compiler:
+            key = {**of_program, "presets": options.presets, "compiler": file_sha256(options.mali_compiler)}
+            try:
+                bounds = work.make("bounds for a Mali-T880", key, folder / "mali.json", lambda: mali_bounds(options, view["option"], given))
+            except (program.Failed, CompilerError, LoopError) as failed:
+                print(f"error: bounds for a Mali-T880: {failed}", file=sys.stderr)
                 status = 1
     except KeyboardInterrupt:
         status = 130
@@ -206,10 +248,17 @@ def judge(options: argparse.Namespace) -> int:
         notes.append(f"note: the path-traced picture's own noise, relMSE {truth['noise']:.1e}, is part of the errors; "
                      f"--spp {4 * options.spp} takes four times as long and has a quarter of it")
     missing = [preset for preset in options.presets if preset not in {one["preset"] for one in results}]
-    write_whole(folder / "index.html", page(options, view, notes, results, missing if truth else ["the reference", *missing], truth))
-    print(markdown(HEAD, map(described, results)), end="")
+    write_whole(folder / "index.html", page(options, view, notes, results, missing if truth else ["the reference", *missing], truth, bounds))
+    print(markdown(head(bounds), [described(one, bounds) for one in results]), end="")
     print(*notes, f"camera: --camera {view['option']}", f"Open {folder / 'index.html'}", sep="\n")
     return status
+
+
+def emission(text: str) -> float:
+    value = float(text)
+    if not 0 <= value <= 1e6:
+        raise argparse.ArgumentTypeError("a factor from 0 to 1000000")
+    return value
 
 
 def arguments() -> argparse.Namespace:
@@ -223,7 +272,10 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--camera", help="eye=X,Y,Z,target=X,Y,Z,fov=DEG; or one of the scene's, by name or number")
     parser.add_argument("--light", help="direction=X,Y,Z,color=R,G,B,intensity=LUX in place of the scene's sun")
     parser.add_argument("--sky", help="radiance R,G,B from everywhere outside the scene")
-    parser.add_argument("--environment", type=Path, help="a picture of the sky, .hdr")
+    parser.add_argument("--environment", type=Path, help="a picture of the sky, .hdr or .exr")
+    parser.add_argument("--emission", type=emission, default=1.0, help="scales what all surfaces emit; 0 switches lamps off")
+    parser.add_argument("--mali-compiler", type=Path, metavar="COMPILER",
+                        help="Mesa's compiler for Mali, as tools/mali.py --help describes it: adds below which time no Mali-T880 can be")
     program.add_option(parser)
     options = parser.parse_args()
     options.presets = options.presets.split(",")
@@ -231,8 +283,9 @@ def arguments() -> argparse.Namespace:
         parser.error(f"unknown preset '{unknown[0]}'; choose from {', '.join(PRESETS)}")
     if options.sky and options.environment:
         parser.error("--sky and --environment exclude each other")
-    if not options.scene.is_file():
-        parser.error(f"{options.scene} is not there")
+    for file in (options.scene, options.environment, options.mali_compiler):
+        if file and not file.is_file():
+            parser.error(f"{file} is not there")
     options.out = options.out or Path("out/judge") / options.scene.stem
     return options
 
@@ -245,6 +298,9 @@ def main() -> int:
     except (program.Failed, GltfError, SkyError, OSError) as error:
         print(f"error: {options.scene}: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return 130
 
 
 if __name__ == "__main__":

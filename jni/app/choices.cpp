@@ -10,12 +10,17 @@
 
 namespace vct::app {
 
+namespace {
+const Resolution& resolutionOf(const Choices& choices) {
+    return resolutions().at(static_cast<std::size_t>(choices.resolution));
+}
+}  // namespace
+
 const std::vector<Resolution>& resolutions() {
-    static const std::vector<Resolution> all{{"as the window", 1, {}},
-                                             {"1/2 of the window", 2, {}},
-                                             {"1/3 of the window", 3, {}},
-                                             {"1/4 of the window", 4, {}},
-                                             {"400x400, as the thesis", 0, {400, 400}}};
+    static const std::vector<Resolution> all{
+        {"as the time allows", "auto", 0, {}}, {"as the window", "1", 1, {}},
+        {"1/2 of the window", "2", 2, {}},     {"1/3 of the window", "3", 3, {}},
+        {"1/4 of the window", "4", 4, {}},     {"400x400, as the thesis", "thesis", 0, {400, 400}}};
     return all;
 }
 
@@ -41,11 +46,10 @@ ShowRequest showRequestFromText(const std::string& text) {
     };
     const auto setPixels = [&](const std::string& value) {
         const auto found =
-            std::find_if(resolutions().begin(), resolutions().end(), [&](const Resolution& resolution) {
-                return value == (resolution.divisor == 0 ? "thesis" : std::to_string(resolution.divisor));
-            });
+            std::find_if(resolutions().begin(), resolutions().end(),
+                         [&](const Resolution& resolution) { return value == resolution.word; });
         if (found == resolutions().end())
-            throw Error("show: pixels is 1, 2, 3, 4 or thesis, not '" + value + "'");
+            throw Error("show: pixels is auto, 1, 2, 3, 4 or thesis, not '" + value + "'");
         choices.resolution = static_cast<int>(found - resolutions().begin());
     };
     const auto setTime = [&](const std::string& value) {
@@ -82,7 +86,7 @@ ShowRequest showRequestFromText(const std::string& text) {
                {"lights-off", setLightsOff},
                {"time", setTime}});
     if (grid) request.choices.grid = *grid;
-    validate(settingsFor(request.choices, glm::ivec2(1)));
+    validate(settingsFor(request.choices, glm::ivec2(1), 1.0));
     return request;
 }
 
@@ -91,14 +95,20 @@ void choosePreset(Choices& choices, const std::string& name) {
     choices.preset = name;
 }
 
-Settings settingsFor(const Choices& choices, glm::ivec2 window) {
+bool scaleFollowsTime(const Choices& choices) {
+    return resolutionOf(choices).divisor == 0 && resolutionOf(choices).fixed == glm::ivec2(0);
+}
+
+Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor) {
     Settings settings = presetSettings(choices.preset);
     settings.grid = choices.grid;
     settings.shadowConeAngleDeg = choices.coneAngleDeg;
     settings.revoxelize = choices.revoxelize;
-    const Resolution& resolution = resolutions().at(static_cast<std::size_t>(choices.resolution));
-    settings.size =
-        resolution.divisor > 0 ? glm::max(window / resolution.divisor, glm::ivec2(1)) : resolution.fixed;
+    const Resolution& resolution = resolutionOf(choices);
+    if (resolution.divisor > 0) divisor = resolution.divisor;
+    settings.size = resolution.fixed == glm::ivec2(0)
+                        ? glm::max(glm::ivec2(glm::dvec2(window) / divisor), glm::ivec2(1))
+                        : resolution.fixed;
     return settings;
 }
 

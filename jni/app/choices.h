@@ -15,7 +15,8 @@ namespace vct::app {
 // The pixels that are rendered, which the window then shows larger.
 struct Resolution {
     const char* name;
-    int divisor;       // of the window's sides; 0: `fixed`
+    const char* word;  // as in ShowRequest
+    int divisor;       // of the window's sides; 0: `fixed`, or where that is 0 too, ResolutionScale's
     glm::ivec2 fixed;  // keeps its shape
 };
 const std::vector<Resolution>& resolutions();
@@ -34,7 +35,7 @@ struct Choices {
     Mode mode = Mode::giConeShadow;
     int grid = presetSettings(preset).grid;  // voxels along a side
     float coneAngleDeg = 5.0F;
-    int resolution = 2;  // index into resolutions()
+    int resolution = 0;  // index into resolutions()
     // Where the light comes from: degrees from +Z towards +X, and above the horizon. Empty: as in the scene.
     std::optional<glm::vec2> lightAnglesDeg;
     std::bitset<VCT_MAX_PUNCTUAL_LIGHTS> lightsOff;  // of Scene::punctualLights
@@ -48,8 +49,8 @@ struct Choices {
 
 // What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off
 // steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3", each but the first word may be left out;
-// pixels: 1 to 4, the divisor of the window's sides, or thesis; time: where the animation stands still, in
-// seconds; lights-off: which of the lights besides the sun, counted from 1.
+// pixels: auto, 1 to 4, the divisor of the window's sides, or thesis; time: where the animation stands still,
+// in seconds; lights-off: which of the lights besides the sun, counted from 1.
 struct ShowRequest {
     std::string scene;
     Choices choices;
@@ -63,8 +64,11 @@ ShowRequest showRequestFromText(const std::string& text);
 // vct::Error.
 void choosePreset(Choices& choices, const std::string& name);
 
-// But for the sky.
-Settings settingsFor(const Choices& choices, glm::ivec2 window);
+// Whether the size of pictures follows the time that they take.
+bool scaleFollowsTime(const Choices& choices);
+
+// But for the sky. `divisor`: of the window's sides, for a size that follows the time.
+Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor);
 
 // The sky's radiance: `sceneSky` where the scene's own was chosen; a plain sky is as of `light`.
 glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light);

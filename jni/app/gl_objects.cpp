@@ -44,7 +44,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
                                  const Settings& wanted, const Choices& choices) {
     const Settings settings = forDriver(wanted, capabilities_);
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
-        settings.grid != renderer_->settings().grid || settings.size != renderer_->settings().size ||
+        settings.grid != renderer_->settings().grid ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
         settings.environment != renderer_->settings().environment) {
         // The old one goes first: a phone may not have room for the voxels of both.
@@ -53,6 +53,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         scene_ = scene;
         preset_ = choices.preset;
     }
+    if (settings.size != renderer_->settings().size) renderer_->resize(settings.size);
     renderer_->setLightDirection(light.towardsLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);
     for (std::size_t i = 0; i < scene->punctualLights.size(); ++i)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/resolution_scale.h"
+
 namespace vct::app {
 
 namespace {
@@ -77,6 +79,11 @@ void Hud::touch(const glm::vec2& position, bool down) {
     touches_.push_back({position, down});
 }
 
+void Hud::scroll(const glm::vec2& position, float clicks) {
+    wheelAt_ = position;
+    wheelClicks_ += clicks;
+}
+
 void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -93,6 +100,12 @@ void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
         if (changed) break;
     }
     io.MouseDown[0] = touchDown_;
+    // A wheel turns what is under the cursor, which is known of in this frame only.
+    if (wheelClicks_ != 0.0F && !touchDown_) {
+        io.MousePos = ImVec2(wheelAt_.x, wheelAt_.y);
+        io.MouseWheel = wheelClicks_;
+    }
+    wheelClicks_ = 0.0F;
     ImGui::NewFrame();
 }
 
@@ -169,6 +182,9 @@ void Hud::buildMessage(const std::string& title, const std::string& text, glm::i
 
 void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
+    if (content.divisor)
+        ImGui::TextWrapped("1/%g of the window's sides: what %g ms a frame allow, but at least 1/%g",
+                           *content.divisor, ResolutionScale::mostMs, ResolutionScale::largestDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
     if (!ImGui::BeginTable("times", 3)) return;

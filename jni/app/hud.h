@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct HudContent {
     double frameMs = 0.0;                                   // between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // null: not timed
     glm::ivec2 renderSize{0};
+    std::optional<double> divisor;                    // of the window's sides, where it follows the time
     std::function<std::vector<int>()> possibleGrids;  // of the scene and the driver, now
     bool animated = false;                            // the scene
     std::vector<std::string> lights;                  // of the scene besides the sun, by name
@@ -53,6 +55,8 @@ class Hud {
     bool covers(const glm::vec2& position) const;
     // One finger, that began where covers() said so; pixels from the top left.
     void touch(const glm::vec2& position, bool down);
+    // The mouse's wheel; clicks upwards.
+    void scroll(const glm::vec2& position, float clicks);
 
     // `free`: left, top, right, bottom of the window's part that no system bar covers.
     HudActions build(const HudContent& content, glm::ivec2 window, const glm::ivec4& free,
@@ -86,6 +90,8 @@ class Hud {
         bool down;
     };
     std::deque<TouchEvent> touches_;
+    glm::vec2 wheelAt_{0.0F};
+    float wheelClicks_ = 0.0F;  // since the last frame
     bool touchDown_ = false;
 };
 

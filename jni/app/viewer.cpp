@@ -58,6 +58,7 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     else
         clearWindow(window, background);
     drawHud(window, free, passedS);
+    if (renderer != nullptr && !measuring && scaleFollowsTime(choices_)) followTime(window, now);
 }
 
 // On a driver that lacks something.
@@ -82,9 +83,11 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.sceneLightDeg = lightAnglesDeg(look_.light);
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
-    content.renderSize = settingsFor(choices_, window).size;
+    content.renderSize = sizeIn(window);
+    if (scaleFollowsTime(choices_)) content.divisor = scale_.divisor();
     content.possibleGrids = [&] {
-        return gl_->possibleGrids(settingsFor(choices_, window), scene_ && featuresOf(*scene_).movingObjects);
+        return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()),
+                                  scene_ && featuresOf(*scene_).movingObjects);
     };
     content.animated = scene_ && !scene_->animation.channels.empty();
     if (scene_)
@@ -145,8 +148,24 @@ void Viewer::drawScene(glm::ivec2 window) {
     failed_.reset();
 }
 
+glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
+    return settingsFor(choices_, window, scale_.divisor()).size;
+}
+
+// Of the frame that began at `start`. Waiting for the GPU is the one clock that every driver has: its own is
+// off on many (gl/driver_faults.h), and the time between two frames is never below the display's refresh.
+void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start) {
+    gl::Finish();
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    if (!scale_.follow(took.count())) return;
+    const glm::ivec2 size = sizeIn(window);
+    log(LogLevel::detail, "pixels as the time allows: " + std::to_string(size.x) + "x" +
+                              std::to_string(size.y) + " of " + std::to_string(window.x) + "x" +
+                              std::to_string(window.y));
+}
+
 Settings Viewer::settingsOf(glm::ivec2 window) const {
-    Settings settings = settingsFor(choices_, window);
+    Settings settings = settingsFor(choices_, window, scale_.divisor());
     settings.skyRadiance = skyRadianceFor(choices_, look_.skyRadiance, light());
     if (choices_.sky == Sky::scene) settings.environment = look_.environment;
     return settings;
@@ -220,7 +239,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         for (const std::string& warning : loaded->warnings)
             log(LogLevel::warning, warning);
         log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
-        const double aspect = aspectOf(settingsFor(choices_, window).size);
+        const double aspect = aspectOf(sizeIn(window));
         const Look look = surroundings_.lookOf(*loaded, aspect);
         if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
         show(loaded, look, window);
@@ -241,7 +260,7 @@ void Viewer::show(std::shared_ptr<const Scene> scene, const Look& look, glm::ive
     look_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     exposure_ = {};
-    aspect_ = aspectOf(settingsFor(choices_, window).size);
+    aspect_ = aspectOf(sizeIn(window));
     view_.emplace(*scene_, look_.camera, aspect_);
 }
 

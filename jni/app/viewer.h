@@ -14,6 +14,7 @@
 #include "app/gl_objects.h"
 #include "app/hud.h"
 #include "app/orbit_view.h"
+#include "app/resolution_scale.h"
 #include "app/scenes.h"
 #include "app/touch.h"
 #include "lab/bench_run.h"
@@ -70,6 +71,9 @@ class Viewer {
     void cancelTouch() { touch_.cancel(); }
     bool displayCovers(const glm::vec2& position) const { return hud_.covers(position); }
 
+    // The mouse's wheel over the display; clicks upwards.
+    void scrollDisplay(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
+
     // What fingers choose in the display can be chosen by keys, too.
     Choices& choices() { return choices_; }
     void toggleDisplay() { hud_.toggle(); }
@@ -116,8 +120,10 @@ class Viewer {
     static std::string failureOf(const std::function<void()>& part);
     void revert(const std::string& why, glm::ivec2 window);
 
+    glm::ivec2 sizeIn(glm::ivec2 window) const;    // of pictures
     Settings settingsOf(glm::ivec2 window) const;  // of the scene
-    DirectionalLight light() const;                // at rest
+    void followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start);
+    DirectionalLight light() const;  // at rest
     double sceneTimeS() const;
     float exposure() const;
 
@@ -138,6 +144,7 @@ class Viewer {
     double aspect_ = 1.0;  // of the last picture
 
     Choices choices_;
+    ResolutionScale scale_;
     double animationS_ = 0.0;       // what has been played, of any scene
     std::optional<Wanted> good_;    // of the last frame that could be rendered
     Look goodLook_;                 // likewise

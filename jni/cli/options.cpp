@@ -28,6 +28,7 @@ gl::ReadShader shaders() {
     return gl::shadersFromFolder(folder != nullptr && *folder != '\0' ? folder : VCT_DEFAULT_SHADER_DIR);
 }
 
+namespace {
 void addSize(CLI::App& command, glm::ivec2& size) {
     command
         .add_option_function<std::string>(
@@ -35,6 +36,7 @@ void addSize(CLI::App& command, glm::ivec2& size) {
             "Picture, WIDTHxHEIGHT")
         ->default_str(std::to_string(size.x) + "x" + std::to_string(size.y));
 }
+}  // namespace
 
 void BackendOption::addTo(CLI::App& command) {
     command
@@ -123,7 +125,7 @@ void SceneOptions::fitGrid(Settings& settings, const Scene& loaded,
         // Only of main memory can be asked how much there is.
         const std::size_t bytes =
             capabilities.texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
-        const GridChoice choice = chooseGrid(loaded, settings, bytes);
+        const GridChoice choice = chooseGrid(loaded, settings, capabilities, bytes);
         settings.grid = choice.grid;
         say(choice.reason);
         return;

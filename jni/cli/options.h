@@ -20,8 +20,6 @@ std::string positive(const std::string& text);  // and above 0
 // Of the folder VCT_SHADER_DIR from the environment, or of the source tree that built the program.
 gl::ReadShader shaders();
 
-void addSize(CLI::App& command, glm::ivec2& size);
-
 struct BackendOption {
     Backend backend = Backend::egl;
     int device = -1;  // the driver's choice

@@ -25,10 +25,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct ShadersOptions {
-    SceneFileOption scene;
+    SceneOptions scene;
     std::string out;
-    glm::ivec2 size{400, 400};
-    BackendOption backend;
     SkyOption sky;
     std::vector<std::string> presets;
 };
@@ -137,26 +135,23 @@ void writeShaders(const ShadersOptions& options) {
     options.sky.applyTo(sky);
     OutputFolder out(options.out);
     const Scene scene = options.scene.load();
-    const double aspect = aspectOf(options.size);
-    const Camera camera = chooseCamera(scene, "", aspect);
-    const std::string note = cameraNote(scene, "", camera, aspect);
-    if (!note.empty()) say(note);
-    DirectionalLight light = chooseLight(scene);
-    options.sky.lightScene(scene, "", light, sky);
+    const Camera camera = options.scene.cameraOf(scene);
+    DirectionalLight light = lightFromText(options.scene.light, scene);
+    options.sky.lightScene(scene, options.scene.light, light, sky);
     std::size_t vertices = 0;
     for (const Instance& instance : scene.instances)
         vertices += scene.meshes[instance.mesh].vertices.size();
-    const Context context = options.backend.open();
+    const Context context = options.scene.backend.open();
 
     ordered_json manifest{{"scene", options.scene.path.substr(options.scene.path.rfind('/') + 1)},
-                          {"width", options.size.x},
-                          {"height", options.size.y},
+                          {"width", options.scene.size.x},
+                          {"height", options.scene.size.y},
                           {"vertices", vertices},
                           {"presets", ordered_json::array()}};
     for (const std::string& preset : presets) {
         const Progress progress(preset);
-        Settings settings = presetSettings(preset);
-        settings.size = options.size;
+        Settings settings = options.scene.settings(preset);
+        options.scene.fitGrid(settings, scene, context.capabilities);
         settings.skyRadiance = sky.skyRadiance;
         settings.environment = sky.environment;
         ordered_json entry{{"name", preset}, {"grid", settings.grid}};
@@ -184,13 +179,11 @@ void addShaders(CLI::App& app, int&) {
         "shaders", "Write every program's ESSL 3.10 sources, and how often they run in a frame of a scene");
     const auto options = std::make_shared<ShadersOptions>();
     command->footer(shadersFooter);
-    options->scene.addFileTo(*command)->required();
+    options->scene.addTo(*command)->required();
     command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
     command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
         ->delimiter(',');
-    addSize(*command, options->size);
     options->sky.addTo(*command);
-    options->backend.addTo(*command);
     command->callback([options] { writeShaders(*options); });
 }
 

@@ -126,12 +126,12 @@ bool view(const ViewOptions& options) {
     const std::vector<Mode> modes = modesFromText(options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();
-    choices.resolution = 0;
+    choices.resolution = 1;  // as the window
     choices.coneAngleDeg = options.coneAngleDeg.value_or(presetSettings(options.preset).shadowConeAngleDeg);
     choices.play = !options.timeS;
     request.show.timeS = options.timeS.value_or(0.0);
     request.show.scene = path;
-    validate(app::settingsFor(choices, options.scene.size));
+    validate(app::settingsFor(choices, options.scene.size, 1.0));
     Settings sky;
     options.sky.applyTo(sky);
     // Before a window opens, what is wrong in the options should be known.

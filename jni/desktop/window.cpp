@@ -14,7 +14,8 @@ namespace vct::desktop {
 
 const char* const windowKeys =
     "Mouse: drag to turn the view (a double click resets it), drag with the middle button to shift it, the "
-    "wheel moves nearer and farther, drag with the right button to turn the light.\n"
+    "wheel moves nearer and farther or, over the panel, scrolls it, drag with the right button to turn the "
+    "light.\n"
     "Keys: W A S D, Q and E walk, go down and up (with Shift faster); 1 to 5 choose the mode, Tab the next "
     "preset, N and B the next scene of the folder and the one before; Space stops and plays the animation; T "
     "times the steps; H hides the panel; R resets view and light; P saves the picture as vct-view-N.png and "
@@ -37,9 +38,12 @@ struct Glfw {
     Glfw() {
         glfwSetErrorCallback([](int, const char* text) { glfwProblem = text; });
         if (glfwInit() == GLFW_FALSE)
-            throw Error("no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
-                        "); run it on a desktop, or set DISPLAY to one that this user may use; `vct render` "
-                        "needs none");
+            throw Error(
+                "no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
+                ", WAYLAND_DISPLAY " + variable("WAYLAND_DISPLAY") +
+                "); run it on a desktop, or set DISPLAY to one that this user may use (Wayland "
+                "without Xwayland needs the package libglfw3-wayland in place of libglfw3); `vct render` "
+                "needs none");
     }
     ~Glfw() { glfwTerminate(); }
     Glfw(const Glfw&) = delete;
@@ -80,7 +84,7 @@ class Window {
         glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
             of(window).move(of(window).inPixels(x, y));
         });
-        glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).pinch(y); });
+        glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).wheel(y); });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
             if (focused == GLFW_FALSE) of(window).viewer_->cancelTouch();
         });
@@ -152,8 +156,10 @@ class Window {
         cursor_ = to;
     }
 
-    void pinch(double clicks) {
-        if (held_ != -1 || viewer_->displayCovers(cursor_)) return;
+    void wheel(double clicks) {
+        if (held_ != -1) return;
+        if (viewer_->displayCovers(cursor_))
+            return viewer_->scrollDisplay(cursor_, static_cast<float>(clicks));
         fingers(2, cursor_);
         fingers(2, cursor_, 100.0F * std::pow(1.1F, static_cast<float>(clicks)));
         fingers(0, cursor_);

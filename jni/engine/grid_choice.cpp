@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include "core/error.h"
 #include "engine/driver_needs.h"
 #include "engine/volume.h"
 #include "scene/parts.h"
+#include "scene/scene_features.h"
 
 namespace vct {
 
@@ -89,7 +91,10 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
                 "; ask for that or more, or render a part of the scene");
 }
 
-GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t bytes) {
+GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
+                      std::size_t bytes) {
+    const std::vector<int> ofDriver = possibleGrids(settings, featuresOf(scene).movingObjects, capabilities,
+                                                    std::numeric_limits<std::size_t>::max());
     const Narrow narrow = narrowest(scene, settings.voxels);
     const double needed = narrow.across / voxelsAcross;
     const auto enough = [&](int grid) {
@@ -101,6 +106,10 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t 
         if (enough(chosen)) break;
         if (grid <= chosen) continue;
         if (grid > settings.gridRange.finest) break;
+        if (std::find(ofDriver.begin(), ofDriver.end(), grid) == ofDriver.end()) {
+            limit = ", the finest that the driver allows";
+            break;
+        }
         if (voxelBytes(settings, grid) > bytes) {
             limit = ", the finest that memory allows";
             break;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/settings.h"
+#include "gl/capabilities.h"
 #include "scene/scene.h"
 
 namespace vct {
@@ -25,8 +26,9 @@ std::string coarseGridWarning(const Scene& scene, const Settings& settings);
 int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 
 // The smallest grid within Settings::gridRange whose voxels are half as large as the narrowest parts of the
-// scene, up to the finest for which there are `bytes` of memory. The narrowest parts: those that make up 2 %
-// of the surface; below that, one screw would decide.
+// scene, up to the finest that the driver can do and for which there are `bytes` of memory. Where it can do
+// none, the coarsest of the range, of which Renderer says what the driver lacks. The narrowest parts: those
+// that make up 2 % of the surface; below that, one screw would decide.
 //
 // Two voxels across, so that in one of them at least a part has its voxel to itself. Across which side
 // follows from the kind of voxels (scene/parts.h measures the sides):
@@ -34,6 +36,7 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 //   What is narrow in two directions, a slat or a column, may not: the second side counts.
 // - Voxels::packed hold one colour, opaque once touched, so both sides of a wall shine into both rooms: the
 //   shortest side counts, but for sheets, which have none.
-GridChoice chooseGrid(const Scene& scene, const Settings& settings, std::size_t bytes);
+GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
+                      std::size_t bytes);
 
 }  // namespace vct

@@ -31,6 +31,7 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
             "VCT_GATHER_STEP " + number(g.step),
             "VCT_GATHER_HEIGHT " + number(g.height),
+            "VCT_GATHER_LEVEL_END " + number(g.levelEnd),
             "VCT_GATHER_EXTINCTION " + number(g.extinction),
             "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }

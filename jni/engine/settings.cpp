@@ -110,7 +110,9 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.gather.height = 0.35F;
+        settings.gather.height = 0.295F;
+        settings.gather.threshold = 0.2F;
+        settings.gather.bounceGain = 1.075F;
         settings.filterTaps = 4;
         return settings;
     }
@@ -122,8 +124,8 @@ Settings presetSettings(const std::string& name) {
         settings.gather.startOffset = 0.5F;
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
-        settings.gather.height = 0.3F;
-        settings.gather.threshold = 0.12F;
+        settings.gather.height = 0.25F;
+        settings.gather.threshold = 0.16F;
         settings.occlusion.directions = 128;
         settings.occlusion.cones = 16;
         settings.occlusion.step = 1.0F;

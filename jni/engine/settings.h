@@ -80,7 +80,13 @@ struct GatherSettings {
     float step = 1.25F;        // between samples, in footprints
     float height = 0.5F;       // largest footprint, of the sample's height above the surface's plane
     float extinction = 1.05F;  // scales the opacity of a sample
-    float threshold = 0.15F;   // a cone with less transmittance left is done
+    // Of the last sample before the footprint grows, in shares of its opacity: .5 is exact where all is
+    // covered in part, 1 lets nothing through a wall that stands there (docs/levers.md).
+    float levelEnd = 0.65F;
+    float threshold = 0.15F;  // a cone with less transmittance left is done
+    // Scales what faces send on: cones lose some light through the gaps between their samples (a closed
+    // furnace shows it), and each bounce would lose it again.
+    float bounceGain = 1.06F;
 };
 
 // What a face received in k steps is a mean in which each step's share is this over (k + this): 1 would be

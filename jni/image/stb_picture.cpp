@@ -28,6 +28,14 @@ std::string reasonOfNothing() {
     return stbi_failure_reason();
 }
 
+// It quotes a damaged chunk's name, which may be any four bytes; a message is one line of text.
+std::string failureReason() {
+    std::string reason = stbi_failure_reason();
+    std::replace_if(
+        reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+    return reason;
+}
+
 }  // namespace
 
 StbPicture::StbPicture(const unsigned char* bytes, std::size_t size) : bytes_(bytes), size_(size) {
@@ -117,8 +125,7 @@ std::vector<std::uint8_t> StbPicture::decode(int channels) const {
         stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),
         stbi_image_free);
     if (decoded == nullptr)
-        throw PictureError(stbi_failure_reason() == noReason ? "its data are damaged"
-                                                             : stbi_failure_reason());
+        throw PictureError(stbi_failure_reason() == noReason ? "its data are damaged" : failureReason());
     if (width != width_ || height != height_) throw PictureError("it contradicts its own size");
     return {decoded.get(), decoded.get() + pixels * static_cast<std::size_t>(channels)};
 }

@@ -45,35 +45,43 @@ vec3 ownFaces(vec3 normal, bool hasBack) {
     return hasBack ? 2.0 * step(0.3, abs(normal)) : vec3(0.0);
 }
 
+// Level whose texels are as wide as a cone at that height above the plane of the surface that it starts from, in voxels: a
+// wider sample would contain that surface. Whole levels: a wall's coverage sums to 1 over samples that are a texel apart,
+// only if the texel's size is the footprint.
+float levelAt(float height, float spread) {
+    return max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
+}
+
 // One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
-// in voxels. `spread`: scales its width. Where a cone goes from one level to the next, what it meets counts for up to 15 %
-// too much or too little; so a set of cones should do that at many heights.
+// in voxels. `spread`: scales its width.
 ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
     float grid = float(frame.gridSide);
     ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
     float distance = VCT_GATHER_FIRST_SAMPLE;
     float rise = dot(direction, normal);
+    float level = levelAt(VCT_GATHER_START + distance * rise, spread);
     // Where it leaves the volume (in the far corner's or the near one's planes).
     vec3 away = (step(0.0, direction) * grid - start) / direction;
     reach = min(reach, min(away.x, min(away.y, away.z)));
     while (distance < reach) {
         COUNT(VCT_CONE_COUNTER);
-        // A sample wider than its height above the tangent plane would contain the surface that it starts from. Whole
-        // levels: a wall's coverage sums to 1 over samples that are a texel apart, only if the texel's size is the
-        // footprint.
         float height = VCT_GATHER_START + distance * rise;
-        float level = max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
+        float stride = VCT_GATHER_STEP * exp2(level);
+        float next = levelAt(height + stride * rise, spread);
         // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = mix(abs(direction), vec3(0.0), own);
         mediump vec4 met = sampleFaces((start + direction * distance) / grid, direction, share, level);
+        // The next sample is wider than it is far away where the level rises: the two share what is between them.
+        mediump float opacity = (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity;
         // Added, and cut off at what is left: multiplied transmittances let too much through.
-        mediump float taken = min(sampleOpacity * min(met.a, 1.0), result.transmittance);
+        mediump float taken = min(opacity * min(met.a, 1.0), result.transmittance);
         result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
         result.transmittance = result.transmittance - taken;
         result.nearness = result.nearness + taken / distance;
         if (result.transmittance < VCT_GATHER_THRESHOLD) break;
-        distance += VCT_GATHER_STEP * exp2(level);
+        distance += stride;
+        level = next;
     }
     // A cone that ended early met, in the rest, what it met before.
     mediump float met = 1.0 - result.transmittance;

@@ -36,9 +36,9 @@ TEST(Choices, ATimeStopsTheAnimationThere) {
 }
 
 TEST(Choices, RevoxelizeIsOfTheSettings) {
-    EXPECT_FALSE(settingsFor(showRequestFromText("show").choices, glm::ivec2(8)).revoxelize);
+    EXPECT_FALSE(settingsFor(showRequestFromText("show").choices, glm::ivec2(8), 1.0).revoxelize);
     const Choices choices = showRequestFromText("show revoxelize=on").choices;
-    EXPECT_TRUE(settingsFor(choices, glm::ivec2(8)).revoxelize);
+    EXPECT_TRUE(settingsFor(choices, glm::ivec2(8), 1.0).revoxelize);
     EXPECT_NE(choices, showRequestFromText("show").choices);
     EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
 }

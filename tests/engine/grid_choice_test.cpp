@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "engine/directional/directional_voxels.h"
+#include "engine/driver_needs.h"
 #include "support/errors.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -27,8 +28,14 @@ Scene floorWith(int boxes, const glm::dvec3& sides) {
     return finished(std::move(scene));
 }
 
+gl::Capabilities driverWith(int texture3d) {
+    gl::Capabilities capabilities;
+    capabilities.limits = {8192, texture3d, 8192, 4, 8};
+    return capabilities;
+}
+
 GridChoice choose(const Scene& scene, const std::string& preset, std::size_t bytes = enough) {
-    return chooseGrid(scene, presetSettings(preset), bytes);
+    return chooseGrid(scene, presetSettings(preset), driverWith(2048), bytes);
 }
 
 TEST(GridChoice, TwoVoxelsAcrossTheNarrowestParts) {
@@ -65,6 +72,23 @@ TEST(GridChoice, ThePresetAndTheMemorySetTheLimit) {
     EXPECT_EQ(small.grid, 64);
     expectMentions(small.reason, {"the finest that memory allows"});
     EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0)).grid, 128);
+}
+
+TEST(GridChoice, TheDriversLimitsSetTheLimit) {
+    const Scene scene = floorWith(20, {0.1, 0.05, 1});
+    const Settings quality = presetSettings("quality");  // six faces take three voxels' width
+    EXPECT_EQ(chooseGrid(scene, quality, driverWith(3 * 256), enough).grid, 256);
+    const GridChoice coarser = chooseGrid(scene, quality, driverWith(3 * 256 - 1), enough);
+    EXPECT_EQ(coarser.grid, 128);
+    expectMentions(coarser.reason, {"grid 128", "the finest that the driver allows"});
+
+    // Where there is none, the settings with the coarsest are refused with what is missing.
+    const gl::Capabilities tiny = driverWith(100);
+    Settings refused = forDriver(quality, tiny);
+    refused.grid = chooseGrid(scene, quality, tiny, enough).grid;
+    EXPECT_EQ(refused.grid, 128);
+    expectMentions(errorOf([&] { requireNeeds(refused, false, tiny); }),
+                   {"GL_MAX_3D_TEXTURE_SIZE >= 384", "found: 100", "use a coarser grid"});
 }
 
 TEST(GridChoice, PartsSmallerThanAVoxelAreWarnedOf) {

@@ -60,15 +60,14 @@ Scene roomWithLamp(float albedo) {
 }
 
 constexpr int presetFrames = 16;
-// Of jni/engine/directional/irradiance.cpp: what faces send on makes up for what cones lose.
-constexpr double bounceGain = 1.06;
-
 // What goes round is known where all walls are alike: of emission e and albedo a, each of which receives the
 // share g of what the others send, they receive e g / (1 - a g). Of what is right, where g is 1, cones that
 // end early and meet the gaps of walls cost some more in each bounce.
 TEST(ClosedRoom, AFurnaceComesToItsBalance) {
     const Context context = openContext(Backend::egl);
     ASSERT_EQ(presetSettings("mobile").lightFrames, presetFrames);
+    // What faces send on makes up for what cones lose.
+    const double bounceGain = presetSettings("mobile").gather.bounceGain;
     double share = 0.0;
     for (const float albedo : {0.0F, 0.5F, 0.9F}) {
         const ReceivedByWalls room = receivedByWalls(context, furnace(albedo, 1.0F), presetFrames);

@@ -86,7 +86,7 @@ struct Emitter {
     Deviation bound;
 };
 const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.11, 0.115}},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.115, 0.12}},
+                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.115, 0.125}},
                             {"lamp", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.01, 0.045}},
                             {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.025, 0.1}}};
 
@@ -172,7 +172,7 @@ TEST(Gather, WhiteFurnaceIsOne) {
                              lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
         const Spread spread = frame.spreadOf(VCT_VIEW_INDIRECT);
         const double turnedLoss = turnDeg == 0.0 ? 0.0 : 0.1;
-        EXPECT_NEAR(spread.mean, 1.0, 0.06 + turnedLoss);
+        EXPECT_NEAR(spread.mean, 1.0, 0.075 + turnedLoss);
         EXPECT_LE(spread.max, 1.02);
         EXPECT_GE(spread.min, 0.73 - 2.0 * turnedLoss);
         // No face has more than 1, and none less than what a cone loses that ends early or meets a wall's
@@ -180,7 +180,7 @@ TEST(Gather, WhiteFurnaceIsOne) {
         Spread faces;
         for (const auto& [entry, face] : frame.received(false))
             faces.add(face.light.g * frame.radianceRange());
-        EXPECT_NEAR(faces.mean, 1.0, 0.06 + turnedLoss);
+        EXPECT_NEAR(faces.mean, 1.0, 0.075 + turnedLoss);
         EXPECT_LE(faces.max, 1.1);
         EXPECT_GE(faces.min, 0.6 - 2.0 * turnedLoss);
     }

@@ -4,12 +4,14 @@
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "image/files.h"
+#include "scene/gltf.h"
 #include "support/errors.h"
 #include "support/temporary_folder.h"
 
@@ -95,6 +97,21 @@ TEST(Png, WritesNanAsBlackAndClampsTheRest) {
     const Image read = readImage(folder.file("a.png"));
     EXPECT_EQ(read.at(0, 0), glm::vec3(0.0F, 1.0F, 0.0F));
     EXPECT_EQ(read.at(1, 0), glm::vec3(srgbDecode(102.0F / 255.0F)));
+}
+
+TEST(Png, AChunksNameBreaksNoLineOfTheMessage) {
+    const TemporaryFolder folder;
+    writePng(folder.file("a.png"), gradient(20, 40));
+    const Bytes whole = readFileFromDisk(folder.file("a.png"));
+    std::string content(whole.begin(), whole.end());
+    const std::string type = "A\nB\x1B";  // critical and unknown, so it is refused by name
+    std::string chunk = std::string(4, '\0') + type;
+    const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(type.data()), type.size());
+    for (const int shift : {24, 16, 8, 0})
+        chunk += static_cast<char>(sum >> shift & 0xFF);
+    constexpr std::size_t afterHeader = 33;
+    content.insert(afterHeader, chunk);
+    expectMentions(messageOfDecoding(content), {"cannot read PNG 'cut': A?B? PNG chunk not known"});
 }
 
 TEST(Exr, RoundTripsUnclampedValuesBitForBit) {

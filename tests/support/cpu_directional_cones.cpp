@@ -84,8 +84,8 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
                                            const glm::dvec3& direction, double spread) const {
     const GatherSettings& s = settings_;
     const double grid = levels_[0].side();
-    const glm::dvec3 share = glm::abs(direction);
-    glm::dvec3 nearShare = share;
+    const glm::dvec3 axisShare = glm::abs(direction);
+    glm::dvec3 nearShare = axisShare;
     double reach = 2.0 * grid;
     for (int axis = 0; axis < 3; ++axis) {
         const bool ofBack = hasBack && std::abs(normal[axis]) >= 0.3;
@@ -94,20 +94,25 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
         reach = std::min(reach, (end - start[axis]) / direction[axis]);
     }
     const double rise = glm::dot(direction, normal);
+    const auto levelAt = [&](double height) {
+        return std::clamp(static_cast<int>(std::floor(std::log2(s.height * spread * height))), 0,
+                          static_cast<int>(levels_.size()) - 1);
+    };
     Gathered result{glm::dvec3(0.0), 1.0};
     bool ended = false;
     for (double distance = s.firstSample; distance < reach && !ended;) {
         const double height = s.startOffset + distance * rise;
-        const int level = std::clamp(static_cast<int>(std::floor(std::log2(s.height * spread * height))), 0,
-                                     static_cast<int>(levels_.size()) - 1);
+        const int level = levelAt(height);
+        const double stride = s.step * std::exp2(level);
+        const double share = levelAt(height + stride * rise) > level ? s.levelEnd : 1.0;
         const bool near = height < s.ownSurface * std::exp2(level);
-        const Met met = sample(start + direction * distance, direction, near ? nearShare : share, level);
+        const Met met = sample(start + direction * distance, direction, near ? nearShare : axisShare, level);
         const double taken =
-            std::min<double>(s.extinction * s.step * std::min(met.coverage, 1.0), result.sky);
+            std::min<double>(share * s.extinction * s.step * std::min(met.coverage, 1.0), result.sky);
         result.light += met.light * (taken / std::max(met.coverage, 1e-4));
         result.sky -= taken;
         ended = result.sky < s.threshold;
-        distance += s.step * std::exp2(level);
+        distance += stride;
     }
     if (ended) {  // in the rest it met what it met before
         result.light /= 1.0 - result.sky;

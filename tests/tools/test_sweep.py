@@ -64,6 +64,11 @@ def test_other_presets_run_once_at_their_own_grid():
     assert [point.settings["grid"] for point in asked] == [64, 256]
 
 
+def test_a_quick_sweep_shows_each_preset_at_its_own_grid():
+    found = points([Path("a.glb")], values_of_presets({}, quick=True), ("gi",))
+    assert [(point.settings["preset"], point.settings["grid"]) for point in found] == [("thesis", 256), ("mobile", 64), ("quality", 128)]
+
+
 def test_the_key_follows_settings_program_and_scene():
     point, other = points([Path("a.glb")], defaults(grid=(64, 128), cone_angle_deg=(5.0,)), ("gi",))
     identity = {"program": "p", "scene_sha256": "s"}

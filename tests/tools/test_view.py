@@ -218,6 +218,25 @@ def test_the_panel_is_the_apps(view, root):
     window.close("key", "Escape")
 
 
+def test_the_wheel_scrolls_the_panel_it_is_over_and_else_zooms(view, root):
+    window = view(root / "assets/cornell.glb", "--size", "480x240", "--mode", "phong")  # lower than the panel
+    window.do("key", "t")  # no times, which change
+    _, options, _ = window.save()
+    panel = (slice(60, 230), slice(10, 300))
+    top = window.screen(480, 240)[panel]
+    window.do("mousemove", 150, 150, "click", 5, "click", 5)
+    assert difference(top, window.screen(480, 240)[panel]) > 5, "the panel stands still"
+    window.do("click", 4, "click", 4)
+    window.do("click", 4)
+    assert difference(top, window.screen(480, 240)[panel]) < 1, "and back"
+    _, same, _ = window.save()
+    assert same["--camera"] == options["--camera"]
+    window.do("mousemove", 450, 150, "click", 5)
+    _, farther, _ = window.save()
+    assert farther["--camera"] != options["--camera"]
+    window.close("key", "Escape")
+
+
 def send_close(display, window):
     """What the window's button sends."""
     x = ctypes.CDLL("libX11.so.6")

@@ -21,8 +21,8 @@ def tag(name: str, *children: object, **attributes: str) -> Html:
     return Html(f"<{name}{inside}>{join(children)}</{name}>")
 
 
-def image(source: str, what: str) -> Html:
-    return Html(f'<img src="{escape(source)}" alt="{escape(what)}">')
+def image(source: str, what: str, css_class: str | None = None) -> Html:
+    return Html(f'<img src="{escape(source)}" alt="{escape(what)}"' + (f' class="{escape(css_class)}"' if css_class else "") + ">")
 
 
 def table(head: Sequence[object], rows: Iterable[Sequence[object]]) -> Html:

@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import base64
 import io
+import math
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 import metrics
 
@@ -42,6 +43,22 @@ def error_png(picture: np.ndarray, reference: np.ndarray) -> bytes:
     bright = np.stack([first, second, np.zeros_like(first)], -1)
     shown = np.round(255 * np.where((error > 0)[..., None], bright, bright[..., ::-1])).astype(np.uint8)
     return png(Image.fromarray(shown), 48)
+
+
+def error_scale_png(height: int = 256) -> bytes:
+    """The colours of error_png: a bar with the errors that they stand for beside it, brightest on top."""
+    top, bar, room = 8, 18, 58  # pixels
+    reference = np.ones((height, bar, 3))
+    # The colours go by the root of the error, and so does the bar.
+    place = np.linspace(1, -1, height)[:, None, None]
+    colours = Image.open(io.BytesIO(error_png(reference + np.sign(place) * place**2 * math.sqrt(1 + metrics.EPSILON), reference)))
+    canvas = Image.new("RGB", (bar + room, height + 2 * top), "white")
+    canvas.paste(colours.convert("RGB"), (0, top))
+    draw, font = ImageDraw.Draw(canvas), ImageFont.load_default(14)
+    for percent in (100, 50, 25, 10, 0, -10, -25, -50, -100):
+        share = math.copysign(math.sqrt(abs(percent) / 100), percent)
+        draw.text((bar + 6, top + (1 - share) * (height - 1) / 2), f"{percent:+d} %" if percent else "0", "black", font, anchor="lm")
+    return png(canvas)
 
 
 def small_png(path: Path, side: int) -> bytes:

@@ -42,7 +42,7 @@ SETTINGS: tuple[Setting, ...] = (
     Setting("preset", "--presets", "--preset", str, ("thesis", "mobile", "quality"), ("thesis", "mobile", "quality"),
             "sets of settings"),
     Setting("size", "--sizes", "--size", str, ("256x256",), ("64x64",), "pictures, WIDTHxHEIGHT"),
-    Setting("grid", "--grids", "--grid", grid_from_text, (64, 128, 256, 512), (64, 128),
+    Setting("grid", "--grids", "--grid", grid_from_text, (64, 128, 256, 512), (256,),
             "voxels along a side, or auto",
             of_preset={"mobile": (64,), "quality": (128,)}),
     # The reference's sun is 5 degrees wide: other angles show what the thesis's cone costs and gets wrong.

@@ -4,6 +4,7 @@ Each pixel's samples are added in a fixed order by one lane, so that threads can
 """
 import dataclasses
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -54,18 +55,22 @@ def sum_of_pass(world, scene, kind: str, size: tuple[int, int], seed: int, first
     return total
 
 
-def draw_half(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int) -> np.ndarray:
+def draw_half(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
+              tell: Callable[[int], None]) -> np.ndarray:
     total = np.zeros((size[1], size[0], 3))
     for done in range(0, samples if world else 0, SAMPLES_PER_PASS):
         count = min(SAMPLES_PER_PASS, samples - done)
         part = np.array(sum_of_pass(world, scene, kind, size, seed, done, count), np.float64)
         total += part.T.reshape(total.shape)
+        tell(count)
     return total / samples
 
 
-def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int) -> Drawn:
-    """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1."""
-    halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i) for i in (0, 1))
+def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
+         tell: Callable[[int], None] = lambda count: None) -> Drawn:
+    """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1. `tell` hears of every pass how
+    many of them it has drawn."""
+    halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i, tell) for i in (0, 1))
     return Drawn(0.5 * (halves[0] + halves[1]), halves)
 
 

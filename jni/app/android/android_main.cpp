@@ -2,8 +2,11 @@
 #include <android/trace.h>
 #include <android_native_app_glue.h>
 
+#include <optional>
+
 #include "app/android/activity.h"
 #include "app/android/app.h"
+#include "app/android/frame_clock.h"
 #include "app/log.h"
 #include "core/trace.h"
 
@@ -19,9 +22,10 @@ int32_t onInput(android_app* glue, AInputEvent* event) {
     return static_cast<App*>(glue->userData)->onInput(event) ? 1 : 0;
 }
 
-// Handles what has happened; waits for something where no frame is wanted.
-void handleEvents(android_app* glue, bool wait) {
+// Waits for something to happen, a refresh of the display where one was asked for, and handles it.
+void handleEvents(android_app* glue) {
     android_poll_source* source = nullptr;
+    bool wait = true;
     while (!glue->destroyRequested &&
            ALooper_pollOnce(wait ? -1 : 0, nullptr, nullptr, reinterpret_cast<void**>(&source)) >= 0) {
         if (source != nullptr) source->process(glue, source);
@@ -30,7 +34,7 @@ void handleEvents(android_app* glue, bool wait) {
     }
 }
 
-void run(android_app* glue) {
+void run(android_app* glue, vct::app::FrameClock& frameClock) {
     // The extra belongs to the first start, not to one after the system took the app away.
     const bool restored = glue->savedState != nullptr;
     App app(*glue, restored ? "" : vct::app::intentExtra(*glue->activity, "vct"));
@@ -38,8 +42,9 @@ void run(android_app* glue) {
     glue->onAppCmd = onCommand;
     glue->onInputEvent = onInput;
     while (!glue->destroyRequested) {
-        handleEvents(glue, !app.animating());
-        app.frame();
+        if (app.animating()) frameClock.request();
+        handleEvents(glue);
+        if (frameClock.take()) app.frame();
     }
 }
 
@@ -47,8 +52,9 @@ void run(android_app* glue) {
 
 void android_main(android_app* glue) {
     vct::traceFunctions = {ATrace_beginSection, ATrace_endSection};
+    std::optional<vct::app::FrameClock> frameClock;
     try {
-        run(glue);
+        run(glue, frameClock.emplace());
     } catch (const std::exception& error) {
         vct::app::log(vct::app::LogLevel::error, error.what());
     }
@@ -57,5 +63,5 @@ void android_main(android_app* glue) {
     // Ended by itself: the glue still wants to be told of the activity's end.
     if (!glue->destroyRequested) ANativeActivity_finish(glue->activity);
     while (!glue->destroyRequested)
-        handleEvents(glue, true);
+        handleEvents(glue);
 }

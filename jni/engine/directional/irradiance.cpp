@@ -25,9 +25,6 @@ namespace {
 constexpr float memoryInChange = 15.0F;
 // When the changes have ended there are more cones in each step, and what lagged behind is forgotten sooner.
 constexpr float memoryAfterChange = 9.0F;
-// Cones lose some 6 % of the light through the gaps between their samples (a closed furnace shows it), and
-// each bounce would lose it again: what faces send on makes up for it.
-constexpr float bounceGain = 1.06F;
 // A face that has received nothing yet looks into at least so many directions in its first step.
 constexpr std::uint32_t conesOfNew = 8;
 // Of light that stands still, in steps: what a few cones add to it then is hardly seen.
@@ -249,7 +246,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     // Each face's mean is shortened to what the light's age allows.
     values.memory = std::max(age_, 1.0F);
     values.inherited = age_;
-    values.reflected = allBounces ? bounceGain : 0.0F;
+    values.reflected = allBounces ? settings_.bounceGain : 0.0F;
     values.amplitude = lastShare_;
     values.towardsBalance = stepOfRound() >= 0 ? lastShare_ : std::max(lastShare_, 0.5F);
     values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * facePlaces_;

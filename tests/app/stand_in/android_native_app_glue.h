@@ -42,7 +42,7 @@ struct android_app {
 };
 
 enum { LOOPER_ID_MAIN = 1, LOOPER_ID_INPUT = 2 };
-enum { ALOOPER_POLL_WAKE = -1, ALOOPER_POLL_TIMEOUT = -3 };
+enum { ALOOPER_POLL_WAKE = -1, ALOOPER_POLL_CALLBACK = -2, ALOOPER_POLL_TIMEOUT = -3 };
 int ALooper_pollOnce(int timeoutMs, int* fd, int* events, void** data);
 
 enum {

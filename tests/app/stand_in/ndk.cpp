@@ -1,4 +1,5 @@
 // The NDK's functions over the stand-in that runs.
+#include <android/choreographer.h>
 #include <android/log.h>
 #include <android/trace.h>
 
@@ -27,6 +28,19 @@ struct AAssetDir {
 
 int ALooper_pollOnce(int timeoutMs, int*, int*, void** data) {
     return currentStandIn()->poll(timeoutMs, data);
+}
+
+struct AChoreographer {};
+
+AChoreographer* AChoreographer_getInstance() {
+    static AChoreographer choreographer;
+    return &choreographer;
+}
+
+void AChoreographer_postFrameCallback(AChoreographer*, AChoreographer_frameCallback callback, void* data) {
+    StandIn& android = *currentStandIn();
+    if (android.atRefresh) android.misuse.push_back("one refresh was asked for twice");
+    android.atRefresh = [callback, data](std::int64_t timeNs) { callback(timeNs, data); };
 }
 
 int __android_log_write(int priority, const char*, const char* text) {

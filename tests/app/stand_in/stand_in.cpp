@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace vct::test {
 
@@ -127,13 +128,17 @@ int StandIn::poll(int timeoutMs, void** data) {
             untilLogged_.clear();
             framesLeft_ = 0;
         }
-        // An app that waits draws nothing: what comes next in the script wakes it.
-        if (framesLeft_ > 0 && timeoutMs == 0) {
+        // An app that asks for no refresh draws nothing: what comes next in the script wakes it.
+        if (framesLeft_ > 0 && timeoutMs == 0) return ALOOPER_POLL_TIMEOUT;
+        if (framesLeft_ > 0 && atRefresh) {
             if (--framesLeft_ == 0 && !untilLogged_.empty()) {
                 misuse.push_back("never logged: " + untilLogged_);
                 untilLogged_.clear();
             }
-            return ALOOPER_POLL_TIMEOUT;
+            timeNs_ += refreshNs;
+            const auto callback = std::exchange(atRefresh, nullptr);
+            callback(timeNs_);
+            return ALOOPER_POLL_CALLBACK;
         }
         framesLeft_ = 0;
         untilLogged_.clear();

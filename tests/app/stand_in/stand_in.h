@@ -50,7 +50,8 @@ class StandIn {
     void window(int width, int height);  // the system makes one
     void loseWindow();
     void resize(int width, int height);
-    void frames(int count);  // as many as the app wants to draw, but no more
+    // Refreshes of the display, as long as the app asks for them, but no more.
+    void frames(int count);
     // Frames until the app has logged a line with `text`; at most `most`.
     void framesUntilLogged(const std::string& text, int most = 20000);
     void touch(int action, const std::vector<AInputEvent::Pointer>& pointers) {
@@ -72,6 +73,7 @@ class StandIn {
     std::string shadersFrom, shadersTo;  // text of the shaders, replaced
     int density = 160;
     bool restored = false;
+    std::int64_t refreshNs = 16'666'667;  // of the display
 
     // What happens to it, once: the context is lost at the n-th glGetError or eglSwapBuffers from now.
     void loseContextAtGlError(int n) { lossAtGlError_ = n; }
@@ -101,6 +103,7 @@ class StandIn {
 
     // For the entry points of the NDK and EGL.
     int poll(int timeoutMs, void** data);
+    std::function<void(std::int64_t)> atRefresh;  // asked for by the app
     int lossAtGlError_ = 0, lossAtSwap_ = 0;
     bool contextLost = false;
     bool failSurface_ = false;

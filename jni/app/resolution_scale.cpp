@@ -1,0 +1,51 @@
+#include "app/resolution_scale.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lab/step_timer.h"
+
+namespace vct::app {
+
+namespace {
+
+// From one to the next the number of pixels changes by about a half.
+constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::largestDivisor};
+
+constexpr std::size_t framesToFall = 10, framesToRise = 30;
+
+// The finest level at which a frame is expected to take `limitMs`, where it takes `ms` with `divisor`.
+std::size_t finestWithin(double limitMs, double ms, double divisor) {
+    std::size_t level = 0;
+    while (level + 1 < divisors.size() &&
+           ms * divisor * divisor > limitMs * divisors[level] * divisors[level])
+        ++level;
+    return level;
+}
+
+}  // namespace
+
+double ResolutionScale::divisor() const {
+    return divisors.at(level_);
+}
+
+bool ResolutionScale::follow(double frameMs) {
+    timesMs_.push_back(frameMs);
+    std::size_t wanted = level_;
+    if (timesMs_.size() >= framesToFall) {
+        const double ms = median({timesMs_.end() - framesToFall, timesMs_.end()});
+        if (ms > mostMs) wanted = std::max(level_ + 1, finestWithin(mostMs, ms, divisor()));
+    }
+    if (timesMs_.size() == framesToRise) {
+        const std::size_t finest = finestWithin(enoughMs, median(timesMs_), divisor());
+        if (wanted == level_) wanted = std::min(level_, finest);
+        timesMs_.erase(timesMs_.begin());
+    }
+    wanted = std::min(wanted, divisors.size() - 1);
+    if (wanted == level_) return false;
+    level_ = wanted;
+    timesMs_.clear();
+    return true;
+}
+
+}  // namespace vct::app

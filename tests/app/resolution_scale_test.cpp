@@ -1,0 +1,175 @@
+// How many pixels the time allows: by made-up times, and by real frames.
+#include "app/resolution_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "app/choices.h"
+#include "stand_in/stand_in.h"
+
+namespace vct::app {
+namespace {
+
+// A device on which a frame takes so much, and so much more for all the window's pixels.
+struct MadeUpDevice {
+    double fixedMs, windowMs;
+    double noise = 0.0;  // a share, up and down
+    std::mt19937 random{1};
+
+    double frameMs(double divisor) {
+        std::uniform_real_distribution<double> share(1.0 - noise, 1.0 + noise);
+        return (fixedMs + windowMs / (divisor * divisor)) * share(random);
+    }
+    // Returns how often the size changes.
+    int run(ResolutionScale& scale, int frames) {
+        int changes = 0;
+        for (int i = 0; i < frames; ++i) {
+            const double before = scale.divisor();
+            const bool told = scale.follow(frameMs(before));
+            EXPECT_EQ(told, scale.divisor() != before);
+            changes += told;
+        }
+        return changes;
+    }
+};
+
+TEST(ResolutionScale, RisesToTheWindowsPixelsWhereThereIsTime) {
+    ResolutionScale scale;
+    MadeUpDevice fast{1.0, 5.0};
+    fast.run(scale, 120);
+    EXPECT_EQ(scale.divisor(), 1.0);
+}
+
+TEST(ResolutionScale, FallsUntilAFrameHasTimeAndNoFurther) {
+    ResolutionScale scale;
+    MadeUpDevice fast{1.0, 5.0};
+    fast.run(scale, 120);
+    MadeUpDevice slow{1.0, 50.0};  // 1/2: 13.5 ms
+    slow.run(scale, 60);
+    EXPECT_EQ(scale.divisor(), 2.0);
+}
+
+TEST(ResolutionScale, StaysAtItsBoundWhereNoSizeIsFastEnough) {
+    ResolutionScale scale;
+    MadeUpDevice hopeless{100.0, 100.0};
+    EXPECT_EQ(hopeless.run(scale, 10), 1) << "ten frames suffice";
+    EXPECT_EQ(scale.divisor(), ResolutionScale::largestDivisor);
+    EXPECT_EQ(hopeless.run(scale, 500), 0);
+}
+
+// Of any speed: after it has settled, frames that differ by a tenth move it no more.
+TEST(ResolutionScale, DoesNotGoToAndFro) {
+    for (double windowMs = 4.0; windowMs < 400.0; windowMs *= 1.07) {
+        ResolutionScale scale;
+        MadeUpDevice device{2.0, windowMs, 0.1};
+        device.run(scale, 400);
+        EXPECT_EQ(device.run(scale, 2000), 0) << windowMs << " ms at the window's size";
+        const double ms = device.fixedMs + windowMs / (scale.divisor() * scale.divisor());
+        EXPECT_TRUE(ms < ResolutionScale::mostMs || scale.divisor() == ResolutionScale::largestDivisor) << ms;
+    }
+}
+
+TEST(ResolutionScale, OneSlowFrameInTwentyChangesNothing) {
+    ResolutionScale scale;
+    MadeUpDevice fast{1.0, 10.0};
+    fast.run(scale, 120);
+    ASSERT_EQ(scale.divisor(), 1.0);
+    for (int i = 0; i < 200; ++i)
+        EXPECT_FALSE(scale.follow(i % 20 == 0 ? 300.0 : 11.0));
+}
+
+TEST(ResolutionScale, IsTheAppsChoiceUntilAnotherFixesTheSize) {
+    EXPECT_TRUE(scaleFollowsTime(showRequestFromText("show").choices));
+    const Choices choices = showRequestFromText("show pixels=auto").choices;
+    EXPECT_TRUE(scaleFollowsTime(choices));
+    EXPECT_EQ(settingsFor(choices, {100, 50}, 2.5).size, glm::ivec2(40, 20));
+    for (const char* fixed : {"1", "2", "3", "4", "thesis"}) {
+        const Choices other = showRequestFromText(std::string("show pixels=") + fixed).choices;
+        EXPECT_FALSE(scaleFollowsTime(other)) << fixed;
+        EXPECT_EQ(settingsFor(other, {100, 50}, 2.5).size, settingsFor(other, {100, 50}, 1.0).size) << fixed;
+    }
+    EXPECT_ANY_THROW(showRequestFromText("show pixels=5"));
+}
+
+}  // namespace
+}  // namespace vct::app
+
+namespace vct::test {
+namespace {
+
+// A small window leaves time for all of its pixels on any machine.
+TEST(ResolutionInTheApp, RisesToTheWindowAndKeepsWhatTheSceneHas) {
+    StandIn android;
+    android.intentExtra = "show display=off steps=off grid=64 mode=ao preset=mobile";
+    android.startUntilSceneShown(192, 128);
+    android.then([&] { android.capture = true; });
+    android.frames(1);
+    Image coarse;
+    android.then([&] {
+        coarse = android.screen;
+        android.traceSections.clear();
+    });
+    android.framesUntilLogged("pixels as the time allows: 192x128 of 192x128", 2000);
+    android.frames(2);
+    android.run();
+    const auto& sections = android.traceSections;
+    EXPECT_NE(std::find(sections.begin(), sections.end(), "cone trace"), sections.end());
+    EXPECT_EQ(std::find(sections.begin(), sections.end(), "voxelize"), sections.end());
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+
+    StandIn fixed;
+    fixed.intentExtra = "show display=off steps=off grid=64 mode=ao preset=mobile pixels=1";
+    fixed.startUntilSceneShown(192, 128);
+    fixed.then([&] { fixed.capture = true; });
+    fixed.frames(60);
+    fixed.run();
+    EXPECT_FALSE(fixed.logged("pixels as the time allows"));
+    // Of the exposure, which is that of the first pictures, a little difference stays.
+    const auto difference = [&](const Image& screen) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < screen.pixels.size(); ++i)
+            sum += glm::distance(screen.pixels[i], fixed.screen.pixels[i]);
+        return sum / static_cast<double>(screen.pixels.size());
+    };
+    ASSERT_EQ(android.screen.pixels.size(), fixed.screen.pixels.size());
+    EXPECT_GT(difference(coarse), 3.0 * difference(android.screen));
+    EXPECT_LT(difference(android.screen), 0.02);
+}
+
+// All of a thesis's frame, in 256^3 voxels: no software driver does that in 15 ms.
+TEST(ResolutionInTheApp, FallsToItsBoundWhereFramesAreSlow) {
+    StandIn android;
+    android.intentExtra = "show display=off mode=gi preset=thesis revoxelize=on";
+    android.startUntilSceneShown(320, 240);
+    android.framesUntilLogged("pixels as the time allows: 80x60 of 320x240", 60);
+    android.frames(2);
+    android.run();
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+// A display that refreshes more often does not make frames more frequent.
+TEST(Pacing, IsSixtyFramesASecondOrAWholePartOfTheDisplays) {
+    const auto shownInASecond = [](int hertz) {
+        StandIn android;
+        android.intentExtra = "show display=off steps=off grid=64 mode=phong pixels=4";
+        android.refreshNs = 1'000'000'000 / hertz;
+        android.startUntilSceneShown(32, 24);
+        int before = 0;
+        android.then([&] { before = android.shown; });
+        android.frames(hertz);
+        android.run();
+        EXPECT_EQ(android.misuse, std::vector<std::string>{});
+        return android.shown - before;
+    };
+    EXPECT_EQ(shownInASecond(60), 60);
+    EXPECT_EQ(shownInASecond(120), 60);
+    EXPECT_EQ(shownInASecond(90), 45);
+    EXPECT_EQ(shownInASecond(30), 30);
+}
+
+}  // namespace
+}  // namespace vct::test

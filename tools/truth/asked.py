@@ -1,0 +1,41 @@
+"""A scene as a person asks to see it, written as for `vct render`: camera, light, sky and emission in place of its own."""
+import dataclasses
+import pathlib
+import re
+
+import numpy as np
+
+from .gltf_file import GltfFile
+from .hdr import read_sky
+from .scene import Scene, Sun, unit
+
+
+def numbers(text: str) -> np.ndarray:
+    return np.array([float(x) for x in text.split(",")])
+
+
+def seen_by(scene: Scene, view: dict) -> Scene:
+    """`view`: of `vct info --print-camera`."""
+    eye = np.array(view["eye_world"])
+    return dataclasses.replace(scene, camera=dataclasses.replace(
+        scene.camera, axes=np.array(view["right_up_back"]), eye_world=eye, eye=(eye - scene.centre_world) / scene.side_world,
+        vertical_fov_rad=view["vertical_fov_rad"]))
+
+
+def lit_by(scene: Scene, light: str | None, sky: str | None, environment: pathlib.Path | None, emission: float) -> Scene:
+    """As in `vct`, a scene without lights has no sun under a sky that is given. The picture that a scene of ours lies under is
+    for `vct` one that must be given, so without one the sky is black."""
+    if (sky or environment) and not GltfFile(scene.path).json.get("extensions", {}).get("KHR_lights_punctual"):
+        scene = dataclasses.replace(scene, sun=Sun(scene.sun.towards, np.zeros(3)))
+    if light is not None:
+        given = dict(re.findall(r"(\w+)=([^=]*?)(?=,\w+=|$)", light))
+        color = numbers(given.get("color", "1,1,1"))
+        lux = float(given["intensity"]) if "intensity" in given else float(scene.sun.irradiance.max()) or np.pi
+        towards = unit(-numbers(given["direction"])) if "direction" in given else scene.sun.towards
+        scene = dataclasses.replace(scene, sun=Sun(towards, color * lux))
+    if emission != 1:
+        scene = dataclasses.replace(scene, materials=[
+            dataclasses.replace(material, emissive=material.emissive * emission) for material in scene.materials])
+    if environment is not None:
+        return dataclasses.replace(scene, sky=read_sky(environment))
+    return dataclasses.replace(scene, sky=None if sky is None else np.tile(numbers(sky), (2, 4, 1)))
