@@ -18,8 +18,8 @@ SIZE = (128, 128)
 def both(request, program, tmp_path_factory):
     """(folder of vct's pictures, scene, world) of one scene."""
     path, out = ROOT / f"assets/{request.param}.glb", tmp_path_factory.mktemp(request.param)
-    render(program, path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--mode", "gi", "--grid", 128, "--shadow-map", 2048,
-           "--debug-views", "--light-parts")
+    render(program, path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--preset", "thesis", "--mode", "gi",
+           "--grid", 128, "--shadow-map", 2048, "--debug-views", "--light-parts")
     scene = load_scene(path)
     return out, scene, make_world(scene)
 
