@@ -1,5 +1,5 @@
-// Specular reflection of glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2,
-// Schlick's Fresnel term): of the sun as it stands there, of everything else by one cone along the mirror direction.
+// glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2, Schlick's Fresnel term): the sun and other
+// lights as they stand there; of what is around, one cone along the mirror direction, and what the surface received.
 #include "shared/frame.glsl"
 #include "shared/sky.glsl"
 #include "directional/cones.glsl"
@@ -9,29 +9,51 @@
 const float roughFrom = 0.3;
 const float roughTo = 0.9;
 
-// The share of light from all directions that leaves specularly towards the eye, `f0`: head-on. Karis 2014, "Physically
-// Based Shading on Mobile": what his split sum (2013) reads from a table.
-mediump vec3 specularShare(mediump vec3 f0, float roughness, float cosEye) {
-    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-    float grazing = min(r.x * r.x, exp2(-9.28 * cosEye)) * r.x + r.y;
-    vec2 scaleAndBias = vec2(-1.04, 1.04) * grazing + r.zw;
-    return f0 * scaleAndBias.x + scaleAndBias.y;
+// A material as its pixel shows it.
+struct Brdf {
+    mediump vec3 diffuse;     // albedo of the light that is not reflected specularly
+    mediump vec3 f0;          // Schlick's term head-on
+    mediump float roughness;  // from 1 on, nothing is reflected specularly
+    vec3 toEye;               // unit length
+};
+
+vec3 schlick(vec3 f0, float cosine) {
+    return f0 + (1.0 - f0) * pow(1.0 - cosine, 5.0);
 }
 
-// The reflection of a light without a size, of which a surface that faces it receives the irradiance 1; before its shadow. All
-// vectors of unit length.
-vec3 highlight(vec3 f0, float roughness, vec3 normal, vec3 toEye, vec3 toLight) {
+// Towards the eye, of a light without a size of which a surface that faces it receives the irradiance 1; before its shadow.
+vec3 leaving(Brdf brdf, vec3 normal, vec3 toLight) {
     float cosLight = dot(normal, toLight);
-    float cosEye = max(dot(normal, toEye), 1e-3);
     if (cosLight <= 0.0) return vec3(0.0);
-    vec3 halfway = normalize(toLight + toEye);
+    if (brdf.roughness >= 1.0) return brdf.diffuse * cosLight;
+    float cosEye = max(dot(normal, brdf.toEye), 1e-3);
+    vec3 halfway = normalize(toLight + brdf.toEye);
     float cosHalf = max(dot(normal, halfway), 0.0);
-    float alpha2 = max(pow(roughness, 4.0), 1e-6);
+    float alpha2 = max(pow(brdf.roughness, 4.0), 1e-6);
     float d = cosHalf * cosHalf * (alpha2 - 1.0) + 1.0;
     float visibility = 1.0 / ((cosLight + sqrt(alpha2 + (1.0 - alpha2) * cosLight * cosLight)) *
                               (cosEye + sqrt(alpha2 + (1.0 - alpha2) * cosEye * cosEye)));
-    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(toEye, halfway), 0.0), 5.0);
-    return min(fresnel * (alpha2 / (d * d) * visibility * cosLight), 6e4);
+    vec3 fresnel = schlick(brdf.f0, clamp(dot(brdf.toEye, halfway), 0.0, 1.0));
+    return min((brdf.diffuse * (1.0 - fresnel) + fresnel * (alpha2 / (d * d) * visibility)) * cosLight, 6e4);
+}
+
+// The mean of Schlick's term over the hemisphere, weighted by the cosine, is .028 (1 - cosEye)^3 where f0 is 0, within .001.
+mediump vec3 diffuseShareOfAll(Brdf brdf, vec3 normal) {
+    if (brdf.roughness >= 1.0) return vec3(1.0);
+    mediump float grazing = 1.0 - clamp(dot(normal, brdf.toEye), 0.0, 1.0);
+    return (1.0 - brdf.f0) * (1.0 - 0.028 * grazing * grazing * grazing);
+}
+
+// The share of light from all directions that leaves specularly towards the eye: least squares of the integral of appendix B,
+// for `white`, of f0 1, and `grazing`, of f0 0. From a cosine of .1 on within .04 of the first and .016 of the second.
+vec3 specularShare(vec3 f0, float roughness, float cosEye) {
+    const mat3 lost = mat3(2.5237, -5.1001, 3.0084, -6.6343, 18.2343, -11.2633, 3.246, -9.7958, 6.4822);
+    const mat4x2 grows = mat4x2(0.1251, -0.7847, -0.7077, 10.4161, -14.331, 5.7419, 8.9506, -10.0871);
+    vec3 r = vec3(1.0, roughness, roughness * roughness);
+    vec3 c = vec3(1.0, cosEye, cosEye * cosEye);
+    float white = 1.0 - r.z * dot(r, lost * c);
+    float grazing = pow(1.0 - cosEye, 5.0) * exp2(dot(c.xy, grows * vec4(r, r.y * r.z)));
+    return f0 * (white - grazing) + grazing;
 }
 
 // Where a ray meets the faces of a corner, it is covered once. Beyond the volume there is nothing: in the half texels on
@@ -142,13 +164,15 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
     return radiance * frame.radianceRange + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
-// What a surface at `position` (volume space) has to reflect, but of the sun, relative to E/pi. `gathered`: the mean of
-// its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its microfacets
-// (Walter et al. 2007, eq. 35 at one half).
-mediump vec3 lightToReflect(vec3 position, vec3 normal, vec3 toEye, float roughness, mediump vec3 gathered) {
-    mediump float rough = smoothstep(roughFrom, roughTo, roughness);
-    if (roughness >= roughTo) return gathered;
+// What a surface at `position` (volume space) reflects specularly, but of lights without a size, relative to E/pi. `gathered`: the
+// mean of its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its
+// microfacets (Walter et al. 2007, eq. 35 at one half).
+mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
+    if (brdf.roughness >= 1.0) return vec3(0.0);
+    mediump vec3 share = specularShare(brdf.f0, brdf.roughness, clamp(dot(normal, brdf.toEye), 0.0, 1.0));
+    if (brdf.roughness >= roughTo) return share * gathered;
+    mediump float rough = smoothstep(roughFrom, roughTo, brdf.roughness);
     vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;
-    mediump vec3 mirrored = traceReflection(start, normal, reflect(-toEye, normal), roughness * roughness);
-    return mix(mirrored, gathered, rough);
+    mediump vec3 met = traceReflection(start, normal, reflect(-brdf.toEye, normal), brdf.roughness * brdf.roughness);
+    return share * mix(met, gathered, rough);
 }

@@ -75,68 +75,53 @@ mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     return shadowMapLight(position, cosTheta);
 }
 
-// Lights besides the sun.
-#ifdef VCT_PUNCTUAL_LIGHTS
-#include "shared/punctual_lights.glsl"
-// Irradiance of a surface by all of them, relative to the sun's E.
-mediump vec3 otherLights(vec3 position, vec3 normal) {
-    if (mode > VCT_MODE_GI_CONE_SHADOW) return vec3(0.0);
-    if (mode != VCT_MODE_PHONG) return punctualIrradiance(position, normal);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < punctual.count.x; ++i) {
-        LightAt light = lightAt(i, position);
-        sum += light.irradiance * max(dot(normal, light.towards), 0.0);
-    }
-    return sum;
+// What leaves the surface towards the eye: a Lambert one, or, where the scene has any, a glossy one.
+#ifdef VCT_GLOSS_TARGET
+#include "passes/glossy.glsl"
+layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
+Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
+    mediump vec2 gloss = texelFetch(glossTarget, pixel, 0).rg;
+    if (gloss.y >= 1.0) return Brdf(albedo, vec3(0.0), gloss.y, vec3(0.0));
+    vec3 toEye = normalize(frame.eye.xyz - position);
+    return Brdf(albedo * (1.0 - gloss.x), mix(vec3(0.04), albedo, gloss.x), gloss.y, toEye);
 }
 #else
-mediump vec3 otherLights(vec3 position, vec3 normal) {
+struct Brdf {
+    mediump vec3 diffuse;
+};
+Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
+    return Brdf(albedo);
+}
+mediump vec3 leaving(Brdf brdf, vec3 normal, vec3 toLight) {
+    return brdf.diffuse * max(dot(normal, toLight), 0.0);
+}
+mediump vec3 diffuseShareOfAll(Brdf brdf, vec3 normal) {
+    return vec3(1.0);
+}
+mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
     return vec3(0.0);
 }
 #endif
 
-struct Reflected {
-    mediump vec3 light;         // specular, relative to E/pi
-    mediump vec3 diffuseShare;  // of the albedo, that is left for diffuse light
-};
-
-// What a glossy surface reflects besides diffuse light. `light`: of the sun.
-#ifdef VCT_GLOSS_TARGET
-#include "passes/glossy.glsl"
+// Lights besides the sun.
 #ifdef VCT_PUNCTUAL_LIGHTS
-vec3 otherHighlights(vec3 f0, float roughness, vec3 position, vec3 normal, vec3 toEye) {
-    float slackShare = shadowSlack(normal);
+#include "shared/punctual_lights.glsl"
+// What leaves of all of them, relative to the sun's E/pi.
+mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal) {
+    if (mode > VCT_MODE_GI_CONE_SHADOW) return vec3(0.0);
+    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
     vec3 sum = vec3(0.0);
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
-        vec3 reflected = highlight(f0, roughness, normal, toEye, light.towards) * light.irradiance;
-        if (max(reflected.r, max(reflected.g, reflected.b)) < 1e-4) continue;  // seen in no picture
-        sum += reflected * punctualVisibility(i, position, normal, light.towards, slackShare);
+        vec3 left = leaving(brdf, normal, light.towards) * light.irradiance;
+        if (left == vec3(0.0)) continue;
+        sum += mode == VCT_MODE_PHONG ? left : left * punctualVisibility(i, position, normal, light.towards, slackShare);
     }
     return min(sum, 6e4);
 }
 #else
-vec3 otherHighlights(vec3 f0, float roughness, vec3 position, vec3 normal, vec3 toEye) {
+mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal) {
     return vec3(0.0);
-}
-#endif
-layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
-Reflected specular(ivec2 pixel, vec3 position, vec3 normal, mediump vec3 albedo, mediump vec3 gathered, mediump float light) {
-    mediump vec3 gloss = texelFetch(glossTarget, pixel, 0).rgb;
-    if (gloss.y >= 1.0) return Reflected(vec3(0.0), vec3(1.0));
-    vec3 toEye = normalize(frame.eye.xyz - position);
-    mediump vec3 f0 = mix(vec3(0.04), albedo, gloss.x);
-    mediump vec3 share = specularShare(f0, gloss.y, max(dot(normal, toEye), 0.0));
-    mediump vec3 reflected = share * lightToReflect(position, normal, toEye, gloss.y, gathered);
-    if (mode != VCT_VIEW_SPECULAR) {
-        vec3 ofSun = highlight(f0, gloss.y, normal, toEye, frame.towardsLight.xyz) * frame.lightColor.rgb;
-        reflected = reflected + light * ofSun + otherHighlights(f0, gloss.y, position, normal, toEye);
-    }
-    return Reflected(reflected, (1.0 - gloss.x) * (1.0 - share));
-}
-#else
-Reflected specular(ivec2 pixel, vec3 position, vec3 normal, mediump vec3 albedo, mediump vec3 gathered, mediump float light) {
-    return Reflected(vec3(0.0), vec3(1.0));
 }
 #endif
 
@@ -157,25 +142,28 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     return cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0;
 }
 
-// Diffuse light that leaves the surface, or the part of the light that a view shows.
-mediump vec3 diffuse(vec3 position, vec3 normal, float cosTheta, mediump vec3 albedo, Gather gather, mediump float light) {
+// Light of the sun and of what is around that leaves the surface, or the part of it that a view shows.
+mediump vec3 ofSunAndSurroundings(Brdf brdf, vec3 position, vec3 normal, Gather gather) {
+    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
+    mediump float light = directLight(position, normal, cosTheta);
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
-    if (mode == VCT_VIEW_INDIRECT) return albedo * gather.radiance;
+    if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
-    if (mode == VCT_VIEW_SPECULAR) return vec3(0.0);
+    if (mode == VCT_VIEW_SPECULAR) return mirrored(brdf, position, normal, gather.radiance);
     // Occlusion is in the received light already; it takes nothing from the sun.
     if (mode >= VCT_MODE_GI && received)
-        return albedo * (cosTheta * light * frame.lightColor.rgb + gather.radiance);
+        return light * leaving(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
+               brdf.diffuse * diffuseShareOfAll(brdf, normal) * gather.radiance + mirrored(brdf, position, normal, gather.radiance);
     // What the sun's disc shows is the direct light; nothing else dims or lifts it. Else eq. 4.9.
     mediump float total = light;
     if (!softShadowIsAll)
         total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);
     if (mode >= VCT_MODE_GI)
-        return albedo * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
+        return brdf.diffuse * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
     if (mode == VCT_MODE_PHONG) total = 1.0;
     mediump float phong = cosTheta + specularLight * phongSpecular(position, normal, cosTheta);
-    return albedo * (ambientLight * gather.ambientVisibility + phong * total * frame.lightColor.rgb);
+    return brdf.diffuse * (ambientLight * gather.ambientVisibility + phong * total * frame.lightColor.rgb);
 }
 
 void main() {
@@ -188,15 +176,9 @@ void main() {
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
-    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
-    mediump vec3 albedo = root * root;
-
+    Brdf brdf = brdfAt(pixel, position, root * root);
     Gather gather = indirectDiffuse(position, normal);
-    mediump float light = directLight(position, normal, cosTheta);
-    Reflected reflected = specular(pixel, position, normal, albedo, gather.radiance, light);
-    mediump vec3 diffuseAlbedo = albedo * reflected.diffuseShare;
-    mediump vec3 radiance = diffuse(position, normal, cosTheta, diffuseAlbedo, gather, light);
-    radiance = radiance + diffuseAlbedo * otherLights(position, normal);
-    outRadiance = vec4(radiance + reflected.light + emitted(pixel), 1.0);
+    mediump vec3 radiance = ofSunAndSurroundings(brdf, position, normal, gather);
+    outRadiance = vec4(radiance + ofOtherLights(brdf, position, normal) + emitted(pixel), 1.0);
 }
