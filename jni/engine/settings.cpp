@@ -111,7 +111,7 @@ Settings presetSettings(const std::string& name) {
         settings.grid = 64;
         settings.gridRange = {64, 128};
         settings.gather.height = 0.295F;
-        settings.gather.threshold = 0.2F;
+        settings.gather.threshold = 0.21F;
         settings.gather.bounceGain = 1.075F;
         settings.filterTaps = 4;
         return settings;
