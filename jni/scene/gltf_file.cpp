@@ -20,6 +20,10 @@ using Bytes = std::vector<unsigned char>;
 // tinygltf and the JSON writer recurse once per level; glTF itself needs about ten.
 constexpr int maxJsonDepth = 64;
 
+// Of memory while the file is read, for each comma and bracket of its text. Measured: 50 for empty objects,
+// 200 for numbers, 280 for small objects, 450 for empty nodes.
+constexpr std::size_t bytesPerJsonMark = 200;
+
 // Several times the largest public scenes; keeps a small malicious file from asking for all of the memory.
 constexpr std::size_t maxGeometryBytes = std::size_t{2} << 30;
 constexpr std::size_t maxTextureBytes = std::size_t{4} << 30;
@@ -73,10 +77,12 @@ Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
     return chunks;
 }
 
-// Before the parser and in one pass over the text: the parser's own callback, which knows the depth too, goes
-// over all of a list for each of its elements.
-void checkDepth(const GltfFile& file, const Chunks& chunks) {
+// Checks the nesting, and counts commas and opening brackets. Before the parser and in one pass over the
+// text: the parser's own callback, which knows the depth too, goes over all of a list for each of its
+// elements.
+std::size_t checkedMarkCount(const GltfFile& file, const Chunks& chunks) {
     int depth = 0;
+    std::size_t marks = 0;
     bool inString = false;
     for (std::size_t i = 0; i < chunks.jsonSize; ++i) {
         const unsigned char c = chunks.json[i];
@@ -91,11 +97,12 @@ void checkDepth(const GltfFile& file, const Chunks& chunks) {
         } else if (c == ']' || c == '}') {
             --depth;
         }
+        marks += !inString && (c == ',' || c == '[' || c == '{');
     }
+    return marks;
 }
 
 json parseJson(const GltfFile& file, const Chunks& chunks) {
-    checkDepth(file, chunks);
     try {
         json document = json::parse(chunks.json, chunks.json + chunks.jsonSize);
         if (!document.is_object()) file.fail("its JSON is not an object");
@@ -306,6 +313,8 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     Chunks chunks{bytes.data(), bytes.size(), nullptr, 0};
     if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) chunks = splitGlb(file, bytes);
 
+    const std::size_t readingBytes = checkedMarkCount(file, chunks) * bytesPerJsonMark;
+    file.reserve(readingBytes, "reading its JSON");
     json document = parseJson(file, chunks);
     integersAsSuch(document);
     checkAsset(file, document);
@@ -328,6 +337,8 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
                                                    static_cast<unsigned>(structure.size()), "");
     // tinygltf drops an object with a missing property and goes on; a scene with holes would surprise more.
     if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + asClause(errors) + ")");
+
+    file.usedBytes -= readingBytes;
 
     file.reserve(chunks.binarySize, "its binary chunk");
     readBuffers(file, buffers, chunks);

@@ -108,6 +108,21 @@ TEST(HardInput, APictureThatMemoryDoesNotHoldIsOneErrorBeforeAnythingSlow) {
     EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
 }
 
+// 4 MB of text, 400 MB while it is read.
+TEST(HardInput, JsonThatTakesMoreMemoryThanThereIsIsNotParsed) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    std::string text = R"({"asset":{"version":"2.0"},"extras":[0)";
+    for (int i = 0; i < 2000000; ++i)
+        text += ",1";
+    writeBytes(program.folder.file("numbers.gltf"), text + "]}");
+    EXPECT_EQ(program.run("info numbers.gltf", "ulimit -v 900000;"), 1);
+    EXPECT_EQ(lineCount(program.err), 1) << program.err;
+    expectMentions(program.err, {"numbers.gltf", "reading its JSON asks for 401 MB", "free memory"});
+}
+
 TEST(HardInput, MemoryThatADriverLacksIsNotAMissingDriver) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
