@@ -6,6 +6,7 @@
 #include <ImfStdIO.h>
 
 #include "core/error.h"
+#include "core/one_line.h"
 #include "image/files.h"
 
 namespace vct {
@@ -35,7 +36,7 @@ void writeExr(const std::string& path, const Image& image) {
         file.setFrameBuffer(planesOf(image, rgb, {0, 0}));
         file.writePixels(image.height);
     } catch (const std::exception& error) {
-        throw Error("cannot write picture '" + path + "': EXR encoding failed (" + error.what() +
+        throw Error("cannot write picture '" + path + "': EXR encoding failed (" + asClause(error.what()) +
                     "); choose a smaller size");
     }
     replaceFile(path, stream.str());
@@ -64,7 +65,8 @@ Image decodeExr(const std::string& path, const Bytes& bytes) {
                 pixel = glm::vec3(pixel.r);
         return image;
     } catch (const std::exception& error) {
-        throw Error("cannot read EXR '" + path + "': " + error.what() + "; make it again, or smaller");
+        throw Error("cannot read EXR '" + path + "': " + asClause(error.what()) +
+                    "; make it again, or smaller");
     }
 }
 

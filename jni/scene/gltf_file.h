@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/one_line.h"
 #include "scene/gltf.h"
 
 namespace vct {
@@ -101,11 +102,5 @@ nlohmann::json takeObjects(const GltfFile& file, nlohmann::json& object, const c
 
 // How messages name an element of one of the model's arrays: "3 (wall)", "3" where it has no name.
 std::string indexAndName(std::size_t index, const std::string& name);
-
-// Text of the file as a part of a sentence: one line, not too long.
-std::string oneLine(std::string text);
-
-// What a library or another vct::Error says, likewise, and without a full stop at its end.
-std::string asClause(const std::string& message);
 
 }  // namespace vct

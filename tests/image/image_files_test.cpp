@@ -144,6 +144,25 @@ TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
     }
 }
 
+// The library quotes names out of the file, which may be any bytes.
+TEST(Exr, ADamagedOnesReasonIsOneLine) {
+    const TemporaryFolder folder;
+    writeExr(folder.file("a.exr"), gradient(4, 4));
+    const Bytes whole = readFileFromDisk(folder.file("a.exr"));
+    int refused = 0;
+    for (std::size_t i = 4; i + 2 < whole.size(); ++i) {
+        Bytes damaged = whole;
+        damaged[i] = damaged[i + 2] = '\n';  // the name of a channel and its type, among others
+        try {
+            decodeExr("a.exr", damaged);
+        } catch (const Error& error) {
+            ++refused;
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_GT(refused, 100);
+}
+
 TEST(Exr, ReplicatesYAndRefusesOtherChannels) {
     const TemporaryFolder folder;
     writeExrPlanes(folder.file("y.exr"), {{"Y", Imf::HALF}}, 3);
