@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# The phone's processor without a phone: builds for 64-bit ARM Linux and runs the result under QEMU's user-mode
+# emulation with Mesa's arm64 llvmpipe, beside the same on this machine: tests that need no GPU, voxels and lists, which
+# must be equal to the last bit, and pictures of all presets, which must be within the golden pictures' tolerance.
+#
+#   scripts/arm64.sh            everything (ten minutes on two cores the first time)
+#   scripts/arm64.sh --short    the tests without a GPU, and the Cornell box's voxels; where it cannot run, says why and ends well
+#
+# It does not show a weak memory order, Android's C library and EGL, or any phone's driver.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+short=false
+case "${1:-}" in
+    --short) short=true ;;
+    "") ;;
+    *)
+        sed -n '2,10s/^# \{0,1\}//p' "$0"
+        [[ "$1" == --help ]] && exit 0 || exit 2
+        ;;
+esac
+
+say() { echo "arm64: $*"; }
+# What the machine does not have is no fault of the code: the short run is then left out.
+unavailable() {
+    if $short; then
+        say "skipped: $*"
+        exit 0
+    fi
+    echo "arm64: error: $*" >&2
+    exit 1
+}
+
+root="$PWD/build/arm64" sysroot="$PWD/build/arm64/sysroot"
+packages=(libc6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libegl-dev libgles-dev libopenexr-dev zlib1g-dev libtinygltf-dev
+    libstb-dev libimgui-dev libglm-dev libcli11-dev nlohmann-json3-dev libgtest-dev libdraco-dev libmeshoptimizer-dev
+    libwebp-dev)
+
+# The compiler and the emulator, of this machine.
+install_tools() {
+    local as_root=(env)
+    [[ "$(id -u)" -eq 0 ]] || as_root=(sudo -n env)
+    "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -qq --yes --no-install-recommends \
+        -o DPkg::Lock::Timeout=300 install g++-aarch64-linux-gnu qemu-user-static </dev/null >/dev/null 2>&1
+}
+[[ "$(uname -m)" == x86_64 ]] || unavailable "it compares with x86-64, and this machine is $(uname -m)"
+command -v apt-get >/dev/null || unavailable "it needs packages of Debian or Ubuntu"
+if ! command -v aarch64-linux-gnu-g++ >/dev/null || ! command -v qemu-aarch64-static >/dev/null; then
+    say "installing by apt: g++-aarch64-linux-gnu qemu-user-static"
+    install_tools || unavailable "apt cannot install g++-aarch64-linux-gnu and qemu-user-static"
+fi
+
+# Packages for arm64 beside those of this machine would take some of its own away (libopenexr-dev exists once), so they are
+# unpacked into a folder, by an apt that knows of no other architecture and has nothing installed.
+if ! [[ -f $sysroot/packages.txt && "$(cat "$sysroot/packages.txt")" == "${packages[*]}" ]]; then
+    say "fetching Debian's arm64 packages (90 MB) into $sysroot"
+    rm -rf "$root"
+    mkdir -p "$root"/apt/{state/lists/partial,cache/archives/partial} "$sysroot"
+    : >"$root/apt/status"
+    apt=(apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State="$root/apt/state"
+        -o Dir::State::status="$root/apt/status" -o Dir::Cache="$root/apt/cache" -o Debug::NoLocking=1
+        -o APT::Sandbox::User="$(id -un)")
+    { "${apt[@]}" update && "${apt[@]}" --yes --download-only --no-install-recommends install "${packages[@]}"; } \
+        </dev/null >"$root/apt/log" 2>&1 || unavailable "no arm64 packages: $(tail -n 1 "$root/apt/log")"
+    for package in "$root"/apt/cache/archives/*.deb; do
+        dpkg-deb --extract "$package" "$sysroot"
+    done
+    rm -rf "$root/apt"
+    # The compiler looks for its own headers below the root that it is given.
+    mkdir -p "$sysroot/usr/aarch64-linux-gnu"
+    ln -s /usr/aarch64-linux-gnu/include "$sysroot/usr/aarch64-linux-gnu/include"
+    echo "${packages[*]}" >"$sysroot/packages.txt"
+fi
+
+scripts/build.sh desktop vct_tests
+scripts/build.sh arm64 vct_tests
+
+# With more threads llvmpipe stands still now and then under QEMU 7.2.
+emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1)
+out="$root/out"
+rm -rf "$out"
+mkdir -p "$out"
+
+# The suites of tests/core, scene and image, but for those that run the program as a user does, in a process of its own.
+filter="$(grep -LE 'ProgramRun|CommandLine' tests/{core,scene,image}/*_test.cpp |
+    xargs sed -nE 's/^TEST(_[FP])?\((\w+),.*/\2.*:*\/\2.*/p' | sort -u | paste -sd:)"
+say "tests without a GPU, emulated"
+"${emulate[@]}" build/arm64/build/tests/vct_tests --gtest_brief=1 --gtest_filter="$filter" | tail -n 12
+
+say "voxels and lists"
+$short && scenes='*cornell_mobile' || scenes='*'
+hashes() { "$@" --gtest_filter="Scenes/VoxelHash.$scenes" | tee "$out/log" | grep '^voxels ' || { cat "$out/log" >&2; false; }; }
+hashes build/desktop/tests/vct_tests >"$out/here.txt"
+hashes "${emulate[@]}" build/arm64/build/tests/vct_tests >"$out/arm64.txt"
+diff "$out/here.txt" "$out/arm64.txt" || {
+    echo "arm64: error: voxels differ (above: here <, arm64 >)" >&2
+    exit 1
+}
+cat "$out/arm64.txt"
+if $short; then
+    say "equal on both; scripts/arm64.sh compares more scenes, and pictures"
+    exit 0
+fi
+
+scripts/build.sh desktop vct
+scripts/build.sh arm64 vct
+failed=0
+for scene in cornell moving courtyard; do
+    for preset in thesis mobile quality; do
+        picture=("assets/$scene.glb" --preset "$preset" --mode gi-cone-shadow --size 96x96)
+        say "picture of $scene, $preset"
+        build/desktop/vct render "${picture[@]}" --out "$out/here/$scene-$preset" >/dev/null 2>&1
+        "${emulate[@]}" build/arm64/build/vct render "${picture[@]}" --out "$out/arm64/$scene-$preset" >/dev/null 2>"$out/log" || {
+            cat "$out/log" >&2
+            exit 1
+        }
+        build/desktop/vct compare "$out"/{here,arm64}/"$scene-$preset"/gi-cone-shadow.png || failed=1
+    done
+done
+[[ $failed == 0 ]] || { echo "arm64: error: pictures differ by more than the tolerance" >&2; exit 1; }
+say "all equal or within the tolerance"

@@ -1,0 +1,69 @@
+// One number for all that voxelization leaves, to compare with that of another processor (scripts/arm64.sh).
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+#include <tuple>
+
+#include "scene/camera.h"
+#include "support/grids.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+// FNV-1a of 64 bits, by words.
+class Hash {
+  public:
+    void add(std::uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
+    void add(const std::vector<std::uint32_t>& words) {
+        add(static_cast<std::uint32_t>(words.size()));
+        for (const std::uint32_t word : words)
+            add(word);
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xCBF29CE484222325U;
+};
+
+using SceneAndPreset = std::tuple<const char*, const char*>;
+class VoxelHash : public testing::TestWithParam<SceneAndPreset> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, VoxelHash,
+                         testing::Combine(testing::Values("cornell", "moving", "courtyard"),
+                                          testing::Values("thesis", "mobile", "quality")),
+                         [](const auto& test) {
+                             return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+                         });
+
+TEST_P(VoxelHash, IsThatOfEveryRenderer) {
+    const auto [name, preset] = GetParam();
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
+    Settings settings = presetSettings(preset);
+    settings.size = {16, 16};
+    settings.grid = std::min(settings.grid, 128);
+    settings.lightFrames = 1;  // voxels do not depend on what they receive
+    const auto hash = [&] {
+        Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
+        renderer.frame(Mode::gi, chooseCamera(scene, ""));
+        const Grid grid = gridOf(renderer);
+        EXPECT_GT(grid.lists.at(0).size(), 1000U);
+        Hash of;
+        for (const auto* parts : {&grid.lists, &grid.words, &grid.faceLists})
+            for (const std::vector<std::uint32_t>& words : *parts)
+                of.add(words);
+        for (const auto& [voxel, words] : grid.sums) {
+            of.add(voxel);
+            of.add(words);
+        }
+        return of.value();
+    };
+    const std::uint64_t first = hash();
+    EXPECT_EQ(hash(), first);
+    std::printf("voxels %s %s %016llx\n", name, preset, static_cast<unsigned long long>(first));
+}
+
+}  // namespace
+}  // namespace vct::test
