@@ -143,9 +143,8 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
 }
 
 // Light of the sun and of what is around that leaves the surface, or the part of it that a view shows.
-mediump vec3 ofSunAndSurroundings(Brdf brdf, vec3 position, vec3 normal, Gather gather) {
-    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
-    mediump float light = directLight(position, normal, cosTheta);
+// `light`: directLight().
+mediump vec3 ofSunAndSurroundings(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light, Gather gather) {
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
     if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
@@ -176,9 +175,12 @@ void main() {
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
+    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
+    // First what takes the most registers: a Mali has few.
+    Gather gather = indirectDiffuse(position, normal);
+    mediump float light = directLight(position, normal, cosTheta);
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
-    Gather gather = indirectDiffuse(position, normal);
-    mediump vec3 radiance = ofSunAndSurroundings(brdf, position, normal, gather);
+    mediump vec3 radiance = ofSunAndSurroundings(brdf, position, normal, cosTheta, light, gather);
     outRadiance = vec4(radiance + ofOtherLights(brdf, position, normal) + emitted(pixel), 1.0);
 }
