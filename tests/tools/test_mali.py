@@ -63,6 +63,7 @@ def loops(*entries):
     (loops((0, 8, "c"), (0, 16, "c")), [0], [1]),  # the shorter unrolled
     (loops((0, 5, "c"), (1, 20, "c")), [], []),
     ([], [], []),
+    (loops((0, 6), (0, 9)), [0, 0, 0, 0], [0, 1, 0, 1]),  # of a function that is called twice
 ])
 def test_compiled_loops_are_told(source, compiled, which):
     assert match_loops(source, compiled) == which

@@ -71,7 +71,9 @@ def _copies(source: list[_Node], compiled: list[_Node], loops: Sequence[Loop]) -
 def match_loops(loops: Sequence[Loop], compiled_depths: Sequence[int]) -> list[int]:
     """For each compiled loop the one of `loops` that it is: the reading with the fewest and shortest loops unrolled."""
     depths = [loop["depth"] for loop in loops]
-    readings = list(_matches(_tree(depths), _tree(compiled_depths), loops))
+    source, compiled = _tree(depths), _tree(compiled_depths)
+    # What is inlined at more than one place, as the voxelizer's for both sides of a surface, is there as often.
+    readings = list(_matches(source, compiled, loops)) or list(_copies(source, compiled, loops))
     if not readings:
         raise LoopError(f"loops of depths {list(compiled_depths)} cannot be those of the source, {depths}: is one of them "
                         "not counted (shaders/shared/counters.glsl)?")
