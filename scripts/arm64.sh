@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The phone's processor without a phone: builds for 64-bit ARM Linux and runs the result under QEMU's user-mode
 # emulation with Mesa's arm64 llvmpipe, beside the same on this machine: tests that need no GPU, voxels and lists, which
-# must be equal to the last bit, and pictures of all presets, which must be within the golden pictures' tolerance.
+# must be equal to the last bit, and pictures of all presets, of which one pixel in a thousand may differ by over 5/255.
 #
 #   scripts/arm64.sh            everything (ten minutes on two cores the first time)
 #   scripts/arm64.sh --short    the tests without a GPU, and the Cornell box's voxels; where it cannot run, says why and ends well
@@ -75,28 +75,34 @@ fi
 scripts/build.sh desktop vct_tests
 scripts/build.sh arm64 vct_tests
 
-# With more threads llvmpipe stands still now and then under QEMU 7.2.
+# Most of the time goes into the driver's compiler, which has one thread.
 emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1)
 out="$root/out"
 rm -rf "$out"
 mkdir -p "$out"
 
-# The suites of tests/core, scene and image, but for those that run the program as a user does, in a process of its own.
-filter="$(grep -LE 'ProgramRun|CommandLine' tests/{core,scene,image}/*_test.cpp |
+# The suites of tests/core, scene and image, but for those that run the program as a user does, in a process of its own, and
+# those of time and memory, which are another machine's.
+filter="$(grep -LE 'ProgramRun|CommandLine|std::clock' tests/{core,scene,image}/*_test.cpp |
     xargs sed -nE 's/^TEST(_[FP])?\((\w+),.*/\2.*:*\/\2.*/p' | sort -u | paste -sd:)"
 say "tests without a GPU, emulated"
 "${emulate[@]}" build/arm64/build/tests/vct_tests --gtest_brief=1 --gtest_filter="$filter" | tail -n 12
 
 say "voxels and lists"
 $short && scenes='*cornell_mobile' || scenes='*'
-hashes() { "$@" --gtest_filter="Scenes/VoxelHash.$scenes" | tee "$out/log" | grep '^voxels ' || { cat "$out/log" >&2; false; }; }
+# One line for each scene and preset, as it is found.
+hashes() {
+    "$@" --gtest_filter="Scenes/VoxelHash.$scenes" | tee "$out/log" | grep --line-buffered '^voxels ' || {
+        cat "$out/log" >&2
+        exit 1
+    }
+}
 hashes build/desktop/tests/vct_tests >"$out/here.txt"
-hashes "${emulate[@]}" build/arm64/build/tests/vct_tests >"$out/arm64.txt"
+hashes "${emulate[@]}" build/arm64/build/tests/vct_tests | tee "$out/arm64.txt"
 diff "$out/here.txt" "$out/arm64.txt" || {
     echo "arm64: error: voxels differ (above: here <, arm64 >)" >&2
     exit 1
 }
-cat "$out/arm64.txt"
 if $short; then
     say "equal on both; scripts/arm64.sh compares more scenes, and pictures"
     exit 0
@@ -107,14 +113,15 @@ scripts/build.sh arm64 vct
 failed=0
 for scene in cornell moving courtyard; do
     for preset in thesis mobile quality; do
-        picture=("assets/$scene.glb" --preset "$preset" --mode gi-cone-shadow --size 96x96)
+        picture=("assets/$scene.glb" --preset "$preset" --mode gi-cone-shadow --size 96x96 --grid 64 --light-frames 4)
         say "picture of $scene, $preset"
         build/desktop/vct render "${picture[@]}" --out "$out/here/$scene-$preset" >/dev/null 2>&1
         "${emulate[@]}" build/arm64/build/vct render "${picture[@]}" --out "$out/arm64/$scene-$preset" >/dev/null 2>"$out/log" || {
             cat "$out/log" >&2
             exit 1
         }
-        build/desktop/vct compare "$out"/{here,arm64}/"$scene-$preset"/gi-cone-shadow.png || failed=1
+        build/desktop/vct compare "$out"/{here,arm64}/"$scene-$preset"/gi-cone-shadow.png --max-difference 5/255 \
+            --max-fraction 0.001 || failed=1
     done
 done
 [[ $failed == 0 ]] || { echo "arm64: error: pictures differ by more than the tolerance" >&2; exit 1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and checks the Android app where there is an NDK; then builds and runs every test, plain and under the
-# sanitizers. Ends with ctest's summary: of the last run, or of the first that failed.
+# sanitizers; then some of them as the phone's processor runs them, where that can be had and half an hour allows it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -17,3 +17,9 @@ for preset in desktop asan; do
         echo "asan: left out: accuracy, pictures and other drivers, which are the same C++ (tests/CMakeLists.txt)"
     ctest --preset "$preset" --output-on-failure
 done
+# All of it: scripts/arm64.sh.
+if ((SECONDS < 1300)); then
+    scripts/arm64.sh --short
+else
+    echo "arm64: skipped: $SECONDS s are used, and it may take five minutes more"
+fi

@@ -30,9 +30,10 @@ class Hash {
 
 using SceneAndPreset = std::tuple<const char*, const char*>;
 class VoxelHash : public testing::TestWithParam<SceneAndPreset> {};
+// At one grid, mobile and quality have the same voxels.
 INSTANTIATE_TEST_SUITE_P(Scenes, VoxelHash,
                          testing::Combine(testing::Values("cornell", "moving", "courtyard"),
-                                          testing::Values("thesis", "mobile", "quality")),
+                                          testing::Values("thesis", "mobile")),
                          [](const auto& test) {
                              return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
                          });
@@ -40,29 +41,36 @@ INSTANTIATE_TEST_SUITE_P(Scenes, VoxelHash,
 TEST_P(VoxelHash, IsThatOfEveryRenderer) {
     const auto [name, preset] = GetParam();
     const Context context = openContext(Backend::egl);
-    const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
+    Scene scene = loadGltf(asset(std::string(name) + ".glb"));
     Settings settings = presetSettings(preset);
     settings.size = {16, 16};
-    settings.grid = std::min(settings.grid, 128);
+    settings.grid = 64;        // emulated, finer ones take minutes
     settings.lightFrames = 1;  // voxels do not depend on what they receive
-    const auto hash = [&] {
+    const auto hashes = [&] {
         Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
         renderer.frame(Mode::gi, chooseCamera(scene, ""));
         const Grid grid = gridOf(renderer);
         EXPECT_GT(grid.lists.at(0).size(), 1000U);
-        Hash of;
-        for (const auto* parts : {&grid.lists, &grid.words, &grid.faceLists})
-            for (const std::vector<std::uint32_t>& words : *parts)
-                of.add(words);
+        Hash where, what;
+        for (const auto* parts : {&grid.lists, &grid.faceLists})
+            for (const std::vector<std::uint32_t>& entries : *parts)
+                where.add(entries);
+        for (const std::vector<std::uint32_t>& words : grid.words)
+            what.add(words);
         for (const auto& [voxel, words] : grid.sums) {
-            of.add(voxel);
-            of.add(words);
+            what.add(voxel);
+            what.add(words);
         }
-        return of.value();
+        return std::pair(where.value(), what.value());
     };
-    const std::uint64_t first = hash();
-    EXPECT_EQ(hash(), first);
-    std::printf("voxels %s %s %016llx\n", name, preset, static_cast<unsigned long long>(first));
+    const auto first = hashes();
+    EXPECT_EQ(hashes(), first);
+    // llvmpipe filters textures in other steps on other processors: what the voxels hold is compared without.
+    for (Material& material : scene.materials)
+        material.baseColorTexture = material.emissiveTexture = -1;
+    const auto plain = hashes();
+    std::printf("voxels %s %s: lists %016llx, content %016llx\n", name, preset,
+                static_cast<unsigned long long>(first.first), static_cast<unsigned long long>(plain.second));
 }
 
 }  // namespace
