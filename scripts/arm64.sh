@@ -78,6 +78,9 @@ scripts/build.sh arm64 vct_tests
 # One thread: most of the time goes into the driver's compiler, which has no more. On ARM llvmpipe filters textures of 8 bits in 8
 # bits, unless it is told not to; neither a phone nor llvmpipe on x86 with AVX does, and dim light in voxels would be lost.
 emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1 -E GALLIVM_PERF=no_aos_sampling)
+out="$root/out"
+rm -rf "$out"
+mkdir -p "$out"
 
 # The suites of tests/core, scene and image, but for those that run the program as a user does, in a process of its own, and
 # those of time and memory, which are another machine's.
