@@ -60,6 +60,7 @@ class Pieces {
 
   private:
     const Vertex& vertex(std::size_t corner) const { return mesh_.vertices[mesh_.indices[corner]]; }
+    const VertexExtras& extrasOf(std::size_t corner) const { return mesh_.extras[mesh_.indices[corner]]; }
     glm::dvec3 world(std::size_t corner) const {
         const glm::dvec3 position = mesh_.centre + glm::dvec3(vertex(corner).position);
         return glm::dvec3(instance_.worldFromObject * glm::dvec4(position, 1.0));
@@ -86,11 +87,14 @@ class Pieces {
     void add(std::size_t first, const glm::dvec3& weights, const glm::dvec3& facing) {
         glm::dvec3 centre(0.0);
         glm::dvec2 uv(0.0), emissiveUv(0.0);
+        double vertexAlpha = material_.vertexColors ? 0.0 : 1.0;
         for (int i = 0; i < 3; ++i) {
             const Vertex& corner = vertex(first + static_cast<std::size_t>(i));
             centre += weights[i] * world(first + static_cast<std::size_t>(i));
             uv += weights[i] * glm::dvec2(corner.uv);
             emissiveUv += weights[i] * glm::dvec2(corner.emissiveUv);
+            if (material_.vertexColors)
+                vertexAlpha += weights[i] * double{extrasOf(first + static_cast<std::size_t>(i)).color.a};
         }
         const auto texture = [&](int index) -> const Texture& {
             return scene_.textures[static_cast<std::size_t>(index)];
@@ -99,7 +103,7 @@ class Pieces {
             const double alpha = material_.baseColorTexture < 0
                                      ? 1.0
                                      : texelAt(texture(material_.baseColorTexture), uv)[3] / 255.0;
-            if (alpha * material_.baseColor.a < material_.alphaCutoff) return;
+            if (alpha * vertexAlpha * material_.baseColor.a < material_.alphaCutoff) return;
         }
         glm::dvec3 radiance(material_.emissive);
         if (material_.emissiveTexture >= 0)

@@ -50,7 +50,7 @@ bool isMirrored(const glm::dmat4& worldFromObject) {
 shared::DrawUniforms materialUniforms(const Material& material, bool lamp, float radianceUnit) {
     shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
-    uniforms.emissive = glm::vec4(material.emissive / radianceUnit, 0.0F);
+    uniforms.emissive = glm::vec4(material.emissive / radianceUnit, material.normalScale);
     uniforms.surface =
         glm::vec4(material.alphaCutoff, material.metallic, material.roughness, lamp ? 0.0F : 1.0F);
     return uniforms;
@@ -126,6 +126,8 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Vol
         draw.features = materialFeatures(material) | sharedFeatures(scene);
         draw.baseColorTexture = material.baseColorTexture;
         draw.emissiveTexture = material.emissiveTexture;
+        draw.glossTexture = material.glossTexture;
+        draw.normalTexture = material.normalTexture;
         draw.doubleSided = material.doubleSided;
         draw.mirrored = isMirrored(instance.worldFromObject);
         draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
@@ -276,6 +278,8 @@ void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
     current = &variant.program;
     if (variant.readsBaseColorTexture) textures_[draw.baseColorTexture].bind(VCT_TEX_BASE_COLOR);
     if (variant.readsEmissiveTexture) textures_[draw.emissiveTexture].bind(VCT_TEX_EMISSIVE);
+    if (variant.readsGlossTexture) dataTextures_[draw.glossTexture].bind(VCT_TEX_GLOSS);
+    if (variant.readsNormalMap) dataTextures_[draw.normalTexture].bind(VCT_TEX_NORMAL_MAP);
     gl::FrontFace(draw.mirrored ? GL_CW : GL_CCW);
     gl::BindBufferRange(GL_UNIFORM_BUFFER, VCT_UBO_DRAW, uniforms_.name(),
                         static_cast<GLintptr>(draw.uniformOffset), sizeof(shared::DrawUniforms));
@@ -336,8 +340,9 @@ Resources GpuScene::resources() const {
     for (const gl::Buffer* buffer : {&vertices_, &indices_, &uniforms_})
         add(resources, *buffer);
     std::size_t textureBytes = 0;
-    for (const gl::Texture& texture : textures_)
-        textureBytes += texture.bytes();
+    for (const std::vector<gl::Texture>* textures : {&textures_, &dataTextures_})
+        for (const gl::Texture& texture : *textures)
+            textureBytes += texture.bytes();
     if (textureBytes > 0) resources.push_back({"scene textures", textureBytes});
     return resources;
 }

@@ -67,6 +67,8 @@ class GpuScene {
         unsigned features = 0;
         int baseColorTexture = -1;
         int emissiveTexture = -1;
+        int glossTexture = -1;
+        int normalTexture = -1;
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
         IndexRange triangles;
@@ -114,7 +116,8 @@ class GpuScene {
     std::vector<unsigned char> uniformBytes_;
     std::vector<std::uint32_t> movingIndices_;
     std::size_t firstMovingIndex_ = 0;
-    std::vector<gl::Texture> textures_;  // as Scene::textures; without storage where nothing reads them
+    std::vector<gl::Texture> textures_;      // as Scene::textures; without storage where nothing reads them
+    std::vector<gl::Texture> dataTextures_;  // likewise, of those that hold numbers and no colours
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;
 };

@@ -11,7 +11,8 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
     struct Attribute {
         GLuint location;
         int components;
-        std::size_t offset;  // in Vertex
+        std::size_t offset;  // in Vertex or VertexExtras
+        bool extra = false;  // in the latter
     };
     std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
                                       {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};
@@ -19,15 +20,25 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
         attributes.push_back({VCT_ATTRIBUTE_UV, 2, offsetof(Vertex, uv)});
     if (features_.has(featureEmissiveTexture))
         attributes.push_back({VCT_ATTRIBUTE_EMISSIVE_UV, 2, offsetof(Vertex, emissiveUv)});
+    if (features_.has(featureVertexColors))
+        attributes.push_back({VCT_ATTRIBUTE_COLOR, 4, offsetof(VertexExtras, color), true});
+    if (features_.has(featureGlossTexture))
+        attributes.push_back({VCT_ATTRIBUTE_GLOSS_UV, 2, offsetof(VertexExtras, glossUv), true});
+    if (features_.has(featureNormalMap))
+        attributes.push_back({VCT_ATTRIBUTE_NORMAL_UV, 2, offsetof(VertexExtras, normalUv), true});
     std::vector<float> vertices;
     for (const Mesh& mesh : scene.meshes)
-        for (const Vertex& vertex : mesh.vertices)
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            const VertexExtras extras = mesh.extras.empty() ? VertexExtras() : mesh.extras[i];
             for (const Attribute& attribute : attributes) {
-                float values[3];
-                std::memcpy(values, reinterpret_cast<const char*>(&vertex) + attribute.offset,
+                const void* from = &mesh.vertices[i];
+                if (attribute.extra) from = &extras;
+                float values[4];
+                std::memcpy(values, static_cast<const char*>(from) + attribute.offset,
                             static_cast<std::size_t>(attribute.components) * sizeof(float));
                 vertices.insert(vertices.end(), values, values + attribute.components);
             }
+        }
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
                           indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
@@ -45,8 +56,14 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
 }
 
 void GpuScene::uploadTextures(const Scene& scene) {
-    for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        textures_.push_back(features_.textures[i] ? materialTexture(scene.textures[i]) : gl::Texture());
+    const auto upload = [&](const std::vector<bool>& read, TextureOf of) {
+        std::vector<gl::Texture> textures;
+        for (std::size_t i = 0; i < scene.textures.size(); ++i)
+            textures.push_back(read[i] ? materialTexture(scene.textures[i], of) : gl::Texture());
+        return textures;
+    };
+    textures_ = upload(features_.textures, TextureOf::colors);
+    dataTextures_ = upload(features_.dataTextures, TextureOf::numbers);
 }
 
 }  // namespace vct

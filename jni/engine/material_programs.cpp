@@ -20,8 +20,9 @@ MaterialPrograms::MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuSc
         const auto reads = [&](const char* texture) {
             return std::count(wanted.defines.begin(), wanted.defines.end(), texture) > 0;
         };
-        variants_.push_back(
-            {gl::Program(shaders, wanted), reads("VCT_BASE_COLOR_TEXTURE"), reads("VCT_EMISSIVE_TEXTURE")});
+        variants_.push_back({gl::Program(shaders, wanted), reads("VCT_BASE_COLOR_TEXTURE"),
+                             reads("VCT_EMISSIVE_TEXTURE"), reads("VCT_GLOSS_TEXTURE"),
+                             reads("VCT_NORMAL_MAP")});
         known.push_back(wanted);
     }
 }

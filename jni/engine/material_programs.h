@@ -19,7 +19,7 @@ class MaterialPrograms {
                      const std::function<gl::ProgramDescription(unsigned features)>& describe);
     struct Variant {
         gl::Program program;
-        bool readsBaseColorTexture, readsEmissiveTexture;
+        bool readsBaseColorTexture, readsEmissiveTexture, readsGlossTexture, readsNormalMap;
     };
     // A uniform at the same location in all of them.
     void setUniform(GLint location, GLuint value) const;

@@ -24,15 +24,18 @@ GLenum glWrap(Texture::Wrap wrap) {
     return GL_REPEAT;
 }
 
-// Half a level, at least one texel: each the mean, of light and not of codes, of those that it lies over.
-// Alpha is linear.
-std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fromHeight) {
-    static const std::array<float, 256> light = [] {
+// Half a level, at least one texel: each the mean, of colours that of light and not of codes, of those that
+// it lies over. Alpha is linear.
+std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fromHeight, TextureOf of) {
+    static const std::array<float, 256> lightOf = [] {
         std::array<float, 256> ofCode{};
         for (std::size_t code = 0; code < ofCode.size(); ++code)
             ofCode[code] = srgbDecode(static_cast<float>(code) / 255.0F);
         return ofCode;
     }();
+    const auto value = [of](std::uint8_t code) {
+        return of == TextureOf::colors ? lightOf[code] : static_cast<float>(code) / 255.0F;
+    };
     const int width = std::max(fromWidth / 2, 1), height = std::max(fromHeight / 2, 1);
     const auto forEach = [](int at, int count, int fromCount, const auto& visit) {
         const float ratio = static_cast<float>(fromCount) / static_cast<float>(count);
@@ -51,22 +54,23 @@ std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fr
                         from + (static_cast<std::size_t>(row) * fromWidth + column) * 4;
                     const float alpha = static_cast<float>(texel[3]) / 255.0F;
                     sum += rowShare * share *
-                           glm::vec4(light[texel[0]], light[texel[1]], light[texel[2]], alpha);
+                           glm::vec4(value(texel[0]), value(texel[1]), value(texel[2]), alpha);
                 });
             });
             for (int c = 0; c < 4; ++c)
-                rgba.push_back(
-                    static_cast<std::uint8_t>((c < 3 ? srgbEncode(sum[c]) : sum[c]) * 255.0F + 0.5F));
+                rgba.push_back(static_cast<std::uint8_t>(
+                    (c < 3 && of == TextureOf::colors ? srgbEncode(sum[c]) : sum[c]) * 255.0F + 0.5F));
         }
     return rgba;
 }
 
 }  // namespace
 
-gl::Texture materialTexture(const Texture& source) {
+gl::Texture materialTexture(const Texture& source, TextureOf of) {
     const int levels = static_cast<int>(std::log2(std::max(source.width, source.height))) + 1;
     gl::Texture texture =
-        gl::Texture::make2d("texture " + source.name, GL_SRGB8_ALPHA8, source.width, source.height, levels);
+        gl::Texture::make2d("texture " + source.name, of == TextureOf::colors ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                            source.width, source.height, levels);
     gl::PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const auto upload = [](int level, int width, int height, const std::uint8_t* rgba) {
         gl::TexSubImage2D(GL_TEXTURE_2D, level, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
@@ -79,7 +83,7 @@ gl::Texture materialTexture(const Texture& source) {
         std::vector<std::uint8_t> mip;
         int width = source.width, height = source.height;
         for (int level = 1; level < levels; ++level) {
-            mip = halved(level == 1 ? source.rgba.data() : mip.data(), width, height);
+            mip = halved(level == 1 ? source.rgba.data() : mip.data(), width, height, of);
             width = std::max(width / 2, 1);
             height = std::max(height / 2, 1);
             upload(level, width, height, mip.data());

@@ -6,7 +6,9 @@
 
 namespace vct {
 
-// SRGB8_ALPHA8 with all its mip levels, filtered and wrapped as `source` says.
-gl::Texture materialTexture(const Texture& source);
+enum class TextureOf { colors, numbers };
+
+// SRGB8_ALPHA8, or of numbers RGBA8, with all its mip levels, filtered and wrapped as `source` says.
+gl::Texture materialTexture(const Texture& source, TextureOf of = TextureOf::colors);
 
 }  // namespace vct

@@ -15,6 +15,10 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used, std::v
     if (features & featurePunctualLights) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (features & featureBaseColorTexture) defines.emplace_back("VCT_BASE_COLOR_TEXTURE");
     if (features & featureEmissiveTexture) defines.emplace_back("VCT_EMISSIVE_TEXTURE");
+    if (features & featureVertexColors) defines.emplace_back("VCT_VERTEX_COLORS");
+    if (features & featureUnlit) defines.emplace_back("VCT_UNLIT");
+    if (features & featureGlossTexture) defines.emplace_back("VCT_GLOSS_TEXTURE");
+    if (features & featureNormalMap) defines.emplace_back("VCT_NORMAL_MAP");
     return defines;
 }
 

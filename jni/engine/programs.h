@@ -15,6 +15,11 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
 
 // What a material has of the features that a pass reads, `used`, as shared/material.glsl wants it, behind
 // other defines. A pass that does not read a feature is not forked by it.
+// What passes over the voxels read of a material: not what only a picture's pixels show.
+constexpr unsigned voxelFeatures = ~(unsigned{featureGlossTexture} | unsigned{featureNormalMap});
+// What decides where a surface has holes.
+constexpr unsigned holeFeatures =
+    unsigned{featureBaseColorTexture} | unsigned{featureAlphaMask} | unsigned{featureVertexColors};
 std::vector<std::string> featureDefines(unsigned features, unsigned used,
                                         std::vector<std::string> defines = {});
 

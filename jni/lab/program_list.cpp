@@ -157,6 +157,12 @@ std::vector<unsigned> allFeatures() {
     // it stands for the others.
     all.push_back(featurePunctualLights);
     all.push_back(featurePunctualLights | (materialFeatureCombinations - 1));
+    unsigned everything = featurePunctualLights | (materialFeatureCombinations - 1);
+    for (const unsigned feature :
+         {featureVertexColors, featureGlossTexture, featureNormalMap, featureUnlit}) {
+        all.push_back(feature);
+        all.push_back(everything |= feature);
+    }
     return all;
 }
 

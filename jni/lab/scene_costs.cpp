@@ -98,7 +98,20 @@ const std::vector<SceneFeature>& allSceneFeatures() {
         {"emissive textures", [](const SceneFeatures& f) { return f.has(featureEmissiveTexture); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.emissiveTexture = -1; }); }},
         {"glossy materials", [](const SceneFeatures& f) { return f.glossy; },
-         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.roughness = 1.0F; }); }},
+         [](Scene& scene) {
+             forEachMaterial(scene, [](Material& m) {
+                 m.roughness = 1.0F;
+                 m.glossTexture = -1;
+             });
+         }},
+        {"metallic-roughness textures", [](const SceneFeatures& f) { return f.has(featureGlossTexture); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.glossTexture = -1; }); }},
+        {"normal maps", [](const SceneFeatures& f) { return f.has(featureNormalMap); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.normalTexture = -1; }); }},
+        {"vertex colours", [](const SceneFeatures& f) { return f.has(featureVertexColors); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.vertexColors = false; }); }},
+        {"unlit materials", [](const SceneFeatures& f) { return f.has(featureUnlit); },
+         [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.unlit = false; }); }},
         {"double-sided materials", [](const SceneFeatures& f) { return f.has(featureDoubleSided); },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.doubleSided = false; }); }},
         {"several materials and their features", [](const SceneFeatures& f) { return f.materials > 1; },

@@ -27,9 +27,9 @@ float inFloatRange(const GltfFile& file, double value, const std::string& what) 
 // KHR_texture_transform: scale, then rotate, then move. The sign of the rotation is that of the extension's
 // example ("lower left quadrant, rotated clockwise") and of the Khronos sample viewer; read as columns, the
 // matrix in the extension's text turns the other way.
-void applyTransform(const GltfFile& file, const tinygltf::TextureInfo& info, UvSource& uv) {
-    const auto found = info.extensions.find("KHR_texture_transform");
-    if (found == info.extensions.end()) return;
+void applyTransform(const GltfFile& file, const tinygltf::ExtensionMap& extensions, UvSource& uv) {
+    const auto found = extensions.find("KHR_texture_transform");
+    if (found == extensions.end()) return;
     const tinygltf::Value& transform = found->second;
     const glm::dvec2 scale = vector2(transform, "scale", glm::dvec2(1.0));
     const double angleRad = number(transform, "rotation", 0.0);
@@ -47,13 +47,14 @@ void applyTransform(const GltfFile& file, const tinygltf::TextureInfo& info, UvS
 
 }  // namespace
 
-const MaterialUse& MaterialLoader::get(int index) {
-    const auto found = materials_.find(index);
+const MaterialUse& MaterialLoader::get(int index, bool vertexColors) {
+    const auto found = materials_.find({index, vertexColors});
     if (found != materials_.end()) return found->second;
     static const tinygltf::Material defaultMaterial;
     const MaterialUse use =
         load(index == -1 ? defaultMaterial : file_.at(file_.model.materials, index, "material"));
-    return materials_.emplace(index, use).first->second;
+    scene_.materials[static_cast<std::size_t>(use.material)].vertexColors = vertexColors;
+    return materials_.emplace(std::pair(index, vertexColors), use).first->second;
 }
 
 MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
@@ -67,18 +68,12 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
         material.baseColor[i] = static_cast<float>(std::clamp(pbr.baseColorFactor[i], 0.0, 1.0));
     material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
 
-    material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
-    material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
-
-    double strength = 1.0;
-    const auto extension = source.extensions.find("KHR_materials_emissive_strength");
-    if (extension != source.extensions.end())
-        strength = std::max(number(extension->second, "emissiveStrength", 1.0), 0.0);
-    for (int i = 0; i < 3 && i < static_cast<int>(source.emissiveFactor.size()); ++i) {
-        const double factor = std::clamp(source.emissiveFactor[i], 0.0, 1.0);
-        material.emissive[i] = inFloatRange(file_, factor * strength, "emission");
+    material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
+    if (material.unlit) {
+        material.metallic = 0.0F;
+    } else {
+        loadShine(source, material, use);
     }
-    material.emissiveTexture = texture(source.emissiveTexture, use.emissive);
 
     material.alphaCutoff = inFloatRange(file_, source.alphaCutoff, "alpha cutoff");
     if (source.alphaMode == "MASK") {
@@ -91,19 +86,40 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
         file_.fail("a material has the unknown alpha mode " + oneLine(source.alphaMode));
     }
-    if (source.normalTexture.index >= 0) file_.warn("normal maps are ignored");
-    if (pbr.metallicRoughnessTexture.index >= 0) file_.warn("metallic-roughness textures are ignored");
+    if (source.occlusionTexture.index >= 0)
+        file_.warn("occlusion textures are ignored: what hides light is found in the geometry");
 
     use.material = static_cast<int>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     return use;
 }
 
-int MaterialLoader::texture(const tinygltf::TextureInfo& info, UvSource& uv) {
+// What an unlit material has none of: gloss, normals, emission.
+void MaterialLoader::loadShine(const tinygltf::Material& source, Material& material, MaterialUse& use) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
+    material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
+
+    double strength = 1.0;
+    const auto extension = source.extensions.find("KHR_materials_emissive_strength");
+    if (extension != source.extensions.end())
+        strength = std::max(number(extension->second, "emissiveStrength", 1.0), 0.0);
+    for (int i = 0; i < 3 && i < static_cast<int>(source.emissiveFactor.size()); ++i) {
+        const double factor = std::clamp(source.emissiveFactor[i], 0.0, 1.0);
+        material.emissive[i] = inFloatRange(file_, factor * strength, "emission");
+    }
+    material.emissiveTexture = texture(source.emissiveTexture, use.emissive);
+    material.glossTexture = texture(pbr.metallicRoughnessTexture, use.gloss);
+    material.normalTexture = texture(source.normalTexture, use.normal);
+    material.normalScale = inFloatRange(file_, source.normalTexture.scale, "normal map's scale");
+}
+
+template <class Info>
+int MaterialLoader::texture(const Info& info, UvSource& uv) {
     if (info.index == -1) return -1;
     uv.hasTexture = true;
     uv.texCoord = info.texCoord;
-    applyTransform(file_, info, uv);
+    applyTransform(file_, info.extensions, uv);
     if (uv.texCoord < 0) file_.fail("a material refers to a negative texture coordinate set");
 
     return textures_.get(info.index);

@@ -26,6 +26,8 @@ struct MaterialUse {
     int material = 0;  // index into Scene::materials
     UvSource baseColor;
     UvSource emissive;
+    UvSource gloss;
+    UvSource normal;
 };
 
 // Textures by index in the file. An image is decoded once, whoever uses it; textures that are the same in
@@ -57,17 +59,20 @@ class MaterialLoader {
   public:
     MaterialLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene), textures_(file, scene) {}
 
-    // The material `index` of the file; -1 is glTF's default material.
-    const MaterialUse& get(int index);
+    // The material `index` of the file; -1 is glTF's default material. `vertexColors`: of a mesh that has
+    // some.
+    const MaterialUse& get(int index, bool vertexColors);
 
   private:
     MaterialUse load(const tinygltf::Material& source);
+    void loadShine(const tinygltf::Material& source, Material& material, MaterialUse& use);
     // Index into Scene::textures, or -1 where `info` names none.
-    int texture(const tinygltf::TextureInfo& info, UvSource& uv);
+    template <class Info>
+    int texture(const Info& info, UvSource& uv);
 
     GltfFile& file_;
     Scene& scene_;
-    std::map<int, MaterialUse> materials_;  // by index in the file
+    std::map<std::pair<int, bool>, MaterialUse> materials_;  // by index in the file and vertexColors
     TextureLoader textures_;
 };
 

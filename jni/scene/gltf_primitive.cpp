@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -76,14 +77,18 @@ void makeFlat(GltfFile& file, Mesh& mesh) {
     file.reserveGeometry(mesh.indices.size(), sizeof(Vertex));
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.indices.size());
+    std::vector<VertexExtras> extras;
+    if (!mesh.extras.empty()) file.reserveGeometry(mesh.indices.size(), sizeof(VertexExtras));
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const glm::vec3 normal = unitOr(areaNormal(mesh, i), degenerateNormal);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             vertices.push_back(mesh.vertices[mesh.indices[i + corner]]);
             vertices.back().normal = normal;
+            if (!mesh.extras.empty()) extras.push_back(mesh.extras[mesh.indices[i + corner]]);
         }
     }
     mesh.vertices = std::move(vertices);
+    mesh.extras = std::move(extras);
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
 }
 
@@ -134,8 +139,9 @@ std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Com
     return values;
 }
 
-void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, const UvSource& source,
-           glm::vec2 Vertex::*member) {
+template <class Holder>
+void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource& source,
+           std::vector<Holder>& holders, glm::vec2 Holder::*member) {
     const std::string name = "TEXCOORD_" + std::to_string(source.texCoord);
     const int accessor = attribute(primitive, name);
     if (accessor == -1) {
@@ -145,14 +151,25 @@ void setUv(GltfFile& file, Mesh& mesh, const tinygltf::Primitive& primitive, con
     }
     const Components components =
         file.isQuantized ? Components::anySmallInteger : Components::floatOrNormalizedUnsigned;
-    const std::vector<float> values =
-        readVertexFloats(file, accessor, 2, components, name, mesh.vertices.size());
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const std::vector<float> values = readVertexFloats(file, accessor, 2, components, name, holders.size());
+    for (std::size_t i = 0; i < holders.size(); ++i) {
         const glm::vec2 uv(values[i * 2], values[i * 2 + 1]);
         const bool usable = std::abs(uv.x) <= 1e9F && std::abs(uv.y) <= 1e9F;  // false for NaN
         if (!usable) file.warn("texture coordinates that are not usable numbers are taken as 0");
-        mesh.vertices[i].*member = source(usable ? uv : glm::vec2(0.0F));
+        holders[i].*member = source(usable ? uv : glm::vec2(0.0F));
     }
+}
+
+void setColors(GltfFile& file, Mesh& mesh, int accessor) {
+    const int width = file.at(file.model.accessors, accessor, "accessor").type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
+    const std::vector<float> values = readVertexFloats(
+        file, accessor, width, Components::floatOrNormalizedUnsigned, "COLOR_0", mesh.extras.size());
+    for (std::size_t i = 0; i < mesh.extras.size(); ++i)
+        for (int c = 0; c < width; ++c) {
+            const float value = values[i * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)];
+            if (!std::isfinite(value)) file.warn("vertex colours that are not usable numbers are taken as 1");
+            mesh.extras[i].color[c] = std::isfinite(value) ? std::clamp(value, 0.0F, 1.0F) : 1.0F;
+        }
 }
 
 }  // namespace
@@ -167,7 +184,6 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         file.warn("points and lines are left out");
         return std::nullopt;
     }
-    if (attribute(primitive, "COLOR_0") != -1) file.warn("vertex colours (COLOR_0) are ignored");
     if (!primitive.targets.empty()) file.warn("morph targets are ignored");
 
     const int positionAccessor = attribute(primitive, "POSITION");
@@ -195,7 +211,8 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     mesh.indices = triangleList(file, primitive.mode, std::move(corners));
     if (mesh.indices.empty()) return std::nullopt;
 
-    const MaterialUse& material = materials.get(primitive.material);
+    const int colorAccessor = attribute(primitive, "COLOR_0");
+    const MaterialUse& material = materials.get(primitive.material, colorAccessor != -1);
     mesh.material = material.material;
     const Bounds bounds = usedBounds(file, positions, mesh.indices, label);
     mesh.centre = 0.5 * (bounds.min + bounds.max);
@@ -206,8 +223,15 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     for (const std::uint32_t index : mesh.indices)
         mesh.vertices[index].position = glm::vec3(position(positions, index) - mesh.centre);
 
-    setUv(file, mesh, primitive, material.baseColor, &Vertex::uv);
-    setUv(file, mesh, primitive, material.emissive, &Vertex::emissiveUv);
+    setUv(file, primitive, material.baseColor, mesh.vertices, &Vertex::uv);
+    setUv(file, primitive, material.emissive, mesh.vertices, &Vertex::emissiveUv);
+    if (colorAccessor != -1 || material.gloss.hasTexture || material.normal.hasTexture) {
+        file.reserveGeometry(vertexCount, sizeof(VertexExtras));
+        mesh.extras.resize(vertexCount);
+        setUv(file, primitive, material.gloss, mesh.extras, &VertexExtras::glossUv);
+        setUv(file, primitive, material.normal, mesh.extras, &VertexExtras::normalUv);
+        if (colorAccessor != -1) setColors(file, mesh, colorAccessor);
+    }
 
     const int normalAccessor = attribute(primitive, "NORMAL");
     if (normalAccessor == -1) {

@@ -25,6 +25,13 @@ struct Vertex {
     glm::vec2 emissiveUv;  // of the emissive texture, likewise
 };
 
+// What a vertex has besides, where its material reads some of it.
+struct VertexExtras {
+    glm::vec4 color{1.0F};     // linear RGB and alpha; multiplies the base colour
+    glm::vec2 glossUv{0.0F};   // of the gloss texture, KHR_texture_transform applied
+    glm::vec2 normalUv{0.0F};  // of the normal map, likewise
+};
+
 struct Material {
     enum class AlphaMode { opaque, mask };
 
@@ -35,6 +42,11 @@ struct Material {
     int emissiveTexture = -1;   // index into Scene::textures, or -1
     float metallic = 1.0F;      // 0 to 1; the defaults are those of glTF
     float roughness = 1.0F;     // 0 to 1
+    int glossTexture = -1;   // index into Scene::textures, or -1: green times roughness, blue times metallic
+    int normalTexture = -1;  // index into Scene::textures, or -1: a normal map in tangent space
+    float normalScale = 1.0F;   // of the normal map's x and y
+    bool vertexColors = false;  // VertexExtras::color counts
+    bool unlit = false;  // shows its base colour whatever the light, and neither receives nor sends any
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
@@ -44,6 +56,7 @@ struct Material {
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
+    std::vector<VertexExtras> extras;    // as many as vertices, or none where the material reads none of it
     std::vector<std::uint32_t> indices;  // three per triangle, all below vertices.size()
     int material = 0;                    // index into Scene::materials
     glm::dvec3 centre{0.0};              // object space: file position = centre + Vertex::position

@@ -14,6 +14,10 @@ unsigned materialFeatures(const Material& material) {
     }
     if (material.baseColorTexture >= 0) features |= featureBaseColorTexture;
     if (material.alphaMode == Material::AlphaMode::mask) features |= featureAlphaMask;
+    if (material.vertexColors) features |= featureVertexColors;
+    if (material.unlit) features |= featureUnlit;
+    if (material.glossTexture >= 0) features |= featureGlossTexture;
+    if (material.normalTexture >= 0) features |= featureNormalMap;
     return features;
 }
 
@@ -37,15 +41,18 @@ SceneFeatures featuresOf(const Scene& scene) {
     found.movingLight = std::any_of(scene.lights.begin(), scene.lights.end(), moves) ||
                         std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), moves);
     found.textures.resize(scene.textures.size());
+    found.dataTextures.resize(scene.textures.size());
     found.materials = static_cast<int>(materials.size());
     std::set<unsigned> combinations;
     for (const int index : materials) {
         const Material& material = scene.materials[index];
         const unsigned features = materialFeatures(material);
         combinations.insert(features | sharedFeatures(scene));
-        found.glossy |= material.roughness < 1.0F;
+        found.glossy |= material.roughness < 1.0F || material.glossTexture >= 0;
         if (features & featureBaseColorTexture) found.textures[material.baseColorTexture] = true;
         if (features & featureEmissiveTexture) found.textures[material.emissiveTexture] = true;
+        if (features & featureGlossTexture) found.dataTextures[material.glossTexture] = true;
+        if (features & featureNormalMap) found.dataTextures[material.normalTexture] = true;
     }
     found.materialFeatures.assign(combinations.begin(), combinations.end());
     return found;

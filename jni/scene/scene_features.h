@@ -8,7 +8,7 @@
 
 namespace vct {
 
-// What programs differ by, from material to material and, the last one, from scene to scene. Bits; draw calls
+// What programs differ by, from material to material and, of lights, from scene to scene. Bits; draw calls
 // are sorted by them, and those that fewer passes read come first, so that programs change as rarely as
 // possible.
 enum MaterialFeature : unsigned {
@@ -19,6 +19,10 @@ enum MaterialFeature : unsigned {
     featureAlphaMask = 16,
     materialFeatureCombinations = 32,
     featurePunctualLights = 32,  // lights besides the sun
+    featureVertexColors = 64,
+    featureUnlit = 128,
+    featureGlossTexture = 256,
+    featureNormalMap = 512,
 };
 unsigned materialFeatures(const Material& material);
 // Those of the whole scene.
@@ -26,8 +30,9 @@ unsigned sharedFeatures(const Scene& scene);
 
 struct SceneFeatures {
     std::vector<unsigned> materialFeatures;  // each combination that occurs once, ascending
-    bool glossy = false;                     // a roughness below 1
-    std::vector<bool> textures;              // of Scene::textures: whether a material reads it
+    bool glossy = false;                     // a roughness below 1, or a texture of it
+    std::vector<bool> textures;              // of Scene::textures: whether a material reads it as a colour
+    std::vector<bool> dataTextures;          // likewise as numbers: gloss, or a normal map
     int materials = 0;                       // how many occur
     bool movingObjects = false;              // an animation moves an instance
     bool movingLight = false;                // or a light

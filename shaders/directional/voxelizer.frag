@@ -60,6 +60,7 @@ void addSide(uint slot, vec3 weights, vec3 normal, vec3 fromMiddle, vec3 albedo,
 void main() {
     COUNT(VCT_COUNTER_FACE_VOXELIZER);
     vec4 baseColor = materialBaseColor();
+    if (materialIsUnlit) baseColor.rgb = vec3(0.0);
     // Before any discard: derivatives need the whole quad. This is the face's normal over its component along the
     // projection, times a pixel's area in voxels: what the surface covers of each of the voxel's cross-sections.
     vec3 positionVoxels = fragmentPosition * float(frame.gridSide);

@@ -27,6 +27,7 @@ layout(r32ui, binding = VCT_IMAGE_VOXELS) uniform uimage3D voxels;
 void main() {
     COUNT(VCT_COUNTER_VOXELIZER);
     vec4 baseColor = materialBaseColor();
+    if (materialIsUnlit) baseColor.rgb = vec3(0.0);
     if (materialIsHole(baseColor.a)) discard;
     ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 

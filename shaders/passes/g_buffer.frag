@@ -11,28 +11,70 @@ layout(location = 1) out uvec2 normalCode;
 #ifdef VCT_EMISSIVE_TARGET
 layout(location = 2) out vec4 emissive;
 void storeEmissive() {
-    emissive = vec4(materialEmissive(), 1.0);
+    emissive = vec4(materialIsUnlit ? materialBaseColor().rgb : materialEmissive(), 1.0);
 }
 #else
 void storeEmissive() {}
 #endif
 
+#ifdef VCT_GLOSS_TEXTURE
+in vec2 fragmentGlossUv;
+layout(binding = VCT_TEX_GLOSS) uniform sampler2D glossTexture;
+vec2 glossFactor() {
+    return texture(glossTexture, fragmentGlossUv).bg;
+}
+#else
+vec2 glossFactor() {
+    return vec2(1.0);
+}
+#endif
+
 #ifdef VCT_GLOSS_TARGET
 layout(location = VCT_GLOSS_TARGET) out vec2 gloss;  // metallic, roughness
 void storeGloss() {
-    gloss = draw.surface.yz;
+    gloss = draw.surface.yz * glossFactor();
 }
 #else
 void storeGloss() {}
 #endif
 
+// `normal`: of the vertices, towards the viewer, unit length. The tangent and its sign come from how position and texture
+// coordinates change from pixel to pixel: the file's tangents would cost every vertex 16 bytes, and interpolants.
+#ifdef VCT_NORMAL_MAP
+in vec3 fragmentFromEye;
+in vec2 fragmentNormalUv;
+layout(binding = VCT_TEX_NORMAL_MAP) uniform sampler2D normalMap;
+vec3 mappedNormal(vec3 normal) {
+    vec3 mapped = 2.0 * texture(normalMap, fragmentNormalUv).xyz - 1.0;
+    vec2 slope = mapped.xy * draw.emissive.w;
+    // Of a back face the normal that the front would have is reversed (glTF 2.0, 3.9.5).
+    if (!gl_FrontFacing) slope = -slope;
+    vec2 uvAcross = dFdx(fragmentNormalUv), uvUp = dFdy(fragmentNormalUv);
+    float handedness = uvAcross.x * uvUp.y - uvAcross.y * uvUp.x < 0.0 ? -1.0 : 1.0;
+    vec3 tangent = handedness * (dFdx(fragmentFromEye) * uvUp.y - dFdy(fragmentFromEye) * uvAcross.y);
+    tangent -= normal * dot(normal, tangent);
+    float length2 = dot(tangent, tangent);
+    if (!(length2 > 0.0)) return normal;  // texture coordinates that do not change
+    tangent *= inversesqrt(length2);
+    // +Y is up in the picture, where the second coordinate falls.
+    vec3 up = handedness * cross(tangent, normal);
+    return safeNormalize(tangent * slope.x + up * slope.y + normal * mapped.z);
+}
+#else
+vec3 mappedNormal(vec3 normal) {
+    return normal;
+}
+#endif
+
 void main() {
     COUNT(VCT_COUNTER_G_BUFFER);
     vec4 baseColor = materialBaseColor();
-    if (materialIsHole(baseColor.a)) discard;
     vec3 normal = safeNormalize(fragmentNormal);
-    albedoRoot = vec4(sqrt(baseColor.rgb), 1.0);
-    normalCode = encodeNormal(gl_FrontFacing ? normal : -normal);
+    // Before any discard: derivatives need the whole quad.
+    normal = mappedNormal(gl_FrontFacing ? normal : -normal);
+    if (materialIsHole(baseColor.a)) discard;
+    albedoRoot = vec4(materialIsUnlit ? vec3(0.0) : sqrt(baseColor.rgb), 1.0);
+    normalCode = encodeNormal(normal);
     storeEmissive();
     storeGloss();
 }

@@ -118,7 +118,9 @@ using glm::vec4;
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
 #define VCT_TEX_G_ALBEDO 4
+#define VCT_TEX_GLOSS 4  // no pass reads both a material's textures and the G-buffer
 #define VCT_TEX_G_NORMAL 5
+#define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
@@ -144,6 +146,9 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_NORMAL 1
 #define VCT_ATTRIBUTE_UV 2
 #define VCT_ATTRIBUTE_EMISSIVE_UV 3
+#define VCT_ATTRIBUTE_COLOR 4
+#define VCT_ATTRIBUTE_GLOSS_UV 5
+#define VCT_ATTRIBUTE_NORMAL_UV 6
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
@@ -261,7 +266,7 @@ struct DrawUniforms {
     mat4 volumeFromObject;
     mat4 normalFromObject;  // upper 3x3: inverse transpose
     vec4 baseColor;
-    vec4 emissive;  // rgb: relative to E/pi
+    vec4 emissive;  // rgb: relative to E/pi; w: scale of the normal map's x and y
     vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness, w: 1, or 0 where voxels leave its emission to jni/engine/emitters.h
 };
 

@@ -1,5 +1,5 @@
-// The surface under a fragment. What its material does not have costs nothing: VCT_BASE_COLOR_TEXTURE and
-// VCT_EMISSIVE_TEXTURE are defined where there is one, and VCT_ALPHA_MASK, VCT_EMISSIVE and VCT_DOUBLE_SIDED are true or
+// The surface under a fragment. What its material does not have costs nothing: VCT_BASE_COLOR_TEXTURE,
+// VCT_EMISSIVE_TEXTURE, VCT_VERTEX_COLORS and VCT_UNLIT are defined where there is one, and VCT_ALPHA_MASK, VCT_EMISSIVE and VCT_DOUBLE_SIDED are true or
 // false.
 #include "shared/draw.glsl"
 
@@ -31,9 +31,27 @@ vec3 emissiveFactor() {
 }
 #endif
 
+#ifdef VCT_VERTEX_COLORS
+in vec4 fragmentColor;
+vec4 vertexColorFactor() {
+    return fragmentColor;
+}
+#else
+vec4 vertexColorFactor() {
+    return vec4(1.0);
+}
+#endif
+
+// An unlit surface shows its base colour, and neither receives light nor sends any.
+#ifdef VCT_UNLIT
+const bool materialIsUnlit = true;
+#else
+const bool materialIsUnlit = false;
+#endif
+
 // Linear RGB and alpha.
 vec4 materialBaseColor() {
-    return draw.baseColor * baseColorFactor();
+    return draw.baseColor * baseColorFactor() * vertexColorFactor();
 }
 
 // Whether an alpha-masked surface has a hole here.

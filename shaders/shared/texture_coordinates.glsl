@@ -1,4 +1,4 @@
-// Passes on what the material's textures are read at, where it has any.
+// Passes on what the material's textures are read at, and the vertices' colours, where it has any.
 #include "shared/layout.h"
 
 #ifdef VCT_BASE_COLOR_TEXTURE
@@ -21,7 +21,40 @@ void passEmissiveUv() {
 void passEmissiveUv() {}
 #endif
 
+#ifdef VCT_VERTEX_COLORS
+layout(location = VCT_ATTRIBUTE_COLOR) in vec4 color;
+out vec4 fragmentColor;
+void passColor() {
+    fragmentColor = color;
+}
+#else
+void passColor() {}
+#endif
+
+#ifdef VCT_GLOSS_TEXTURE
+layout(location = VCT_ATTRIBUTE_GLOSS_UV) in vec2 glossUv;
+out vec2 fragmentGlossUv;
+void passGlossUv() {
+    fragmentGlossUv = glossUv;
+}
+#else
+void passGlossUv() {}
+#endif
+
+#ifdef VCT_NORMAL_MAP
+layout(location = VCT_ATTRIBUTE_NORMAL_UV) in vec2 normalUv;
+out vec2 fragmentNormalUv;
+void passNormalUv() {
+    fragmentNormalUv = normalUv;
+}
+#else
+void passNormalUv() {}
+#endif
+
 void passTextureCoordinates() {
+    passColor();
+    passGlossUv();
+    passNormalUv();
     passBaseColorUv();
     passEmissiveUv();
 }

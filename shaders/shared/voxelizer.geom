@@ -17,6 +17,10 @@ out vec2 fragmentUv;
 in vec2 vertexEmissiveUv[];
 out vec2 fragmentEmissiveUv;
 #endif
+#ifdef VCT_VERTEX_COLORS
+in vec4 vertexColor[];
+out vec4 fragmentColor;
+#endif
 
 void main() {
     int axis = dominantAxis(vertexPosition[0], vertexPosition[1], vertexPosition[2]);
@@ -29,6 +33,9 @@ void main() {
 #endif
 #ifdef VCT_EMISSIVE_TEXTURE
         fragmentEmissiveUv = vertexEmissiveUv[i];
+#endif
+#ifdef VCT_VERTEX_COLORS
+        fragmentColor = vertexColor[i];
 #endif
         gl_Position = projectedAlong(axis, vertexPosition[i]);
         EmitVertex();

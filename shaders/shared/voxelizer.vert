@@ -5,6 +5,7 @@
 #define fragmentNormal vertexNormal
 #define fragmentUv vertexUv
 #define fragmentEmissiveUv vertexEmissiveUv
+#define fragmentColor vertexColor
 #endif
 #include "shared/draw.glsl"
 #include "shared/dominant_axis.h"

@@ -38,6 +38,10 @@ const std::vector<Feature>& allFeaturesOfAllPresets() {
          ""},
         {"Glossy", [](Material& m) { m.roughness = 0.3F; }, ""},
         {"DoubleSided", [](Material& m) { m.doubleSided = true; }, ""},
+        {"GlossTexture", [](Material& m) { m.glossTexture = 0; }, ""},
+        {"NormalMap", [](Material& m) { m.normalTexture = 0; }, ""},
+        {"VertexColors", [](Material& m) { m.vertexColors = true; }, ""},
+        {"Unlit", [](Material& m) { m.unlit = true; }, ""},
     };
     static std::vector<Feature> all;
     if (all.empty())
@@ -136,7 +140,8 @@ TEST_P(FeatureOfAScene, WhatNoInstanceHasCostsNothing) {
 // The thesis's voxels reflect nothing.
 TEST_P(FeatureOfAScene, WhatAnInstanceHasIsInItsShaders) {
     const Feature& feature = GetParam();
-    const bool reflects = std::string(feature.name) != "Glossy" || std::string(feature.preset) != "thesis";
+    const bool isGloss = std::string(feature.name) == "Glossy" || std::string(feature.name) == "GlossTexture";
+    const bool reflects = !isGloss || std::string(feature.preset) != "thesis";
     const Asked with = askedBy(sceneWith(&feature, true), feature.preset);
     EXPECT_EQ(with.sources != askedByPlain(feature.preset).sources, reflects);
 }
@@ -161,8 +166,10 @@ TEST(SceneFeatures, AddNoMoreThanTheyNeed) {
         std::size_t programs;
         int targets, textures;
     };
-    for (const Added& added : {Added{"BaseColorTexture", 2, 0, 2}, Added{"Emission", 2, 1, 0},
-                               Added{"Glossy", 0, 1, 0}, Added{"DoubleSided", 1, 0, 0}}) {
+    for (const Added& added :
+         {Added{"BaseColorTexture", 2, 0, 2}, Added{"Emission", 2, 1, 0}, Added{"Glossy", 0, 1, 0},
+          Added{"DoubleSided", 1, 0, 0}, Added{"GlossTexture", 1, 1, 1}, Added{"NormalMap", 1, 0, 1},
+          Added{"VertexColors", 2, 0, 0}, Added{"Unlit", 2, 1, 0}}) {
         Asked with = askedBy(sceneWith(&featureNamed(added.feature, "mobile"), true), "mobile");
         const auto more = [&](const char* call) {
             return with.frame.byName.at(call) - plain.frame.byName.at(call);

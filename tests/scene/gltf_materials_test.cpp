@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "support/errors.h"
 #include "support/gltf_builder.h"
 
@@ -65,6 +67,92 @@ TEST(GltfMaterials, MetallicAndRoughnessAreReadEachAlone) {
     EXPECT_EQ(gloss({{"metallicFactor", 0}}), glm::vec2(0.0F, 1.0F));
     EXPECT_EQ(gloss({{"roughnessFactor", 0}}), glm::vec2(1.0F, 0.0F));
     EXPECT_EQ(gloss({{"metallicFactor", 7}, {"roughnessFactor", -3}}), glm::vec2(1.0F, 0.0F));
+}
+
+TEST(GltfMaterials, TexturesOfGlossAndNormalsTakeTheirOwnCoordinates) {
+    GltfBuilder builder =
+        textured({{"pbrMetallicRoughness", {{"metallicRoughnessTexture", {{"index", 0}, {"texCoord", 1}}}}},
+                  {"normalTexture", {{"index", 1}, {"scale", 0.5}}}});
+    builder.texture(encodePng(4));
+    builder.texture(encodePng(8));
+    const Scene scene = load(builder);
+    const Material& material = scene.materials.at(0);
+    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(material.glossTexture)).width, 4);
+    EXPECT_EQ(scene.textures.at(static_cast<std::size_t>(material.normalTexture)).width, 8);
+    EXPECT_EQ(material.normalScale, 0.5F);
+    const Mesh& mesh = scene.meshes.at(0);
+    ASSERT_EQ(mesh.extras.size(), mesh.vertices.size());
+    expectUv(mesh.extras[1].glossUv, 0.75F, 0.5F);
+    expectUv(mesh.extras[1].normalUv, 1.0F, 0.0F);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMaterials, UnlitIsNothingButItsBaseColour) {
+    GltfBuilder builder = textured({{"pbrMetallicRoughness", {{"roughnessFactor", 0.2}}},
+                                    {"emissiveFactor", {1, 1, 1}},
+                                    {"normalTexture", {{"index", 0}}},
+                                    {"extensions", {{"KHR_materials_unlit", json::object()}}}});
+    builder.document["extensionsUsed"] = {"KHR_materials_unlit"};
+    builder.document["extensionsRequired"] = {"KHR_materials_unlit"};
+    builder.texture(encodePng(4));
+    const Scene scene = load(builder);
+    const Material& material = scene.materials.at(0);
+    EXPECT_TRUE(material.unlit);
+    EXPECT_EQ(material.roughness, 1.0F);
+    EXPECT_EQ(material.emissive, glm::vec3(0.0F));
+    EXPECT_EQ(material.normalTexture, -1);
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfMaterials, OcclusionTexturesAreWarnedOf) {
+    GltfBuilder builder = textured({{"occlusionTexture", {{"index", 0}}}});
+    builder.texture(encodePng(4));
+    EXPECT_TRUE(hasWarning(load(builder), "occlusion"));
+}
+
+// A triangle with these colours, and one without that shares its material.
+Scene colored(const std::function<int(GltfBuilder&)>& colors) {
+    GltfBuilder builder;
+    const int positions = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    builder.add("materials", {{"name", "painted"}});
+    const int colorAccessor = colors(builder);
+    builder.node(
+        {{"mesh", builder.mesh({{"attributes", {{"POSITION", positions}, {"COLOR_0", colorAccessor}}},
+                                {"material", 0}})}});
+    builder.node({{"mesh", builder.mesh({{"attributes", {{"POSITION", positions}}}, {"material", 0}})}});
+    return load(builder);
+}
+
+TEST(GltfMaterials, ColoursOfVerticesAreReadInEveryTypeThatGltfAllows) {
+    const std::vector<Scene> scenes{
+        colored([](GltfBuilder& b) {
+            return b.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.2F});
+        }),
+        colored([](GltfBuilder& b) {
+            return b.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0.2F, 0.4F}, "VEC4");
+        }),
+        colored([](GltfBuilder& b) {
+            return b.accessor<std::uint8_t>({255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 51, 102}, uint8, "VEC4",
+                                            true);
+        }),
+        colored([](GltfBuilder& b) {
+            return b.accessor<std::uint16_t>({65535, 0, 0, 65535, 0, 65535, 0, 65535, 0, 0, 13107, 26214},
+                                             uint16, "VEC4", true);
+        })};
+    for (const Scene& scene : scenes) {
+        const Mesh& mesh = scene.meshes.at(0);
+        ASSERT_EQ(mesh.extras.size(), 3U);
+        const glm::vec4& last = mesh.extras[2].color;
+        EXPECT_EQ(mesh.extras[0].color, glm::vec4(1, 0, 0, 1));
+        EXPECT_NEAR(last.b, 0.2F, 1e-6F);
+        EXPECT_NEAR(last.a, &scene == &scenes[0] ? 1.0F : 0.4F, 1e-6F);
+        EXPECT_TRUE(scene.materials.at(static_cast<std::size_t>(mesh.material)).vertexColors);
+        // The other mesh has none, and pays for none.
+        const Mesh& plain = scene.meshes.at(1);
+        EXPECT_TRUE(plain.extras.empty());
+        EXPECT_FALSE(scene.materials.at(static_cast<std::size_t>(plain.material)).vertexColors);
+        EXPECT_TRUE(scene.warnings.empty());
+    }
 }
 
 TEST(GltfMaterials, BlendBecomesMaskWithAWarning) {

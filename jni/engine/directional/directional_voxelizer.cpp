@@ -19,12 +19,11 @@ glm::ivec4 viewportFor(int side) {
 
 gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization) {
     if (!(features & featureAlphaMask)) features = 0;
-    return voxelizing("directional/occupancy",
-                      featureDefines(features, featureBaseColorTexture | featureAlphaMask), voxelization);
+    return voxelizing("directional/occupancy", featureDefines(features, holeFeatures), voxelization);
 }
 
 gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT false"}),
+    return voxelizing("directional/voxelizer", featureDefines(features, voxelFeatures, {"VCT_RELIGHT false"}),
                       voxelization);
 }
 

@@ -9,7 +9,8 @@ namespace vct {
 
 gl::ProgramDescription staticVoxelizerProgram(unsigned features, Voxelization voxelization) {
     return voxelizing("directional/voxelizer",
-                      featureDefines(features, ~0U, {"VCT_RELIGHT false", "VCT_DIRTY_BLOCKS"}), voxelization);
+                      featureDefines(features, voxelFeatures, {"VCT_RELIGHT false", "VCT_DIRTY_BLOCKS"}),
+                      voxelization);
 }
 
 gl::ProgramDescription staticResolveProgram() {

@@ -10,7 +10,7 @@ gl::ProgramDescription clearRadianceProgram() {
 }
 
 gl::ProgramDescription relightProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, ~0U, {"VCT_RELIGHT true"}),
+    return voxelizing("directional/voxelizer", featureDefines(features, voxelFeatures, {"VCT_RELIGHT true"}),
                       voxelization);
 }
 

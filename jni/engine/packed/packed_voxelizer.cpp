@@ -6,7 +6,7 @@
 namespace vct {
 
 gl::ProgramDescription packedVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("packed/voxelizer", featureDefines(features, ~0U), voxelization);
+    return voxelizing("packed/voxelizer", featureDefines(features, voxelFeatures), voxelization);
 }
 
 PackedVoxelizer::PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,

@@ -6,12 +6,14 @@
 namespace vct {
 
 ExtraTargets extraTargets(const SceneFeatures& features, Specular specular) {
-    return {features.has(featureEmissive), specular == Specular::cone && features.glossy};
+    return {features.has(featureEmissive) || features.has(featureUnlit),
+            specular == Specular::cone && features.glossy};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
-    unsigned used = featureBaseColorTexture | featureAlphaMask;
-    if (targets.emissive) used |= featureEmissive | featureEmissiveTexture;
+    unsigned used = holeFeatures | featureNormalMap;
+    if (targets.emissive) used |= featureEmissive | featureEmissiveTexture | featureUnlit;
+    if (targets.gloss) used |= featureGlossTexture;
     std::vector<std::string> defines = featureDefines(features, used);
     if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
     if (targets.gloss) defines.emplace_back(targets.emissive ? "VCT_GLOSS_TARGET 3" : "VCT_GLOSS_TARGET 2");

@@ -10,7 +10,7 @@
 
 namespace vct {
 
-// Targets that the G-buffer has only where a material of the scene emits, or is glossy.
+// Targets that the G-buffer has only where a material of the scene emits or is unlit, or is glossy.
 struct ExtraTargets {
     bool emissive = false;
     bool gloss = false;

@@ -15,7 +15,7 @@ gl::ProgramDescription shadowMapProgram(unsigned features) {
     if (!(features & featureAlphaMask)) features = 0;
     return {"shadow_map",
             {"passes/shadow_map.vert", "passes/shadow_map.frag"},
-            featureDefines(features, featureBaseColorTexture | featureAlphaMask)};
+            featureDefines(features, holeFeatures)};
 }
 
 gl::ProgramDescription shadowMomentsProgram() {

@@ -1,0 +1,170 @@
+// Materials against answers that need no renderer, or against the same scene in other words.
+#include <gtest/gtest.h>
+
+#include "scene/camera.h"
+#include "support/frame_inspector.h"
+#include "support/pictures.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
+namespace {
+
+const DirectionalLight slantingSun = lightFrom(glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
+
+Settings materialSettings() {
+    Settings settings = mobileAt(64);
+    settings.specular = Specular::cone;
+    return settings;
+}
+
+Camera overhead() {
+    return lookAt({0.1, 2.5, 0.9}, {0, 0, 0}, 50);
+}
+
+// A texture of one texel, or of two beside each other.
+Texture texels(const std::vector<std::uint8_t>& rgba) {
+    Texture texture;
+    texture.width = static_cast<int>(rgba.size() / 4);
+    texture.height = 1;
+    texture.rgba = rgba;
+    texture.wrapS = texture.wrapT = Texture::Wrap::clampToEdge;
+    texture.linearFilter = false;
+    return texture;
+}
+
+// Squares from x = -1 to 0 and from 0 to 1, of the materials 0 and 1, in the plane y = 0 under a wall.
+Scene twoFloors() {
+    Scene scene = emptyScene();
+    scene.materials.resize(3);
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {1, 0, 0}, 0);
+    addQuad(scene, {0, 0, -1}, {0, 0, 2}, {1, 0, 0}, 1);
+    addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 1, 0}, 2);
+    for (Mesh& mesh : scene.meshes)
+        mesh.extras.resize(mesh.vertices.size());
+    return finished(std::move(scene));
+}
+
+// The floors' texture coordinates: as x and z of the world, the floor being [0, 1]^2.
+void setFloorUv(Scene& scene, glm::vec2 VertexExtras::*member, bool turned = false) {
+    for (int m = 0; m < 2; ++m) {
+        Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            const glm::vec3 p = glm::vec3(mesh.centre) + mesh.vertices[i].position;
+            const glm::vec2 uv = 0.5F * glm::vec2(p.x + 1.0F, p.z + 1.0F);
+            mesh.extras[i].*member = turned ? 1.0F - uv : uv;
+        }
+    }
+}
+
+Image drawn(const Context& context, const Scene& scene) {
+    FrameInspector frame(context, scene, slantingSun, materialSettings(), overhead());
+    return frame.view(VCT_MODE_GI);
+}
+
+TEST(Materials, AGlossTextureOfTwoHalvesIsTwoMaterials) {
+    const Context context = openContext(Backend::egl);
+    Scene factors = twoFloors();
+    for (int i = 0; i < 2; ++i)
+        factors.materials[i].baseColor = glm::vec4(0.9, 0.6, 0.3, 1.0);
+    Scene textured = factors;
+    factors.materials[0].roughness = 51.0F / 255.0F;
+    factors.materials[0].metallic = 1.0F;
+    factors.materials[1].roughness = 153.0F / 255.0F;
+    factors.materials[1].metallic = 102.0F / 255.0F;
+    // Red and alpha mean nothing here.
+    textured.textures.push_back(texels({255, 51, 255, 9, 0, 153, 102, 200}));
+    textured.materials[0].glossTexture = textured.materials[1].glossTexture = 0;
+    textured.materials[0].metallic = textured.materials[1].metallic = 1.0F;
+    textured.materials[0].roughness = textured.materials[1].roughness = 1.0F;
+    setFloorUv(textured, &VertexExtras::glossUv);
+    const Image expected = drawn(context, factors);
+    expectSameInHalves(drawn(context, textured), expected);
+    EXPECT_GT(expected.pixels[40 * 64 + 20].x, 0.01F);
+}
+
+TEST(Materials, ColoursOfVerticesAreThoseOfMaterials) {
+    const Context context = openContext(Backend::egl);
+    const glm::vec4 red(0.8, 0.1, 0.05, 1.0), blue(0.1, 0.2, 0.7, 1.0);
+    for (const char* preset : {"mobile", "thesis"}) {
+        Settings settings = presetSettings(preset);
+        settings.size = glm::ivec2(64);
+        settings.grid = 64;
+        Scene ofMaterials = twoFloors();
+        Scene ofVertices = ofMaterials;
+        ofMaterials.materials[0].baseColor = red;
+        ofMaterials.materials[1].baseColor = blue;
+        for (int i = 0; i < 2; ++i) {
+            ofVertices.materials[i].vertexColors = true;
+            for (VertexExtras& extras : ofVertices.meshes[i].extras)
+                extras.color = i == 0 ? red : blue;
+        }
+        FrameInspector expected(context, ofMaterials, slantingSun, settings, overhead());
+        FrameInspector frame(context, ofVertices, slantingSun, settings, overhead());
+        // Of their light too, that the white wall receives from them.
+        for (const int view : {VCT_MODE_GI, VCT_VIEW_INDIRECT})
+            expectSameInHalves(frame.view(view), expected.view(view));
+    }
+}
+
+TEST(Materials, AnUnlitSurfaceShowsItsBaseColourAndLightsNothing) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = twoFloors();
+    const glm::vec4 color(0.25, 0.5, 0.75, 1.0);
+    scene.materials[0].unlit = scene.materials[1].unlit = true;
+    scene.materials[0].baseColor = scene.materials[1].baseColor = color;
+    FrameInspector frame(context, scene, slantingSun, materialSettings(), overhead());
+    const Image image = frame.view(VCT_MODE_GI);
+    int count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (!frame.pixels()[i].surface || frame.pixels()[i].normal.y < 0.5) continue;
+        ++count;
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(image.pixels[i][c], color[c], 0.001) << i;
+    }
+    EXPECT_GT(count, 500);
+    // As from black floors, that the wall receives.
+    scene.materials[0].unlit = scene.materials[1].unlit = false;
+    scene.materials[0].baseColor = scene.materials[1].baseColor = {0, 0, 0, 1};
+    FrameInspector black(context, scene, slantingSun, materialSettings(), overhead());
+    expectSameInHalves(frame.view(VCT_VIEW_INDIRECT), black.view(VCT_VIEW_INDIRECT));
+}
+
+// Direct light of a Lambert surface is albedo times the cosine, here with the normal of a map. +X is where
+// the first coordinate grows, +Y where the second falls; from behind the same map's normal is reversed.
+TEST(Materials, ANormalMapTurnsTheNormal) {
+    const Context context = openContext(Backend::egl);
+    for (const bool turned : {false, true})
+        for (const bool fromBehind : {false, true})
+            for (const float scale : {1.0F, 0.5F}) {
+                Scene scene = twoFloors();
+                scene.textures.push_back(texels({191, 166, 230, 255}));
+                for (int i = 0; i < 2; ++i) {
+                    scene.materials[i].normalTexture = 0;
+                    scene.materials[i].normalScale = scale;
+                    scene.materials[i].doubleSided = true;
+                }
+                setFloorUv(scene, &VertexExtras::normalUv, turned);
+                const glm::dvec3 eye(0.1, fromBehind ? -2.5 : 2.5, 0.9);
+                FrameInspector frame(context, scene, slantingSun, materialSettings(),
+                                     lookAt(eye, {0, 0, 0}, 50));
+                const glm::dvec3 stored = glm::dvec3(191, 166, 230) / 127.5 - 1.0;
+                // World: texture coordinates go with x and z, turned by 180 degrees against them.
+                const double sign = turned ? -1.0 : 1.0;
+                glm::dvec3 right =
+                    glm::normalize(glm::dvec3(sign * scale * stored.x, stored.z, -sign * scale * stored.y));
+                if (fromBehind) right = -right;
+                int count = 0;
+                for (const SurfacePixel& pixel : frame.pixels()) {
+                    if (!pixel.surface || std::abs(pixel.positionWorld.y) > 1e-3) continue;
+                    ++count;
+                    ASSERT_LT(glm::length(pixel.normal - right), 2e-3)
+                        << turned << fromBehind << scale << ": " << pixel.normal.x << " " << pixel.normal.y
+                        << " " << pixel.normal.z;
+                }
+                EXPECT_GT(count, 500);
+            }
+}
+
+}  // namespace
+}  // namespace vct::test
