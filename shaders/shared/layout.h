@@ -118,7 +118,7 @@ using glm::vec4;
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
 #define VCT_TEX_G_ALBEDO 4
-#define VCT_TEX_GLOSS 4  // no pass reads both a material's textures and the G-buffer
+#define VCT_TEX_GLOSS 4  // no pass needs both
 #define VCT_TEX_G_NORMAL 5
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
@@ -186,7 +186,6 @@ using glm::vec4;
 #define VCT_BRICK_TEXELS 6
 #define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
-
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
 // Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to E/pi
