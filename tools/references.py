@@ -135,7 +135,7 @@ def rounded(value):
 def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None) -> None:
     from truth.scene import load_scene
     scene = load_scene(path, size)
-    if kinds == list(KINDS) and any(scene.materials[i].roughness < 1 for i in set(scene.material_of.tolist())):
+    if kinds == list(KINDS) and any(scene.materials[i].glossy for i in set(scene.material_of.tolist())):
         kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, size, samples)
     for kind, (result, _) in drawn.items():

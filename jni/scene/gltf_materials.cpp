@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/gltf_extensions.h"
+
 namespace vct {
 namespace {
 
@@ -66,13 +68,23 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     for (int i = 0; i < 4 && i < static_cast<int>(pbr.baseColorFactor.size()); ++i)
         material.baseColor[i] = static_cast<float>(std::clamp(pbr.baseColorFactor[i], 0.0, 1.0));
-    material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
 
-    material.unlit = source.extensions.count("KHR_materials_unlit") > 0;
+    material.unlit = extensionOf(source.extensions, "KHR_materials_unlit") != nullptr;
+    const tinygltf::Value* const specular =
+        extensionOf(source.extensions, "KHR_materials_pbrSpecularGlossiness");
+    if (specular != nullptr && !material.unlit) {
+        loadSpecularGlossiness(*specular, material, use);
+    } else {
+        material.baseColorTexture = texture(pbr.baseColorTexture, use.baseColor);
+        material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
+        material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
+        if (!material.unlit) material.glossTexture = texture(pbr.metallicRoughnessTexture, use.gloss);
+    }
     if (material.unlit) {
         material.metallic = 0.0F;
+        material.roughness = 1.0F;
     } else {
-        loadShine(source, material, use);
+        loadEmissionAndNormals(source, material, use);
     }
 
     material.alphaCutoff = inFloatRange(file_, source.alphaCutoff, "alpha cutoff");
@@ -94,12 +106,9 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     return use;
 }
 
-// What an unlit material has none of: gloss, normals, emission.
-void MaterialLoader::loadShine(const tinygltf::Material& source, Material& material, MaterialUse& use) {
-    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-    material.metallic = static_cast<float>(std::clamp(pbr.metallicFactor, 0.0, 1.0));
-    material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
-
+// What an unlit material has none of.
+void MaterialLoader::loadEmissionAndNormals(const tinygltf::Material& source, Material& material,
+                                            MaterialUse& use) {
     double strength = 1.0;
     const auto extension = source.extensions.find("KHR_materials_emissive_strength");
     if (extension != source.extensions.end())
@@ -109,7 +118,6 @@ void MaterialLoader::loadShine(const tinygltf::Material& source, Material& mater
         material.emissive[i] = inFloatRange(file_, factor * strength, "emission");
     }
     material.emissiveTexture = texture(source.emissiveTexture, use.emissive);
-    material.glossTexture = texture(pbr.metallicRoughnessTexture, use.gloss);
     material.normalTexture = texture(source.normalTexture, use.normal);
     material.normalScale = inFloatRange(file_, source.normalTexture.scale, "normal map's scale");
 }

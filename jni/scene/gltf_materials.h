@@ -20,6 +20,9 @@ struct UvSource {
     glm::vec2 operator()(const glm::vec2& uv) const {
         return glm::vec2(rotationScale * glm::dvec2(uv) + offset);
     }
+    bool isSameAs(const UvSource& other) const {
+        return texCoord == other.texCoord && rotationScale == other.rotationScale && offset == other.offset;
+    }
 };
 
 struct MaterialUse {
@@ -65,7 +68,9 @@ class MaterialLoader {
 
   private:
     MaterialUse load(const tinygltf::Material& source);
-    void loadShine(const tinygltf::Material& source, Material& material, MaterialUse& use);
+    void loadEmissionAndNormals(const tinygltf::Material& source, Material& material, MaterialUse& use);
+    // KHR_materials_pbrSpecularGlossiness as the metallic-roughness material that comes nearest.
+    void loadSpecularGlossiness(const tinygltf::Value& extension, Material& material, MaterialUse& use);
     // Index into Scene::textures, or -1 where `info` names none.
     template <class Info>
     int texture(const Info& info, UvSource& uv);

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
+#include "image/image.h"
 #include "support/errors.h"
 #include "support/gltf_builder.h"
 
@@ -102,6 +104,86 @@ TEST(GltfMaterials, UnlitIsNothingButItsBaseColour) {
     EXPECT_EQ(material.emissive, glm::vec3(0.0F));
     EXPECT_EQ(material.normalTexture, -1);
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+Material ofSpecularGlossiness(const json& extension) {
+    return load(textured({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 1, 1}}}},
+                          {"extensions", {{"KHR_materials_pbrSpecularGlossiness", extension}}}}))
+        .materials.at(0);
+}
+
+// A reflection of 4 % is that of every dielectric, and of a metal nothing is diffuse: in between, both
+// brightnesses stay those of the file.
+TEST(GltfMaterials, SpecularGlossinessBecomesMetallicRoughness) {
+    const Material plaster = ofSpecularGlossiness({{"diffuseFactor", {0.5, 0.3, 0.2, 0.9}},
+                                                   {"specularFactor", {0.04, 0.04, 0.04}},
+                                                   {"glossinessFactor", 0.75}});
+    EXPECT_EQ(plaster.metallic, 0.0F);
+    EXPECT_EQ(plaster.roughness, 0.25F);
+    for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(plaster.baseColor[c], (std::array{0.5F, 0.3F, 0.2F, 0.9F})[c], 1e-6F);
+    const Material copper =
+        ofSpecularGlossiness({{"diffuseFactor", {0, 0, 0, 1}}, {"specularFactor", {0.95, 0.64, 0.54}}});
+    EXPECT_NEAR(copper.metallic, 1.0F, 1e-5F);
+    EXPECT_EQ(copper.roughness, 0.0F);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(copper.baseColor[c], (std::array{0.95F, 0.64F, 0.54F})[c], 1e-5F);
+    // Grey, so that brightness is the value: diffuse .3 (1 - .2) = base (1 - .04) (1 - metallic), and
+    // specular .2 = .04 (1 - metallic) + base metallic.
+    const Material between =
+        ofSpecularGlossiness({{"diffuseFactor", {0.3, 0.3, 0.3, 1}}, {"specularFactor", {0.2, 0.2, 0.2}}});
+    const float m = between.metallic;
+    EXPECT_GT(m, 0.1F);
+    EXPECT_LT(m, 0.9F);
+    const float base = 0.3F * 0.8F / (0.96F * (1.0F - m));
+    EXPECT_NEAR(0.04F * (1.0F - m) + base * m, 0.2F, 1e-5F);
+    EXPECT_NEAR(between.baseColor.r, base, 1e-5F);
+}
+
+TEST(GltfMaterials, TexturesOfSpecularGlossinessAreConvertedTexelByTexel) {
+    const auto file = [](const json& specularTexture) {
+        GltfBuilder builder = textured({{"extensions",
+                                         {{"KHR_materials_pbrSpecularGlossiness",
+                                           {{"diffuseFactor", {0.5, 0.5, 0.5, 0.5}},
+                                            {"diffuseTexture", {{"index", 0}, {"texCoord", 1}}},
+                                            {"specularFactor", {0.04, 0.04, 0.04}},
+                                            {"glossinessFactor", 0.5},
+                                            {"specularGlossinessTexture", specularTexture}}}}}});
+        builder.texture(encodePng(4));
+        builder.texture(encodePng(8));
+        return load(builder);
+    };
+    const Scene scene = file({{"index", 1}, {"texCoord", 1}});
+    EXPECT_TRUE(scene.warnings.empty());
+    const Material& material = scene.materials.at(0);
+    const Texture& color = scene.textures.at(static_cast<std::size_t>(material.baseColorTexture));
+    const Texture& gloss = scene.textures.at(static_cast<std::size_t>(material.glossTexture));
+    ASSERT_EQ(glm::ivec2(color.width, color.height), glm::ivec2(8));  // the finer one's
+    ASSERT_EQ(glm::ivec2(gloss.width, gloss.height), glm::ivec2(8));
+    EXPECT_EQ(material.baseColor, glm::vec4(1.0F));
+    EXPECT_EQ(glm::vec2(material.metallic, material.roughness), glm::vec2(1.0F));
+    expectUv(scene.meshes.at(0).vertices[1].uv, 0.75F, 0.5F);
+    expectUv(scene.meshes.at(0).extras[1].glossUv, 0.75F, 0.5F);
+    const Scene diffuseOnly = load([] {
+        GltfBuilder builder = textured({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+        builder.texture(encodePng(4));
+        return builder;
+    }());
+    const Texture& file0 = diffuseOnly.textures.at(0);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y * 8 + x) * 4;
+            const std::size_t from = static_cast<std::size_t>(y / 2 * 4 + x / 2) * 4;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float half = 0.5F * srgbDecode(static_cast<float>(file0.rgba[from + c]) / 255.0F);
+                // Its specular is under 4 % wherever the factor is: less of it leaves more for diffuse light.
+                EXPECT_GE(srgbDecode(static_cast<float>(color.rgba[at + c]) / 255.0F), half - 0.003F);
+                EXPECT_LE(srgbDecode(static_cast<float>(color.rgba[at + c]) / 255.0F), half / 0.96F + 0.003F);
+            }
+            EXPECT_EQ(gloss.rgba[at + 1], 128);  // 1 less glossiness .5 of a texture of 1
+            EXPECT_EQ(gloss.rgba[at + 2], 0);
+        }
+    EXPECT_TRUE(hasWarning(file({{"index", 1}}), "lies elsewhere"));
 }
 
 TEST(GltfMaterials, OcclusionTexturesAreWarnedOf) {

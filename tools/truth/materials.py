@@ -1,4 +1,4 @@
-"""What a reference takes of a glTF material: base colour, metallic and roughness factors, alpha mask, emission, sides.
+"""What a reference takes of a glTF material: base colour, metallic and roughness, normal map, alpha mask, emission, sides.
 
 glTF 2.0 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength. BLEND counts as MASK with cutoff 0.5,
 as the renderer under test states in its warning.
@@ -33,6 +33,15 @@ class Material:
     emissive_uv: UvSource | None
     cutoff: float  # holes where alpha is below; -1: none
     double_sided: bool
+    gloss_texture: int  # or -1; green times roughness, blue times metallic
+    gloss_uv: UvSource | None
+    normal_texture: int  # or -1
+    normal_uv: UvSource | None
+    normal_scale: float
+
+    @property
+    def glossy(self) -> bool:
+        return self.roughness < 1 or self.gloss_texture >= 0
 
 
 @dataclasses.dataclass
@@ -66,6 +75,7 @@ def transform_uv(source: UvSource, uv: np.ndarray) -> np.ndarray:
 def load_material(material: dict) -> Material:
     surface = material.get("pbrMetallicRoughness", {})
     base, glow = surface.get("baseColorTexture"), material.get("emissiveTexture")
+    gloss, normal = surface.get("metallicRoughnessTexture"), material.get("normalTexture")
     strength = material.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
     cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
     return Material(np.clip(surface.get("baseColorFactor", [1, 1, 1, 1]), 0, 1),
@@ -73,7 +83,9 @@ def load_material(material: dict) -> Material:
                     float(np.clip(surface.get("metallicFactor", 1), 0, 1)),
                     float(np.clip(surface.get("roughnessFactor", 1), 0, 1)),
                     np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),
-                    glow["index"] if glow else -1, uv_source(glow), cutoff, material.get("doubleSided", False))
+                    glow["index"] if glow else -1, uv_source(glow), cutoff, material.get("doubleSided", False),
+                    gloss["index"] if gloss else -1, uv_source(gloss), normal["index"] if normal else -1, uv_source(normal),
+                    normal.get("scale", 1.0) if normal else 1.0)
 
 
 def load_materials(document: dict) -> list[Material]:
@@ -81,12 +93,19 @@ def load_materials(document: dict) -> list[Material]:
     return [load_material(m) for m in [*document.get("materials", []), {}]]
 
 
-def load_textures(file: GltfFile) -> list[Texture]:
-    textures = []
+def load_textures(file: GltfFile, materials: list[Material]) -> list[Texture]:
+    """The file's as colours, and behind them those that hold numbers, which `materials` then refer to."""
+    textures, numbers = [], []
     for texture in file.json.get("textures", []):
         stored = file.image(texture["source"]).astype(np.float64) / 255
         texels = np.concatenate([linear_from_srgb(stored[..., :3]), stored[..., 3:]], -1)
         sampler = file.json["samplers"][texture["sampler"]] if "sampler" in texture else {}
         textures.append(Texture(texels, WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)],
                                 sampler.get("magFilter") == NEAREST))
-    return textures
+        numbers.append(dataclasses.replace(textures[-1], texels=stored))
+    if not any(m.gloss_texture >= 0 or m.normal_texture >= 0 for m in materials):
+        return textures
+    for material in materials:
+        material.gloss_texture += len(textures) if material.gloss_texture >= 0 else 0
+        material.normal_texture += len(textures) if material.normal_texture >= 0 else 0
+    return textures + numbers

@@ -56,6 +56,9 @@ class Scene:
     normals: np.ndarray  # like positions, unit
     uvs: np.ndarray  # (triangles, 3, 2), of the base colour texture, transformed
     emissive_uvs: np.ndarray  # likewise of the emissive texture
+    gloss_uvs: np.ndarray
+    normal_uvs: np.ndarray
+    colors: np.ndarray  # (triangles, 3, 4), of the vertices: linear RGBA, times the base colour
     material_of: np.ndarray  # (triangles,)
     materials: list[Material]
     textures: list[Texture]
@@ -119,7 +122,7 @@ def triangle_corners(mode: int, order: np.ndarray) -> np.ndarray:
 
 
 def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, material: Material) -> tuple | None:
-    """World positions, normals, both uvs, each (triangles, 3, ...), of one primitive; None where it has no triangle."""
+    """World positions, normals, uvs and colours, each (triangles, 3, ...), of one primitive; None where it has no triangle."""
     attributes = primitive["attributes"]
     if "POSITION" not in attributes:
         return None
@@ -150,7 +153,12 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
             return np.zeros((len(corners), 3, 2))
         return transform_uv(source, file.accessor(attributes[name]).astype(np.float64))[corners]
 
-    return positions, normals, uv(material.base_color_uv), uv(material.emissive_uv)
+    colors = np.ones((len(corners), 3, 4))
+    if "COLOR_0" in attributes:
+        stored = np.clip(file.accessor(attributes["COLOR_0"]).astype(np.float64), 0, 1)
+        colors[..., :stored.shape[1]] = stored[corners]
+    return (positions, normals, uv(material.base_color_uv), uv(material.emissive_uv), uv(material.gloss_uv),
+            uv(material.normal_uv), colors)
 
 
 def find_camera(document: dict, placed: list, path: pathlib.Path,
@@ -240,12 +248,13 @@ def build(file: GltfFile, size: tuple[int, int]) -> Scene:
                 parts.append(arrays)
                 material_of.append(np.full(len(arrays[0]), material))
     if parts:
-        positions, normals, uvs, emissive_uvs = (np.concatenate(part) for part in zip(*parts))
+        positions, normals, uvs, emissive_uvs, gloss_uvs, normal_uvs, colors = (np.concatenate(part) for part in zip(*parts))
         owner = np.concatenate(material_of)
         low, high = positions.min((0, 1)), positions.max((0, 1))
     else:
         positions = normals = np.empty((0, 3, 3))
-        uvs = emissive_uvs = np.empty((0, 3, 2))
+        uvs = emissive_uvs = gloss_uvs = normal_uvs = np.empty((0, 3, 2))
+        colors = np.empty((0, 3, 4))
         owner, low, high = np.empty(0, np.int64), np.zeros(3), np.zeros(3)
     longest = (high - low).max()
     side = (longest if longest > 0 else 1.0) * GRID / (GRID - 2 * PADDING_VOXELS)
@@ -258,5 +267,6 @@ def build(file: GltfFile, size: tuple[int, int]) -> Scene:
     glows = any(materials[i].emissive.max() > 0 for i in set(owner.tolist()))
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
-                 owner[keep], materials, load_textures(file), Camera(name, axes, eye, (eye - centre) / side, fov),
+                 gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
+                 load_textures(file, materials), Camera(name, axes, eye, (eye - centre) / side, fov),
                  *find_lights(document, placed, centre, side, glows or sky is not None), sky)

@@ -43,6 +43,18 @@ def corner_arrays(values: np.ndarray, kind: type) -> list:
     return [kind(np.ascontiguousarray(values[:, k].T.astype(np.float32))) for k in range(3)]
 
 
+def tangents_of(positions: np.ndarray, uvs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of each triangle, (n, 3): where the first texture coordinate grows, unit length, 0 where the coordinates do not
+    change; and (n,): the sign by which up in the picture (+Y of a normal map) is the normal x the tangent."""
+    edge, uv = positions[:, 1:] - positions[:, :1], uvs[:, 1:] - uvs[:, :1]
+    determinant = uv[:, 0, 0] * uv[:, 1, 1] - uv[:, 0, 1] * uv[:, 1, 0]
+    # The second coordinate falls upwards: not mirrored where the determinant is negative.
+    tangent = edge[:, 0] * uv[:, 1:, 1] - edge[:, 1] * uv[:, :1, 1]
+    tangent = tangent * np.sign(determinant)[:, None]
+    length = np.linalg.norm(tangent, axis=-1, keepdims=True)
+    return np.divide(tangent, length, out=np.zeros_like(tangent), where=length > 0), np.where(determinant < 0, 1.0, -1.0)
+
+
 class Surfaces:
     def __init__(self, scene: Scene):
         count = len(scene.positions)
@@ -60,6 +72,9 @@ class Surfaces:
         facing = np.cross(edges[:, 0], edges[:, 1])
         facing /= np.linalg.norm(facing, axis=-1, keepdims=True)
         self._facing = mi.Normal3f(np.ascontiguousarray(facing.T.astype(np.float32)))
+        self._has_colors = bool(np.any(scene.colors != 1))
+        if self._has_colors:
+            self._colors = corner_arrays(scene.colors, mi.Vector4f)
         self._load_materials(scene)
         self._load_textures(scene)
 
@@ -71,9 +86,21 @@ class Surfaces:
         self._material = mi.UInt32(scene.material_of.astype(np.uint32))
         self._base = mi.Vector4f(np.stack([x.base_color for x in m], 1).astype(np.float32))
         self._emissive = mi.Color3f(np.stack([x.emissive for x in m], 1).astype(np.float32))
-        self.has_gloss = any(m[i].roughness < 1 for i in used)
+        self.has_gloss = any(m[i].glossy for i in used)
         self._metallic = mi.Float(np.array([x.metallic for x in m], np.float32))
         self._roughness = mi.Float(np.array([x.roughness for x in m], np.float32))
+        self._has_gloss_textures = any(m[i].gloss_texture >= 0 for i in used)
+        if self._has_gloss_textures:
+            self._gloss_uvs = corner_arrays(scene.gloss_uvs, mi.Point2f)
+            self._gloss_texture = mi.Int32(np.array([x.gloss_texture for x in m], np.int32))
+        self._has_normal_maps = any(m[i].normal_texture >= 0 for i in used)
+        if self._has_normal_maps:
+            self._normal_uvs = corner_arrays(scene.normal_uvs, mi.Point2f)
+            self._normal_texture = mi.Int32(np.array([x.normal_texture for x in m], np.int32))
+            self._normal_scale = mi.Float(np.array([x.normal_scale for x in m], np.float32))
+            tangents, ups = tangents_of(scene.positions, scene.normal_uvs)
+            self._tangents = mi.Vector3f(np.ascontiguousarray(tangents.T.astype(np.float32)))
+            self._handedness = mi.Float(ups.astype(np.float32))
         self._cutoff = mi.Float(np.array([x.cutoff for x in m], np.float32))
         self._double = mi.Bool(np.array([x.double_sided for x in m]))
         self._base_texture = mi.Int32(np.array([x.base_color_texture for x in m], np.int32))
@@ -125,6 +152,8 @@ class Surfaces:
 
     def _base_color(self, hit, material):
         color = dr.gather(mi.Vector4f, self._base, material, hit.valid)
+        if self._has_colors:
+            color *= self._interpolate(self._colors, hit, mi.Vector4f)
         if self._has_textures:
             index = dr.gather(mi.Int32, self._base_texture, material, hit.valid)
             color *= self._texture(index, self._interpolate(self._uvs, hit, mi.Point2f), hit.valid)
@@ -189,7 +218,7 @@ class Surfaces:
     def surface(self, hit, direction) -> Surface:
         material = dr.gather(mi.UInt32, self._material, hit.triangle, hit.valid)
         facing = dr.gather(mi.Normal3f, self._facing, hit.triangle, hit.valid)
-        normal = unit_vector(self._interpolate(self._normals, hit, mi.Normal3f))
+        normal = self._mapped(hit, material, unit_vector(self._interpolate(self._normals, hit, mi.Normal3f)))
         back = dr.dot(facing, direction) > 0
         seen = hit.valid & (~back | dr.gather(mi.Bool, self._double, material, hit.valid))
         turn = dr.select(back, -1.0, 1.0)
@@ -200,8 +229,30 @@ class Surfaces:
         if self.has_gloss:
             surface.seen_from = -direction
             surface.metallic = dr.gather(mi.Float, self._metallic, material, hit.valid)
-            surface.roughness = dr.select(seen, dr.gather(mi.Float, self._roughness, material, hit.valid), 1)
+            surface.roughness = dr.gather(mi.Float, self._roughness, material, hit.valid)
+            if self._has_gloss_textures:
+                index = dr.gather(mi.Int32, self._gloss_texture, material, hit.valid)
+                texel = self._texture(index, self._interpolate(self._gloss_uvs, hit, mi.Point2f), hit.valid)
+                surface.roughness *= texel.y
+                surface.metallic *= texel.z
+            surface.roughness = dr.select(seen, surface.roughness, 1)
         return surface
+
+    def _mapped(self, hit, material, normal):
+        """The front's normal, turned by the material's normal map."""
+        if not self._has_normal_maps:
+            return normal
+        index = dr.gather(mi.Int32, self._normal_texture, material, hit.valid)
+        texel = self._texture(index, self._interpolate(self._normal_uvs, hit, mi.Point2f), hit.valid)
+        scale = dr.gather(mi.Float, self._normal_scale, material, hit.valid)
+        along = dr.gather(mi.Vector3f, self._tangents, hit.triangle, hit.valid)
+        tangent = along - mi.Vector3f(normal) * dr.dot(normal, along)
+        mapped = (index >= 0) & (dr.squared_norm(tangent) > 0)
+        tangent = unit_vector(dr.select(mapped, tangent, mi.Vector3f(1, 0, 0)))
+        up = dr.cross(mi.Vector3f(normal), tangent) * dr.gather(mi.Float, self._handedness, hit.triangle, hit.valid)
+        turned = (scale * (2 * texel.x - 1) * tangent + scale * (2 * texel.y - 1) * up +
+                  (2 * texel.z - 1) * mi.Vector3f(normal))
+        return dr.select(mapped, mi.Normal3f(unit_vector(turned)), normal)
 
     def emission(self, hit, material=None):
         """Of the front; who asks decides which side it is."""
