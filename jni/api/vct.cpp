@@ -220,8 +220,9 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
                depth = gl::Texture::ownedElsewhere(gBuffer.depth),
                emission = gl::Texture::ownedElsewhere(gBuffer.emission),
                gloss = gl::Texture::ownedElsewhere(gBuffer.gloss);
-    const GBuffer::Targets surface{&albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr,
-                                   gBuffer.gloss != 0 ? &gloss : nullptr, &depth};
+    const GBuffer::Targets surface{
+        &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
+        &depth,  false};
     return implementation_->render(view, light, &surface);
 }
 

@@ -24,6 +24,7 @@ std::size_t texelBytes(GLenum format) {
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32F:
             return 4;
+        case GL_RGBA16UI:
         case GL_RGBA16F:
             return 8;
         case GL_RGBA32F:

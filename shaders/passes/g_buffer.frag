@@ -6,7 +6,17 @@
 in vec3 fragmentNormal;
 
 layout(location = 0) out vec4 albedoRoot;  // square root of linear albedo: spends the 8 bits where eyes look
+#ifdef VCT_MAPPED_NORMALS
+layout(location = 1) out uvec4 normalCodes;
+void storeNormals(vec3 mapped, vec3 ofGeometry) {
+    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(ofGeometry));
+}
+#else
 layout(location = 1) out uvec2 normalCode;
+void storeNormals(vec3 mapped, vec3 ofGeometry) {
+    normalCode = encodeNormal(ofGeometry);
+}
+#endif
 
 #ifdef VCT_EMISSIVE_TARGET
 layout(location = 2) out vec4 emissive;
@@ -70,11 +80,12 @@ void main() {
     COUNT(VCT_COUNTER_G_BUFFER);
     vec4 baseColor = materialBaseColor();
     vec3 normal = safeNormalize(fragmentNormal);
+    if (!gl_FrontFacing) normal = -normal;
     // Before any discard: derivatives need the whole quad.
-    normal = mappedNormal(gl_FrontFacing ? normal : -normal);
+    vec3 mapped = mappedNormal(normal);
     if (materialIsHole(baseColor.a)) discard;
     albedoRoot = vec4(materialIsUnlit ? vec3(0.0) : sqrt(baseColor.rgb), 1.0);
-    normalCode = encodeNormal(normal);
+    storeNormals(mapped, normal);
     storeEmissive();
     storeGloss();
 }

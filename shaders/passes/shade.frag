@@ -107,20 +107,20 @@ mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gather
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
 // What leaves of all of them, relative to the sun's E/pi.
-mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal) {
+mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometry) {
     if (mode > VCT_MODE_GI_CONE_SHADOW) return vec3(0.0);
-    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
+    float slackShare = shadowSlack(ofGeometry);  // before any branch: derivatives need the whole quad
     vec3 sum = vec3(0.0);
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
         vec3 left = leaving(brdf, normal, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        sum += mode == VCT_MODE_PHONG ? left : left * punctualVisibility(i, position, normal, light.towards, slackShare);
+        sum += mode == VCT_MODE_PHONG ? left : left * punctualVisibility(i, position, ofGeometry, light.towards, slackShare);
     }
     return min(sum, 6e4);
 }
 #else
-mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal) {
+mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometry) {
     return vec3(0.0);
 }
 #endif
@@ -175,12 +175,13 @@ void main() {
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
+    vec3 ofGeometry = geometryNormal(pixel, normal);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
     // First what takes the most registers: a Mali has few.
-    Gather gather = indirectDiffuse(position, normal);
-    mediump float light = directLight(position, normal, cosTheta);
+    Gather gather = indirectDiffuse(position, ofGeometry);
+    mediump float light = directLight(position, ofGeometry, max(dot(ofGeometry, frame.towardsLight.xyz), 0.0));
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
     mediump vec3 radiance = ofSunAndSurroundings(brdf, position, normal, cosTheta, light, gather);
-    outRadiance = vec4(radiance + ofOtherLights(brdf, position, normal) + emitted(pixel), 1.0);
+    outRadiance = vec4(radiance + ofOtherLights(brdf, position, normal, ofGeometry) + emitted(pixel), 1.0);
 }

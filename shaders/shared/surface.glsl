@@ -15,6 +15,19 @@ vec3 surfacePosition(vec2 window, float depth) {
     return p.xyz / p.w;
 }
 
+// As normal maps have it: what light on the surface depends on.
 vec3 surfaceNormal(ivec2 pixel) {
     return decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
 }
+
+// Of the geometry: what shadow maps and voxels, which know of no normal map, are looked up with.
+// `mapped`: surfaceNormal().
+#ifdef VCT_MAPPED_NORMALS
+vec3 geometryNormal(ivec2 pixel, vec3 mapped) {
+    return decodeNormal(texelFetch(normalTarget, pixel, 0).ba);
+}
+#else
+vec3 geometryNormal(ivec2 pixel, vec3 mapped) {
+    return mapped;
+}
+#endif

@@ -7,14 +7,16 @@ namespace vct {
 
 ExtraTargets extraTargets(const SceneFeatures& features, Specular specular) {
     return {features.has(featureEmissive) || features.has(featureUnlit),
-            specular == Specular::cone && features.glossy};
+            specular == Specular::cone && features.glossy, features.has(featureNormalMap)};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {
-    unsigned used = holeFeatures | featureNormalMap;
+    unsigned used = holeFeatures;
+    if (targets.mappedNormals) used |= featureNormalMap;
     if (targets.emissive) used |= featureEmissive | featureEmissiveTexture | featureUnlit;
     if (targets.gloss) used |= featureGlossTexture;
     std::vector<std::string> defines = featureDefines(features, used);
+    if (targets.mappedNormals) defines.emplace_back("VCT_MAPPED_NORMALS");
     if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
     if (targets.gloss) defines.emplace_back(targets.emissive ? "VCT_GLOSS_TARGET 3" : "VCT_GLOSS_TARGET 2");
     return {"g_buffer", {"passes/g_buffer.vert", "passes/g_buffer.frag"}, defines};
@@ -29,7 +31,8 @@ GBuffer::GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::i
 
 void GBuffer::resize(glm::ivec2 size) {
     albedo_ = gl::Texture::make2d("G-buffer albedo", GL_RGBA8, size.x, size.y);
-    normal_ = gl::Texture::make2d("G-buffer normal", GL_RG16UI, size.x, size.y);
+    normal_ = gl::Texture::make2d("G-buffer normal", extra_.mappedNormals ? GL_RGBA16UI : GL_RG16UI, size.x,
+                                  size.y);
     depth_ = gl::Texture::make2d("G-buffer depth", GL_DEPTH_COMPONENT32F, size.x, size.y);
     std::vector<const gl::Texture*> colors{&albedo_, &normal_};
     if (extra_.emissive)
@@ -59,7 +62,12 @@ GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
 }
 
 GBuffer::Targets GBuffer::targets() const {
-    return {&albedo_, &normal_, emissive_ ? &*emissive_ : nullptr, gloss_ ? &*gloss_ : nullptr, &depth_};
+    return {&albedo_,
+            &normal_,
+            emissive_ ? &*emissive_ : nullptr,
+            gloss_ ? &*gloss_ : nullptr,
+            &depth_,
+            extra_.mappedNormals};
 }
 
 Resources GBuffer::resources() const {

@@ -10,10 +10,11 @@
 
 namespace vct {
 
-// Targets that the G-buffer has only where a material of the scene emits or is unlit, or is glossy.
+// What the G-buffer has only where a material of the scene emits or is unlit, is glossy, or has a normal map.
 struct ExtraTargets {
     bool emissive = false;
     bool gloss = false;
+    bool mappedNormals = false;
 };
 // Those that a scene needs.
 ExtraTargets extraTargets(const SceneFeatures& features, Specular specular);
@@ -29,6 +30,8 @@ class GBuffer {
         const gl::Texture* emissive;  // RGBA16F relative to E/pi; null where nothing emits
         const gl::Texture* gloss;     // RG8: metallic, roughness; null where nothing is glossy
         const gl::Texture* depth;     // 1 where there is no surface
+        bool mappedNormals;  // `normal` is RGBA16UI: as normal maps turn it, and, in blue and alpha, of the
+                             // geometry
     };
     Targets draw(const GpuScene& scene);
     // Makes the targets anew; the programs stay.

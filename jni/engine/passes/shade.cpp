@@ -9,6 +9,7 @@ gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const Li
                                     const Settings& settings) {
     std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
     if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    if (targets.mappedNormals) defines.emplace_back("VCT_MAPPED_NORMALS");
     const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
     if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
     if (sources.punctual && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
@@ -42,8 +43,8 @@ void Shade::resize(glm::ivec2 size) {
 }
 
 const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surface) {
-    const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr};
-    const auto key = std::make_tuple(picture, targets.emissive, targets.gloss);
+    const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr, surface.mappedNormals};
+    const auto key = std::make_tuple(picture, targets.emissive, targets.gloss, targets.mappedNormals);
     auto found = programs_.find(key);
     if (found == programs_.end())
         found =

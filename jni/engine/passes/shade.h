@@ -33,7 +33,7 @@ class Shade {
     gl::ShaderLibrary shaders_;
     LightSources sources_;
     Settings settings_;
-    std::map<std::tuple<int, bool, bool>, gl::Program> programs_;  // compiled when first asked for
+    std::map<std::tuple<int, bool, bool, bool>, gl::Program> programs_;  // compiled when first asked for
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;
