@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
 from scenes import (contact, cornell, corridor, courtyard, furnace, glossy, lamp, lone_plane, moving,  # noqa: E402
-                    night, patio, thin_wall)
+                    night, patio, thin_wall, walker)
 
 SCENES = {
     "contact": contact.build,
@@ -27,6 +27,7 @@ SCENES = {
     "night": night.build,
     "patio": patio.build,
     "thin_wall": thin_wall.build,
+    "walker": walker.build,
 }
 SKIES = {"patio": patio.sky}  # of a scene that lies under it
 ROOT = pathlib.Path(__file__).resolve().parent.parent

@@ -68,7 +68,7 @@ INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to each light",
 SEED = 0
 # Scenes that are another one scaled, and so have its picture: their references are its references.
 SAME_PICTURE = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}
-ANIMATED = {"moving"}  # not one picture, so there is none to compare with
+ANIMATED = {"moving", "walker"}  # not one picture, so there is none to compare with
 
 
 def still_scenes() -> list[pathlib.Path]:
@@ -132,9 +132,10 @@ def rounded(value):
     return [rounded(v) for v in value] if isinstance(value, list) else value
 
 
-def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None) -> None:
+def make(path: pathlib.Path, out: pathlib.Path, kinds: list[str], size: tuple[int, int], samples: int | None,
+         seconds: float | None) -> None:
     from truth.scene import load_scene
-    scene = load_scene(path, size)
+    scene = load_scene(path, size, seconds)
     if kinds == list(KINDS) and any(scene.materials[i].glossy for i in set(scene.material_of.tolist())):
         kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, size, samples)
@@ -184,6 +185,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--kinds", default=",".join(KINDS), help=f"with commas (default: {','.join(KINDS)})")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "references",
                         help="folder; a scene's references go into <out>/<its name> (default: references)")
+    parser.add_argument("--time", type=float, metavar="SECONDS", help="of the scene's first animation, as `vct render --time` "
+                        "takes it (default: at rest)")
     parser.add_argument("--check", action="store_true", help="make anew, compare with what is stored, write nothing")
     args = parser.parse_args()
     args.kinds = args.kinds.split(",")
@@ -201,10 +204,10 @@ def main() -> int:
         out = reference_folder(path, args.out)
         try:
             if not args.check:
-                make(path, out, args.kinds, args.size, args.spp)
+                make(path, out, args.kinds, args.size, args.spp, args.time)
                 continue
             with tempfile.TemporaryDirectory() as folder:
-                make(path, pathlib.Path(folder), args.kinds, args.size, args.spp)
+                make(path, pathlib.Path(folder), args.kinds, args.size, args.spp, args.time)
                 changed = differing(out, pathlib.Path(folder))
         except (GltfError, SkyError) as error:
             sys.exit(f"error: {error}")

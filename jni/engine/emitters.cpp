@@ -254,6 +254,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
         if (material.emissive == glm::vec3(0.0F)) continue;
+        if (instance.deforms) continue;  // parts of one shape; the voxels hold its light
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;

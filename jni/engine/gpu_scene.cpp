@@ -104,8 +104,8 @@ class Indices {
 
 }  // namespace
 
-GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Volume& volume,
-                   float radianceUnit, int uniformAlignment, Voxelization voxelization)
+GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+                   const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization)
     : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
@@ -136,8 +136,12 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Vol
         shared::DrawUniforms values =
             materialUniforms(material, !lamps.empty() && lamps[place], radianceUnit);
         vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
+        if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
-        if (instance.moves()) {
+        if (instance.deforms) {
+            addDeforming(mesh, draw);
+            moving_.back().firstVertex = indices.firstVertexOf(instance.mesh);
+        } else if (instance.moves()) {
             addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
         } else if (voxelization == Voxelization::sortedAxes) {
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
@@ -156,7 +160,10 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Vol
     }
     firstMovingIndex_ = indices.all().size();
     for (Draw& draw : draws_)
-        if (draw.moving >= 0) place(draw);
+        if (draw.moving >= 0 && moving_[static_cast<std::size_t>(draw.moving)].form == nullptr) place(draw);
+    std::vector<std::uint32_t> allIndices = indices.all();
+    allIndices.insert(allIndices.end(), movingIndices_.begin(), movingIndices_.end());
+    if (!deforming_.empty()) makeDeformer(shaders, allIndices);
     std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
         return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
                std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
@@ -167,10 +174,12 @@ GpuScene::GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Vol
 
     uniforms_ = gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniformBytes_.size(), uniformBytes_.data(),
                            moves() ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
-    std::vector<std::uint32_t> allIndices = indices.all();
-    allIndices.insert(allIndices.end(), movingIndices_.begin(), movingIndices_.end());
     uploadGeometry(scene, allIndices);
     uploadTextures(scene);
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < moving_.size(); ++i)
+        if (moving_[i].form != nullptr) all.push_back(i);
+    deform(all);
     if (!moves()) uniformBytes_ = {};
 }
 
@@ -185,6 +194,50 @@ void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32
         {instance.node, instance.worldFromObject, found->second, firstVertex, movingIndices_.size(), {}});
     if (voxelization_ == Voxelization::sortedAxes)
         movingIndices_.resize(movingIndices_.size() + mesh.indices.size());
+}
+
+void GpuScene::addDeforming(const Mesh& mesh, Draw& draw) {
+    Moving moving;
+    moving.mesh = deforming_.size();
+    deforming_.push_back({mesh.deformation, DeformationBoxes(*mesh.deformation)});
+    setForm(moving, stateOf(*mesh.deformation, nullptr));
+    draw.moving = static_cast<int>(moving_.size());
+    moving_.push_back(std::move(moving));
+}
+
+// `indices`: of the whole buffer; room for the sorted triangles is added.
+void GpuScene::makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::uint32_t>& indices) {
+    const bool sorts = voxelization_ == Voxelization::sortedAxes;
+    std::vector<Deformer::Part> parts;
+    for (Draw& draw : draws_) {
+        const Moving* const moving =
+            draw.moving < 0 ? nullptr : &moving_[static_cast<std::size_t>(draw.moving)];
+        if (moving == nullptr || moving->form == nullptr) continue;
+        const auto count = static_cast<std::size_t>(draw.triangles.count);
+        parts.push_back({deforming_[moving->mesh].deformation,
+                         count / 3,
+                         {moving->firstVertex, draw.triangles.first, indices.size()}});
+        if (!sorts) continue;
+        for (IndexRange& range : draw.trianglesAlong) {
+            range = {indices.size(), draw.triangles.count};
+            indices.resize(indices.size() + count, moving->firstVertex);
+        }
+    }
+    deformer_.emplace(shaders, std::move(parts), sorts, volumeFromWorld_);
+}
+
+void GpuScene::setForm(Moving& moving, DeformationState state) {
+    moving.boundsWorld = deforming_[moving.mesh].boxes.around(state, glm::dmat4(1.0));
+    moving.form = std::make_shared<const DeformationState>(std::move(state));
+}
+
+// `changed`: indices into moving_, of those that change their form.
+void GpuScene::deform(const std::vector<std::size_t>& changed) const {
+    if (changed.empty()) return;
+    Deformer::begin();
+    for (const std::size_t i : changed)
+        deformer_->deform(moving_[i].mesh, *moving_[i].form, vertices_, indices_, vertexFloats_);
+    Deformer::end();
 }
 
 // Into uniformBytes_ and movingIndices_.
@@ -212,9 +265,13 @@ void GpuScene::place(Draw& draw) {
 
 std::vector<Placement> GpuScene::placements() const {
     std::vector<Placement> placements;
-    for (const Moving& moving : moving_)
-        placements.push_back({moving.worldFromObject, boundsOf(movingMeshes_[moving.mesh].corners,
-                                                               volumeFromWorld_ * moving.worldFromObject)});
+    for (const Moving& moving : moving_) {
+        const Bounds box =
+            moving.form != nullptr
+                ? deforming_[moving.mesh].boxes.around(*moving.form, volumeFromWorld_)
+                : boundsOf(movingMeshes_[moving.mesh].corners, volumeFromWorld_ * moving.worldFromObject);
+        placements.push_back({moving.worldFromObject, box, moving.form});
+    }
     return placements;
 }
 
@@ -247,9 +304,17 @@ void GpuScene::setPose(const Pose& pose) {
         }
     };
     Range bytes, indices;
+    std::vector<std::size_t> deformed;
     for (Draw& draw : draws_) {
         if (draw.moving < 0) continue;
         Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+        if (moving.form != nullptr) {
+            DeformationState state = stateOf(*deforming_[moving.mesh].deformation, &pose);
+            if (state == *moving.form) continue;
+            setForm(moving, std::move(state));
+            deformed.push_back(static_cast<std::size_t>(draw.moving));
+            continue;
+        }
         const glm::dmat4& worldFromObject = pose.worldFromNode.at(static_cast<std::size_t>(moving.node));
         if (worldFromObject == moving.worldFromObject) continue;
         moving.worldFromObject = worldFromObject;
@@ -257,6 +322,7 @@ void GpuScene::setPose(const Pose& pose) {
         bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
         indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
     }
+    deform(deformed);
     if (bytes.end == 0) return;
     sortVisibleDraws();
     const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
@@ -339,6 +405,7 @@ Resources GpuScene::resources() const {
     Resources resources;
     for (const gl::Buffer* buffer : {&vertices_, &indices_, &uniforms_})
         add(resources, *buffer);
+    if (deformer_) add(resources, deformer_->resources());
     std::size_t textureBytes = 0;
     for (const std::vector<gl::Texture>* textures : {&textures_, &dataTextures_})
         for (const gl::Texture& texture : *textures)

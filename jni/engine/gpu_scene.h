@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "engine/deformer.h"
 #include "engine/directional/dirty_blocks.h"
 #include "engine/material_programs.h"
 #include "engine/resource.h"
@@ -29,8 +30,8 @@ class GpuScene {
     // The scene is at rest. `lamps`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
     // E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes the triangles of
     // each instance are sorted by their axis (axis_sort.h).
-    GpuScene(const Scene& scene, const std::vector<bool>& lamps, const Volume& volume, float radianceUnit,
-             int uniformAlignment, Voxelization voxelization);
+    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+             const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization);
 
     // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.
     void setPose(const Pose& pose);
@@ -79,12 +80,13 @@ class GpuScene {
     };
     // What the draw of an instance that moves is made of anew in each pose.
     struct Moving {
-        int node = 0;  // of the scene's animation
+        int node = -1;  // of the scene's animation; -1: it changes its form, and vertices are in volume space
         glm::dmat4 worldFromObject{1.0};
-        std::size_t mesh = 0;           // index into movingMeshes_
+        std::size_t mesh = 0;           // index into movingMeshes_, or into deforming_
         std::uint32_t firstVertex = 0;  // of the mesh
         std::size_t firstIndex = 0;     // in movingIndices_: room for all of its triangles
         Bounds boundsWorld;             // of the box around the mesh, in the present pose
+        std::shared_ptr<const DeformationState> form = nullptr;  // in the present pose, where it changes
     };
     // A mesh of them: what sorts its triangles, and its box.
     struct MovingMesh {
@@ -92,6 +94,16 @@ class GpuScene {
         std::vector<glm::dvec3> corners;  // object space
     };
 
+    // One that changes its form.
+    struct Deforming {
+        std::shared_ptr<const Deformation> deformation;
+        DeformationBoxes boxes;
+    };
+
+    void addDeforming(const Mesh& mesh, Draw& draw);
+    void makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::uint32_t>& indices);
+    void setForm(Moving& moving, DeformationState state);
+    void deform(const std::vector<std::size_t>& changed) const;
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
@@ -111,6 +123,9 @@ class GpuScene {
     std::vector<std::size_t> visibleDraws_;
     std::vector<Moving> moving_;
     std::vector<MovingMesh> movingMeshes_;
+    std::vector<Deforming> deforming_;
+    std::optional<Deformer> deformer_;
+    std::size_t vertexFloats_ = 0;  // of each vertex, in their buffer
     // What the buffers hold, where something moves: the uniforms of all draws, the triangles of those that
     // move.
     std::vector<unsigned char> uniformBytes_;

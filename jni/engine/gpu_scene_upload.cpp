@@ -39,6 +39,9 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
                 vertices.insert(vertices.end(), values, values + attribute.components);
             }
         }
+    vertexFloats_ = 0;
+    for (const Attribute& attribute : attributes)
+        vertexFloats_ += static_cast<std::size_t>(attribute.components);
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
                           indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);

@@ -48,8 +48,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       emitters_(lampsOf(scene, volume_, settings, radianceUnit(light))),
-      scene_(scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_, radianceUnit(light),
-             capabilities.uniformBufferOffsetAlignment, settings.voxelization),
+      scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
+             radianceUnit(light), capabilities.uniformBufferOffsetAlignment, settings.voxelization),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.

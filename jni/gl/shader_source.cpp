@@ -28,7 +28,7 @@ std::string header(const std::string& stage, Language language) {
     if (language == Language::essl310) {
         if (stage == ".geom") text += "#extension GL_EXT_geometry_shader : require\n";
         // For `precise`, where there is it (shared/dominant_axis.h).
-        if (stage == ".vert" || stage == ".geom") text += "#extension GL_EXT_gpu_shader5 : enable\n";
+        if (stage != ".frag") text += "#extension GL_EXT_gpu_shader5 : enable\n";
         if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
     }
     text += "precision highp float;\nprecision highp int;\n";

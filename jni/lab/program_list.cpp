@@ -29,14 +29,26 @@ bool possible(unsigned features) {
 }  // namespace
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(),      packedClearProgram(),       voxelViewProgram(),
+    std::vector<gl::ProgramDescription> programs{packedMipmapperProgram(),
+                                                 packedClearProgram(),
+                                                 voxelViewProgram(),
 
-        directionalResolveProgram(),   directionalLevelsProgram(), directionalClearBaseProgram(),
-        directionalMipmapperProgram(), directionalClearProgram(),  shadowMomentsProgram(),
-        nextShadowMomentsProgram(),    staticResolveProgram(),     dirtyResolveProgram(),
-        dirtyMipmapperProgram(),       dirtyClearBaseProgram(),    clearDynamicProgram(),
-        clearRadianceProgram(),        relightResolveProgram()};
+                                                 directionalResolveProgram(),
+                                                 directionalLevelsProgram(),
+                                                 directionalClearBaseProgram(),
+                                                 directionalMipmapperProgram(),
+                                                 directionalClearProgram(),
+                                                 shadowMomentsProgram(),
+                                                 nextShadowMomentsProgram(),
+                                                 staticResolveProgram(),
+                                                 dirtyResolveProgram(),
+                                                 dirtyMipmapperProgram(),
+                                                 dirtyClearBaseProgram(),
+                                                 clearDynamicProgram(),
+                                                 clearRadianceProgram(),
+                                                 relightResolveProgram(),
+                                                 deformProgram(),
+                                                 sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -51,7 +63,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
         }
         for (bool emissive : {false, true})
             for (bool gloss : {false, true})
-                programs.push_back(gBufferProgram(features, {emissive, gloss}));
+                for (bool mapped : {false, true})
+                    programs.push_back(gBufferProgram(features, {emissive, gloss, mapped}));
     }
     Settings softMap;
     softMap.shadow = Shadow::softMap;
@@ -74,10 +87,11 @@ std::vector<gl::ProgramDescription> everyProgram() {
                 for (bool gloss : {false, true})
                     for (bool punctual : {false, true})
                         for (bool emitters : {false, true})
-                            if (faces || (!gloss && !emitters))
-                                programs.push_back(shadeProgram(
-                                    mode, {emissive, gloss},
-                                    {punctual, settings.environment != nullptr, emitters}, settings));
+                            for (bool mapped : {false, true})
+                                if ((faces || (!gloss && !emitters)) && (!mapped || !emissive))
+                                    programs.push_back(shadeProgram(
+                                        mode, {emissive, gloss, mapped},
+                                        {punctual, settings.environment != nullptr, emitters}, settings));
         if (settings.voxels != Voxels::directional) continue;
         for (const bool emitters : {false, true})
             programs.push_back(irradianceProgram(settings.gather, GatherOf::light,
@@ -141,6 +155,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         for (unsigned f : features.materialFeatures)
             add(Step::voxelize, packedVoxelizerProgram(f, settings.voxelization));
         add(Step::mipmap, packedMipmapperProgram());
+    }
+    if (features.deforms) {
+        add(Step::voxelize, deformProgram());
+        if (settings.voxelization == Voxelization::sortedAxes) add(Step::voxelize, sortAxesProgram());
     }
     if (sources.punctual && mode != Mode::phong)
         for (unsigned f : features.materialFeatures)

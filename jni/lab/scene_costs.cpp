@@ -83,6 +83,13 @@ std::vector<std::string> cellsOf(const SceneCosts& costs, const SceneCosts::Row&
     return cells;
 }
 
+void keepForm(Scene& scene) {
+    for (Instance& instance : scene.instances)
+        instance.deforms = false;
+    for (Mesh& mesh : scene.meshes)
+        mesh.deformation = nullptr;
+}
+
 }  // namespace
 
 const std::vector<SceneFeature>& allSceneFeatures() {
@@ -116,8 +123,10 @@ const std::vector<SceneFeature>& allSceneFeatures() {
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m.doubleSided = false; }); }},
         {"several materials and their features", [](const SceneFeatures& f) { return f.materials > 1; },
          [](Scene& scene) { forEachMaterial(scene, [](Material& m) { m = Material(); }); }},
+        {"skins and morph targets that play", [](const SceneFeatures& f) { return f.deforms; }, keepForm},
         {"moving objects", [](const SceneFeatures& f) { return f.movingObjects; },
          [](Scene& scene) {
+             keepForm(scene);
              for (Instance& instance : scene.instances)
                  instance.node = -1;
          }},

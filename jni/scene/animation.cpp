@@ -51,9 +51,10 @@ glm::dvec4 valueAt(const AnimationChannel& channel, double seconds) {
     return (1.0 - u) * from + u * to;
 }
 
-void apply(const AnimationChannel& channel, double seconds, NodeTransform& transform) {
-    const glm::dvec4 value = valueAt(channel, seconds);
+void apply(const AnimationChannel& channel, const glm::dvec4& value, NodeTransform& transform) {
     switch (channel.path) {
+        case Path::morphWeight:
+            return;  // of no node
         case Path::translation:
             transform.translation = glm::dvec3(value);
             return;
@@ -87,10 +88,16 @@ Pose poseAt(const Animation& animation, double seconds) {
     transforms.reserve(animation.nodes.size());
     for (const MovingNode& node : animation.nodes)
         transforms.push_back(node.rest);
-    for (const AnimationChannel& channel : animation.channels)
-        apply(channel, seconds, transforms[channel.node]);
-
     Pose pose;
+    pose.morphWeights = animation.morphWeights;
+    for (const AnimationChannel& channel : animation.channels) {
+        const glm::dvec4 value = valueAt(channel, seconds);
+        if (channel.path == Path::morphWeight)
+            pose.morphWeights[channel.node][channel.target] = static_cast<float>(value.x);
+        else
+            apply(channel, value, transforms[channel.node]);
+    }
+
     pose.worldFromNode.reserve(animation.nodes.size());
     for (std::size_t i = 0; i < animation.nodes.size(); ++i) {
         const MovingNode& node = animation.nodes[i];

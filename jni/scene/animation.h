@@ -28,14 +28,16 @@ struct MovingNode {
 };
 
 struct AnimationChannel {
-    enum class Path { translation, rotation, scale };
+    enum class Path { translation, rotation, scale, morphWeight };
     enum class Interpolation { step, linear, cubicSpline };
 
-    int node = 0;  // index into Animation::nodes
+    int node = 0;    // index into Animation::nodes, or, of a weight, into Animation::morphWeights
+    int target = 0;  // of a weight: which
     Path path = Path::translation;
     Interpolation interpolation = Interpolation::linear;
     std::vector<float> times;  // seconds, at least one, from 0 on, strictly increasing
-    // One per key, or three for cubicSpline: in-tangent, value, out-tangent. Rotations are x, y, z, w.
+    // One per key, or three for cubicSpline: in-tangent, value, out-tangent. Rotations are x, y, z, w; of
+    // weights x counts.
     std::vector<glm::dvec4> values;
 };
 
@@ -43,13 +45,16 @@ struct AnimationChannel {
 struct Animation {
     std::string name;
     std::vector<MovingNode> nodes;  // parents first
+    // Of each mesh whose weights change: those of its morph targets, at rest.
+    std::vector<std::vector<float>> morphWeights;
     std::vector<AnimationChannel> channels;
     double durationS = 0.0;  // the last key's time
 };
 
 // Where everything that moves is at one time: a function of the animation and the time alone.
 struct Pose {
-    std::vector<glm::dmat4> worldFromNode;  // of each of Animation::nodes
+    std::vector<glm::dmat4> worldFromNode;         // of each of Animation::nodes
+    std::vector<std::vector<float>> morphWeights;  // as Animation::morphWeights
 };
 
 // Before a channel's first key and after its last it stands still. `seconds` must be finite.

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/memory.h"
+#include "scene/gltf_deformations.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_instancing.h"
 #include "scene/gltf_lights.h"
@@ -34,30 +35,64 @@ bool isFlattened(const glm::dmat4& matrix) {
 // Meshes by index in the file, one per primitive with triangles; each is loaded when a node first asks.
 class MeshLoader {
   public:
-    MeshLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene), materials_(file, scene) {}
+    MeshLoader(GltfFile& file, Scene& scene, const std::vector<PlacedNode>& nodes)
+        : file_(file), scene_(scene), materials_(file, scene), deformed_(file, nodes) {}
 
-    const std::vector<int>& get(int index) {
+    // Of a primitive.
+    struct Part {
+        Mesh mesh;            // empty where nothing can deform it
+        int asModelled = -1;  // index into Scene::meshes; -1: not there yet
+    };
+    // Those that the node shows as they are modelled are in the scene, and so are the instances of the
+    // others.
+    std::vector<int> add(const PlacedNode& placed) {
+        std::vector<int> asModelled;
+        for (Part& part : partsOf(placed.node->mesh)) {
+            if (deformed_.deforms(placed, part.mesh)) {
+                Instance instance{static_cast<int>(scene_.meshes.size())};
+                scene_.meshes.push_back(deformed_.at(placed, part.mesh));
+                instance.deforms = scene_.meshes.back().deformation != nullptr;
+                scene_.instances.push_back(instance);
+                continue;
+            }
+            if (part.asModelled < 0) {
+                part.asModelled = static_cast<int>(scene_.meshes.size());
+                scene_.meshes.push_back(part.mesh);
+                scene_.meshes.back().deformation = nullptr;
+            }
+            asModelled.push_back(part.asModelled);
+        }
+        return asModelled;
+    }
+
+  private:
+    std::vector<Part>& partsOf(int index) {
         const auto found = meshes_.find(index);
         if (found != meshes_.end()) return found->second;
         const tinygltf::Mesh& source = file_.at(file_.model.meshes, index, "mesh");
-        std::vector<int>& loaded = meshes_[index];
+        std::vector<Part>& loaded = meshes_[index];
         const std::string name = "mesh " + indexAndName(static_cast<std::size_t>(index), source.name);
         for (const tinygltf::Primitive& primitive : source.primitives) {
             const std::optional<tinygltf::Primitive> unpacked = unpackDraco(file_, primitive, name);
             std::optional<Mesh> mesh = loadPrimitive(file_, unpacked ? *unpacked : primitive, materials_,
                                                      static_cast<std::size_t>(index));
             if (!mesh) continue;
-            loaded.push_back(static_cast<int>(scene_.meshes.size()));
+            loaded.emplace_back();
+            if (mesh->deformation != nullptr) {
+                loaded.back().mesh = std::move(*mesh);
+                continue;
+            }
+            loaded.back().asModelled = static_cast<int>(scene_.meshes.size());
             scene_.meshes.push_back(std::move(*mesh));
         }
         return loaded;
     }
 
-  private:
     GltfFile& file_;
     Scene& scene_;
     MaterialLoader materials_;
-    std::map<int, std::vector<int>> meshes_;
+    DeformedMeshes deformed_;
+    std::map<int, std::vector<Part>> meshes_;
 };
 
 struct Placement {
@@ -85,25 +120,31 @@ std::vector<Placement> placementsOf(GltfFile& file, const PlacedNode& placed, An
 Scene buildScene(GltfFile& file, const std::string& animation) {
     Scene scene;
     scene.path = file.path;
-    MeshLoader meshes(file, scene);
     std::size_t triangles = 0;
     std::vector<PlacedNode> nodes = placeNodes(file);
     scene.animation = loadAnimation(file, animation, nodes);
+    MeshLoader meshes(file, scene, nodes);
+    const auto count = [&](std::size_t firstInstance) {
+        for (std::size_t i = firstInstance; i < scene.instances.size(); ++i)
+            triangles += scene.meshes[scene.instances[i].mesh].indices.size() / 3;
+        if (triangles > maxTriangles || scene.instances.size() > maxInstances)
+            file.fail("it places more triangles than this program can draw", "simplify the scene");
+    };
     for (const PlacedNode& placed : nodes) {
         addLight(file, placed, scene);
         if (placed.node->mesh == -1) continue;
-        const std::vector<int>& parts = meshes.get(placed.node->mesh);
+        std::size_t first = scene.instances.size();
+        const std::vector<int> parts = meshes.add(placed);
+        count(first);
         for (const Placement& place : placementsOf(file, placed, scene.animation)) {
             if (place.moving < 0 && isFlattened(place.worldFromObject)) {
                 file.warn("nodes scaled to zero are left out");
                 continue;
             }
-            for (const int mesh : parts) {
+            first = scene.instances.size();
+            for (const int mesh : parts)
                 scene.instances.push_back({mesh, place.worldFromObject, place.moving});
-                triangles += scene.meshes[mesh].indices.size() / 3;
-                if (triangles > maxTriangles || scene.instances.size() > maxInstances)
-                    file.fail("it places more triangles than this program can draw", "simplify the scene");
-            }
+            count(first);
         }
     }
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");

@@ -154,8 +154,11 @@ std::vector<float> readFloats(GltfFile& file, int index, int width, Components c
     const std::string name = named(index) + " (" + attribute + ")";
     constexpr int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
                              TINYGLTF_TYPE_VEC4};
-    if (accessor.type != types[width - 1])
-        file.fail(name + " is not a " + (width == 1 ? "SCALAR" : "VEC" + std::to_string(width)));
+    if (accessor.type != (width == 16 ? TINYGLTF_TYPE_MAT4 : types[width - 1]))
+        file.fail(name + " is not a " +
+                  (width == 1    ? "SCALAR"
+                   : width == 16 ? "MAT4"
+                                 : "VEC" + std::to_string(width)));
 
     const int type = accessor.componentType;
     const std::size_t componentSize = componentBytes(type);

@@ -15,8 +15,8 @@ ByteRange viewBytes(GltfFile& file, int bufferView);
 // Which component types an attribute may have besides float.
 enum class Components { floatOnly, floatOrNormalizedUnsigned, floatOrNormalized, anySmallInteger };
 
-// `width` (1 to 4) floats per element, normalized integers converted, sparse values put in place.
-// `attribute` names it in an error.
+// `width` (1 to 4, or the 16 of a matrix, column by column) floats per element, normalized integers
+// converted, sparse values put in place. `attribute` names it in an error.
 std::vector<float> readFloats(GltfFile& file, int accessor, int width, Components components,
                               const std::string& attribute);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <set>
 
 #include "core/error.h"
@@ -16,8 +18,10 @@ using nlohmann::json;
 using Interpolation = AnimationChannel::Interpolation;
 using Path = AnimationChannel::Path;
 
-constexpr std::pair<const char*, Path> paths[] = {
-    {"translation", Path::translation}, {"rotation", Path::rotation}, {"scale", Path::scale}};
+constexpr std::pair<const char*, Path> paths[] = {{"translation", Path::translation},
+                                                  {"rotation", Path::rotation},
+                                                  {"scale", Path::scale},
+                                                  {"weights", Path::morphWeight}};
 constexpr std::pair<const char*, Interpolation> interpolations[] = {
     {"STEP", Interpolation::step},
     {"LINEAR", Interpolation::linear},
@@ -67,21 +71,21 @@ class ChannelLoader {
     ChannelLoader(GltfFile& file, const json& samplers, const json& source, const std::string& name)
         : file_(file), samplers_(samplers), source_(source), name_(name) {}
 
-    // Nothing where the channel moves no node. AnimationChannel::node is the file's.
-    std::optional<AnimationChannel> load() {
+    // Nothing where the channel moves no node. AnimationChannel::node is the file's. Of weights there is one
+    // for each target of the node's mesh, of which there are `targetsOf` the node.
+    std::vector<AnimationChannel> load(const std::function<std::size_t(int node)>& targetsOf) {
         const auto target = source_.find("target");
         require(target != source_.end() && target->is_object(), "has no target");
         const std::string pathName = textAt(*target, "path");
         const auto path = find(paths, pathName);
         const auto node = index(*target, "node", "node", file_.model.nodes.size());
-        if (pathName == "weights")
-            file_.warn("morph targets are ignored: animated weights change nothing");
-        else if (!path)
+        if (!path)
             file_.warn("animation channels of the path \"" + oneLine(pathName) + "\" are ignored");
         else if (!node)  // section 3.11: for extensions
             file_.warn("animation channels without a node are ignored");
-        if (!path || !node) return std::nullopt;
-        require(file_.model.nodes[*node].matrix.empty(),
+        if (!path || !node) return {};
+        const bool weights = *path == Path::morphWeight;
+        require(weights || file_.model.nodes[*node].matrix.empty(),
                 "moves a node that has a matrix; only translation, rotation and scale can be animated");
         const auto sampler = index(source_, "sampler", "sampler", samplers_.size());
         require(sampler.has_value(), "has no sampler");
@@ -90,8 +94,9 @@ class ChannelLoader {
         channel.path = *path;
         setInterpolation(samplers_[*sampler], channel);
         setTimes(samplers_[*sampler], channel);
+        if (weights) return ofWeights(samplers_[*sampler], channel, targetsOf(channel.node));
         setValues(samplers_[*sampler], channel);
-        return channel;
+        return {channel};
     }
 
   private:
@@ -176,6 +181,37 @@ class ChannelLoader {
         }
     }
 
+    // Of each key, and each of its tangents, the file has one value for each target.
+    std::vector<AnimationChannel> ofWeights(const json& sampler, const AnimationChannel& timed,
+                                            std::size_t targets) const {
+        if (targets == 0) {
+            file_.warn("animated weights of a mesh without morph targets are ignored");
+            return {};
+        }
+        const std::vector<float> values = readFloats(file_, accessor(sampler, "output"), 1,
+                                                     Components::floatOrNormalized, name_ + ", values");
+        const std::size_t steps =
+            timed.times.size() * (timed.interpolation == Interpolation::cubicSpline ? 3 : 1);
+        require(values.size() == steps * targets, "has " + std::to_string(values.size()) + " values for " +
+                                                      std::to_string(timed.times.size()) + " keys of " +
+                                                      std::to_string(targets) + " weights, where " +
+                                                      std::to_string(steps * targets) + " are needed");
+        file_.reserveGeometry(targets * timed.times.size(), sizeof(float));
+        file_.reserveGeometry(values.size(), sizeof(glm::dvec4));
+        std::vector<AnimationChannel> channels;
+        for (std::size_t target = 0; target < targets; ++target) {
+            AnimationChannel channel = timed;
+            channel.target = static_cast<int>(target);
+            for (std::size_t step = 0; step < steps; ++step) {
+                const float value = values[step * targets + target];
+                require(std::abs(value) <= 1e9F, "has a value that is not a usable number");
+                channel.values.emplace_back(value, 0.0, 0.0, 0.0);
+            }
+            channels.push_back(std::move(channel));
+        }
+        return channels;
+    }
+
     GltfFile& file_;
     const json& samplers_;
     const json& source_;
@@ -193,19 +229,28 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
     const std::string name = "animation " + names[chosen];
     const json samplers = takeObjects(file, source, "samplers", name + ": its");
 
+    // What the mesh of a node in the scene has; one outside has none, as it is not seen.
+    std::map<int, PlacedNode*> placedOf;
+    for (PlacedNode& node : placed)
+        placedOf[static_cast<int>(node.node - file.model.nodes.data())] = &node;
+    const auto targetsOf = [&](int node) {
+        const auto found = placedOf.find(node);
+        return found == placedOf.end() ? 0 : morphWeightsAtRest(file, *found->second->node).size();
+    };
     std::set<std::pair<int, Path>> targets;
     std::vector<bool> isMoved(file.model.nodes.size());
-    std::vector<AnimationChannel> channels;
+    std::vector<AnimationChannel> channels, ofWeights;
     std::size_t count = 0;
     for (const json& element : takeObjects(file, source, "channels", name + ": its")) {
         const std::string which = name + ", channel " + std::to_string(count++);
-        std::optional<AnimationChannel> channel = ChannelLoader(file, samplers, element, which).load();
-        if (!channel) continue;
-        if (!targets.insert({channel->node, channel->path}).second)
-            file.fail(which + " moves the " + textAt(element["target"], "path") + " of node " +
-                      std::to_string(channel->node) + ", which another channel moves already");
-        isMoved[channel->node] = true;
-        channels.push_back(std::move(*channel));
+        for (AnimationChannel& channel : ChannelLoader(file, samplers, element, which).load(targetsOf)) {
+            if (channel.target == 0 && !targets.insert({channel.node, channel.path}).second)
+                file.fail(which + " moves the " + textAt(element["target"], "path") + " of node " +
+                          std::to_string(channel.node) + ", which another channel moves already");
+            const bool weights = channel.path == Path::morphWeight;
+            if (!weights) isMoved[channel.node] = true;
+            (weights ? ofWeights : channels).push_back(std::move(channel));
+        }
     }
 
     std::vector<int> movingOf(file.model.nodes.size(), -1);  // stays -1 outside the scene
@@ -224,10 +269,33 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
         animation.durationS = std::max(animation.durationS, static_cast<double>(channel.times.back()));
         animation.channels.push_back(std::move(channel));
     }
+    for (AnimationChannel& channel : ofWeights) {
+        PlacedNode& node = *placedOf.at(channel.node);
+        if (node.morph < 0) {
+            node.morph = static_cast<int>(animation.morphWeights.size());
+            animation.morphWeights.push_back(morphWeightsAtRest(file, *node.node));
+        }
+        channel.node = node.morph;
+        animation.durationS = std::max(animation.durationS, static_cast<double>(channel.times.back()));
+        animation.channels.push_back(std::move(channel));
+    }
     return animation;
 }
 
 }  // namespace
+
+std::vector<float> morphWeightsAtRest(const GltfFile& file, const tinygltf::Node& node) {
+    if (node.mesh < 0) return {};
+    const tinygltf::Mesh& mesh = file.at(file.model.meshes, node.mesh, "mesh");
+    std::size_t targets = 0;
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+        targets = std::max(targets, primitive.targets.size());
+    const std::vector<double>& given = node.weights.empty() ? mesh.weights : node.weights;
+    std::vector<float> weights(targets);
+    for (std::size_t i = 0; i < std::min(targets, given.size()); ++i)
+        if (std::abs(given[i]) <= 1e9) weights[i] = static_cast<float>(given[i]);
+    return weights;
+}
 
 Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed) {
     const std::size_t chosen = choose(file, nameOrIndex);

@@ -304,8 +304,6 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");
     file.animations = takeObjects(file, document, "animations", "its");
-    if (!takeObjects(file, document, "skins", "its").empty())
-        file.warn("skins are ignored: meshes stay as they are modelled");
 
     tinygltf::TinyGLTF parser;
     std::string errors;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "scene/gltf_accessors.h"
+#include "scene/gltf_deformations.h"
 #include "scene/gltf_materials.h"
 
 namespace vct {
@@ -73,23 +74,33 @@ glm::dvec3 areaNormal(const Mesh& mesh, std::size_t firstIndex) {
 const glm::vec3 degenerateNormal{0.0F, 1.0F, 0.0F};  // of a triangle without area, which is never seen
 
 // glTF 2.0 section 3.7.2.1: without normals, flat ones; each triangle gets vertices of its own.
-void makeFlat(GltfFile& file, Mesh& mesh) {
-    file.reserveGeometry(mesh.indices.size(), sizeof(Vertex));
-    std::vector<Vertex> vertices;
-    vertices.reserve(mesh.indices.size());
-    std::vector<VertexExtras> extras;
-    if (!mesh.extras.empty()) file.reserveGeometry(mesh.indices.size(), sizeof(VertexExtras));
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 normal = unitOr(areaNormal(mesh, i), degenerateNormal);
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            vertices.push_back(mesh.vertices[mesh.indices[i + corner]]);
-            vertices.back().normal = normal;
-            if (!mesh.extras.empty()) extras.push_back(mesh.extras[mesh.indices[i + corner]]);
+// Those of a mesh that changes its form turn with its joints, and not with its targets.
+void makeFlat(GltfFile& file, Mesh& mesh, Deformation* deformation) {
+    const auto split = [&](auto& ofVertices) {
+        if (ofVertices.empty()) return;
+        using Element = typename std::decay_t<decltype(ofVertices)>::value_type;
+        file.reserveGeometry(mesh.indices.size(), sizeof(Element));
+        std::vector<Element> ofCorners;
+        ofCorners.reserve(mesh.indices.size());
+        for (const std::uint32_t index : mesh.indices)
+            ofCorners.push_back(ofVertices[index]);
+        ofVertices = std::move(ofCorners);
+    };
+    if (deformation != nullptr) {
+        split(deformation->influences);
+        for (MorphTarget& target : deformation->targets) {
+            split(target.positions);
+            target.normals.clear();  // of normals that the file does not have
         }
     }
-    mesh.vertices = std::move(vertices);
-    mesh.extras = std::move(extras);
+    split(mesh.extras);
+    split(mesh.vertices);
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::vec3 normal = unitOr(areaNormal(mesh, i), degenerateNormal);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            mesh.vertices[i + corner].normal = normal;
+    }
 }
 
 // Unit normals; where the file's have no direction, that of the faces around the vertex.
@@ -184,7 +195,6 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         file.warn("points and lines are left out");
         return std::nullopt;
     }
-    if (!primitive.targets.empty()) file.warn("morph targets are ignored");
 
     const int positionAccessor = attribute(primitive, "POSITION");
     if (positionAccessor == -1) {
@@ -233,12 +243,14 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         if (colorAccessor != -1) setColors(file, mesh, colorAccessor);
     }
 
+    const std::shared_ptr<Deformation> deformation = loadDeformation(file, primitive, vertexCount);
     const int normalAccessor = attribute(primitive, "NORMAL");
     if (normalAccessor == -1) {
-        makeFlat(file, mesh);
+        makeFlat(file, mesh, deformation.get());
     } else {
         setNormals(file, mesh, readVertexFloats(file, normalAccessor, 3, components, "NORMAL", vertexCount));
     }
+    mesh.deformation = deformation;
     return mesh;
 }
 

@@ -15,6 +15,7 @@
 
 #include "scene/animation.h"
 #include "scene/bounds.h"
+#include "scene/deformation.h"
 
 namespace vct {
 
@@ -60,16 +61,20 @@ struct Mesh {
     std::vector<std::uint32_t> indices;  // three per triangle, all below vertices.size()
     int material = 0;                    // index into Scene::materials
     glm::dvec3 centre{0.0};              // object space: file position = centre + Vertex::position
+    // Where the mesh changes its form: how. Its vertices are then as that leaves them at rest, in world
+    // space, and one instance alone shows it. Null elsewhere.
+    std::shared_ptr<const Deformation> deformation;
 };
 
 // A mesh placed in the world.
 struct Instance {
     int mesh = 0;
     glm::dmat4 worldFromObject{
-        1.0};       // of the file's object space, so before Mesh::centre is subtracted; at rest
-    int node = -1;  // the one that moves it, of Scene::animation; -1: it never moves
+        1.0};              // of the file's object space, so before Mesh::centre is subtracted; at rest
+    int node = -1;         // the one that moves it, of Scene::animation; -1: none does
+    bool deforms = false;  // Mesh::deformation moves it
 
-    bool moves() const { return node >= 0; }
+    bool moves() const { return node >= 0 || deforms; }
 };
 
 // Bytes that do not change, and that several owners share.

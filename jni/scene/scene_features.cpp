@@ -36,6 +36,7 @@ SceneFeatures featuresOf(const Scene& scene) {
     for (const Instance& instance : scene.instances) {
         materials.insert(scene.meshes[instance.mesh].material);
         found.movingObjects |= instance.moves();
+        found.deforms |= instance.deforms;
     }
     const auto moves = [](const auto& light) { return light.node >= 0; };
     found.movingLight = std::any_of(scene.lights.begin(), scene.lights.end(), moves) ||

@@ -35,6 +35,7 @@ struct SceneFeatures {
     std::vector<bool> dataTextures;          // likewise as numbers: gloss, or a normal map
     int materials = 0;                       // how many occur
     bool movingObjects = false;              // an animation moves an instance
+    bool deforms = false;                    // and changes the form of its mesh
     bool movingLight = false;                // or a light
 
     // Whether any material has this feature.

@@ -67,11 +67,22 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
         const std::vector<glm::dvec3>* positions;
         std::vector<glm::dvec3> corners;  // of the box around them
     };
+    struct Deforming {
+        const Deformation* deformation;
+        DeformationBoxes boxes;
+    };
     std::map<int, std::vector<glm::dvec3>> positionsOf;  // of the meshes that move
     std::vector<Moving> moving;
+    std::vector<Deforming> deforming;
     std::size_t work = scene.animation.nodes.size();
     for (const Instance& instance : scene.instances) {
         if (!instance.moves()) continue;
+        if (instance.deforms) {
+            const Deformation& deformation = *scene.meshes[instance.mesh].deformation;
+            deforming.push_back({&deformation, DeformationBoxes(deformation)});
+            work += deformation.positions.size() * (8 + deformation.targets.size());
+            continue;
+        }
         const auto [found, added] = positionsOf.try_emplace(instance.mesh);
         if (added) found->second = usedPositions(scene.meshes[instance.mesh]);
         moving.push_back(
@@ -80,9 +91,20 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
     }
 
     Bounds bounds = rest;
-    const auto reach = [&](const std::vector<glm::dvec3>& positions, const glm::dmat4& worldFromObject) {
-        const Bounds reached = boundsOf(positions, worldFromObject);
+    // `bounds` with what lies in this box and in `limit`.
+    const auto reach = [&](const Bounds& reached) {
         return united(bounds, {glm::max(reached.min, limit.min), glm::min(reached.max, limit.max)});
+    };
+    // Most poses stay inside: the box says so at once.
+    const auto include = [&](const Bounds& box, const auto& exactBounds) {
+        const Bounds with = reach(box);
+        if (with.min != bounds.min || with.max != bounds.max) bounds = reach(exactBounds());
+    };
+    const auto check = [&](const glm::dvec3& world, double seconds) {
+        if (isUsable(world)) return;
+        throw Error("cannot use the scene " + scene.path + ": at " + numberText(seconds) +
+                    " s its animation \"" + scene.animation.name +
+                    "\" moves a mesh beyond 1e18, or to where no number is; correct its values");
     };
     // A second or two, whatever the file says.
     const std::size_t most =
@@ -91,14 +113,25 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
         const Pose pose = poseAt(scene.animation, seconds);
         for (const Moving& m : moving) {
             const glm::dmat4& worldFromObject = pose.worldFromNode[m.node];
+            const Bounds box = boundsOf(m.corners, worldFromObject);
             for (const glm::dvec3& corner : m.corners)
-                if (!isUsable(glm::dvec3(worldFromObject * glm::dvec4(corner, 1.0))))
-                    throw Error("cannot use the scene " + scene.path + ": at " + numberText(seconds) +
-                                " s its animation \"" + scene.animation.name +
-                                "\" moves a mesh beyond 1e18, or to where no number is; correct its values");
-            // Most poses stay inside: the box says so at once.
-            const Bounds box = reach(m.corners, worldFromObject);
-            if (box.min != bounds.min || box.max != bounds.max) bounds = reach(*m.positions, worldFromObject);
+                check(glm::dvec3(worldFromObject * glm::dvec4(corner, 1.0)), seconds);
+            include(box, [&] { return boundsOf(*m.positions, worldFromObject); });
+        }
+        for (const Deforming& d : deforming) {
+            const DeformationState state = stateOf(*d.deformation, &pose);
+            const Bounds box = d.boxes.around(state, glm::dmat4(1.0));
+            check(box.min, seconds);
+            check(box.max, seconds);
+            for (const glm::dmat4& matrix : state.worldFromObject)
+                for (int column = 0; column < 4; ++column)
+                    check(glm::dvec3(matrix[column]), seconds);
+            include(box, [&] {
+                Bounds exact = noBounds;
+                for (std::size_t i = 0; i < d.deformation->positions.size(); ++i)
+                    exact.include(deformedVertex(*d.deformation, state, i).positionWorld);
+                return exact;
+            });
         }
     }
     return bounds;

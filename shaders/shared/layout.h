@@ -14,6 +14,7 @@ using glm::ivec4;
 using glm::mat4;
 using glm::uvec3;
 using glm::vec2;
+using glm::vec3;
 using glm::vec4;
 #else
 #define VCT_FUNCTION
@@ -53,6 +54,13 @@ using glm::vec4;
 #define VCT_SSBO_RECEIVED 3
 #define VCT_SSBO_STATIC_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
 #define VCT_SSBO_COUNTERS 4
+// Of the passes over vertices, which bind all of theirs anew (jni/engine/deformer.h).
+#define VCT_SSBO_DEFORM_VERTICES 0
+#define VCT_SSBO_DEFORM_SOURCES 1
+#define VCT_SSBO_DEFORM_DISPLACEMENTS 2
+#define VCT_SSBO_DEFORM_STATE 3
+#define VCT_SSBO_SORT_CORNERS 1
+#define VCT_SSBO_SORT_SORTED 2
 
 // What the counting variant counts (shared/counters.glsl): invocations of a stage, and iterations of its loops.
 #define VCT_COUNTER_SHADOW_MAP 0
@@ -110,7 +118,12 @@ using glm::vec4;
 #define VCT_COUNTER_EMITTERS_FACE 52
 #define VCT_COUNTER_EMITTERS_CONE 53
 #define VCT_COUNTER_EMITTERS_STEP 54
-#define VCT_COUNTER_COUNT 55
+#define VCT_COUNTER_DEFORM 55
+#define VCT_COUNTER_DEFORM_VERTEX 56
+#define VCT_COUNTER_DEFORM_TARGET 57
+#define VCT_COUNTER_SORT_AXES 58
+#define VCT_COUNTER_SORT_AXES_TRIANGLE 59
+#define VCT_COUNTER_COUNT 60
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -161,6 +174,21 @@ using glm::vec4;
 #define VCT_UNIFORM_MOVING 3
 #define VCT_UNIFORM_AXIS 0
 #define VCT_UNIFORM_LIGHT_MAP 0
+// Where a mesh that changes its form lies in the buffers of passes/deform.comp and passes/sort_axes.comp: elements of an
+// array at the first location.
+#define VCT_UNIFORM_DEFORM 0
+#define VCT_DEFORM_COUNT 0               // vertices; triangles
+#define VCT_DEFORM_FIRST_FLOAT 1         // of its vertices, in the part of their buffer that is bound
+#define VCT_DEFORM_VERTEX_FLOATS 2       // from a vertex to the next
+#define VCT_DEFORM_FIRST_SOURCE 3        // of its vertices
+#define VCT_DEFORM_FIRST_DISPLACEMENT 4  // of its morph targets
+#define VCT_DEFORM_TARGETS 5
+#define VCT_DEFORM_FIRST_STATE 6   // of its joints, three rows each; behind them the weights
+#define VCT_DEFORM_FIRST_WEIGHT 7
+#define VCT_SORT_FIRST_VERTEX 3  // of the mesh, as its indices have it
+#define VCT_SORT_FIRST_CORNER 4  // of its indices, in the part of their buffer that is bound
+#define VCT_SORT_FIRST_SORTED 5
+#define VCT_DEFORM_RANGES 8
 
 #define VCT_MAX_PUNCTUAL_LIGHTS 16
 #define VCT_MAX_LIGHT_MAPS 96  // six for each of them
@@ -267,6 +295,15 @@ struct DrawUniforms {
     vec4 baseColor;
     vec4 emissive;  // rgb: relative to E/pi; w: scale of the normal map's x and y
     vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness, w: 1, or 0 where voxels leave its emission to jni/engine/emitters.h
+};
+
+// A vertex before its mesh is deformed, in the mesh's space.
+struct DeformSource {
+    vec3 position;
+    uint joints01;  // 16 bits each
+    vec3 normal;
+    uint joints23;
+    vec4 weights;  // of the four joints
 };
 
 // One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,

@@ -81,9 +81,10 @@ TEST(AxisSort, KeepsTheOrderOfEachAxisAndLeavesOutWhatHasNoArea) {
               (std::vector<std::uint32_t>{3, 4, 5, 15, 16, 17, 9, 10, 11, 0, 1, 2, 12, 13, 14}));
 }
 
-std::size_t indexBytes(const Scene& scene) {
+std::size_t indexBytes(const Context& context, const Scene& scene) {
     const Volume volume = volumeAround(scene.boundsWorld, 64);
-    const GpuScene gpu(scene, {}, volume, 1.0F, 256, Voxelization::sortedAxes);
+    const gl::ShaderLibrary shaders{testShaders(), context.capabilities.language()};
+    const GpuScene gpu(shaders, scene, {}, volume, 1.0F, 256, Voxelization::sortedAxes);
     return bytesOf(gpu.resources(), "indices");
 }
 
@@ -98,10 +99,10 @@ TEST(AxisSort, InstancesOfOneMeshShareItsOrderWhereItIsTheSame) {
         scene.instances.push_back({0, moved});
     }
     // Its own order, and one for z after x.
-    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+    EXPECT_EQ(indexBytes(context, finished(scene)), 2 * 6 * sizeof(std::uint32_t));
     // x becomes z and z becomes -x: its own order again.
     scene.instances.push_back({0, glm::dmat4({0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1})});
-    EXPECT_EQ(indexBytes(finished(scene)), 2 * 6 * sizeof(std::uint32_t));
+    EXPECT_EQ(indexBytes(context, finished(scene)), 2 * 6 * sizeof(std::uint32_t));
 }
 
 TEST(Voxelization, ADriverWithoutGeometryShadersIsRefusedOnlyWhereTheSettingsAskForThem) {

@@ -174,16 +174,5 @@ TEST(GltfNodes, LightsThatAreNoneAreNamed) {
     }
 }
 
-TEST(GltfNodes, WhatIsNotAnimatedIsWarnedOf) {
-    GltfBuilder builder;
-    builder.triangle();
-    builder.document["skins"] = {{{"joints", {0}}}};
-    json& primitive = builder.document["meshes"][0]["primitives"][0];
-    primitive["targets"] = {{{"POSITION", 0}}};
-    const Scene scene = load(builder);
-    for (const char* word : {"skins", "morph"})
-        EXPECT_TRUE(hasWarning(scene, word)) << word;
-}
-
 }  // namespace
 }  // namespace vct::test

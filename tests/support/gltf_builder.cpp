@@ -80,7 +80,7 @@ void GltfBuilder::animate(int node, const std::string& path, const std::vector<f
                           const std::vector<float>& values, const std::string& interpolation,
                           std::size_t animation) {
     const int input = floats(times, "SCALAR");
-    const int output = floats(values, path == "rotation" ? "VEC4" : "VEC3");
+    const int output = floats(values, path == "rotation" ? "VEC4" : path == "weights" ? "SCALAR" : "VEC3");
     json& all = document["animations"];
     while (all.size() <= animation)
         all.push_back({{"channels", json::array()}, {"samplers", json::array()}});

@@ -35,7 +35,9 @@ class GltfBuilder {
     template <class T>
     int accessor(const std::vector<T>& values, int componentType, const std::string& type,
                  bool normalized = false) {
-        const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
+        const std::size_t width = type == "SCALAR" ? 1
+                                  : type == "MAT4" ? 16
+                                                   : static_cast<std::size_t>(type.back() - '0');
         return accessorOf(view(values.data(), values.size() * sizeof(T)), values.size() / width,
                           componentType, type, normalized);
     }
@@ -54,7 +56,7 @@ class GltfBuilder {
     // A node with one triangle (0,0,0) (1,0,0) (0,1,0); makes a file without geometry loadable.
     int triangle();
     // Adds a channel, and a sampler of its own, to an animation, which is added where there is none. `values`
-    // of three or, of a rotation, four numbers.
+    // of three or, of a rotation, four numbers, or, of weights, of one for each morph target.
     void animate(int node, const std::string& path, const std::vector<float>& times,
                  const std::vector<float>& values, const std::string& interpolation = "LINEAR",
                  std::size_t animation = 0);

@@ -1,5 +1,7 @@
 #include "support/moving_scenes.h"
 
+#include <cmath>
+
 #include "scene/camera.h"
 
 namespace vct::test {
@@ -65,9 +67,90 @@ GltfBuilder twoThatMove() {
     return builder;
 }
 
+namespace {
+
+// A column of `rings` octagons, 1.6 high, of which each ring follows the two joints next to it.
+json columnOf(GltfBuilder& builder, int rings) {
+    std::vector<float> positions, normals, weights;
+    std::vector<std::uint8_t> joints;
+    std::vector<std::uint16_t> indices;
+    for (int ring = 0; ring < rings; ++ring)
+        for (int i = 0; i < 8; ++i) {
+            const float angle = static_cast<float>(i) * 0.785398163F;
+            const float along = static_cast<float>(ring) / static_cast<float>(rings - 1) * 2.0F;
+            positions.insert(positions.end(),
+                             {0.25F * std::cos(angle), 0.8F * along, 0.25F * std::sin(angle)});
+            normals.insert(normals.end(), {std::cos(angle), 0.0F, std::sin(angle)});
+            const int lower = along < 1.0F ? 0 : 1;
+            const float share = along - static_cast<float>(lower);
+            joints.insert(joints.end(),
+                          {static_cast<std::uint8_t>(lower), static_cast<std::uint8_t>(lower + 1), 0, 0});
+            weights.insert(weights.end(), {1.0F - share, share, 0.0F, 0.0F});
+            if (ring == 0) continue;
+            const auto at = [&](int r, int k) { return static_cast<std::uint16_t>(8 * r + k % 8); };
+            indices.insert(indices.end(), {at(ring - 1, i), at(ring, i), at(ring, i + 1), at(ring - 1, i),
+                                           at(ring, i + 1), at(ring - 1, i + 1)});
+        }
+    return {{"attributes",
+             {{"POSITION", builder.floats(positions)},
+              {"NORMAL", builder.floats(normals)},
+              {"JOINTS_0", builder.accessor(joints, uint8, "VEC4")},
+              {"WEIGHTS_0", builder.floats(weights, "VEC4")}}},
+            {"indices", builder.accessor(indices, uint16, "SCALAR")},
+            {"material",
+             builder.add("materials", {{"doubleSided", true},
+                                       {"pbrMetallicRoughness",
+                                        {{"baseColorFactor", {0.8, 0.3, 0.1, 1}}, {"metallicFactor", 0}}}})}};
+}
+
+}  // namespace
+
+GltfBuilder twoThatDeform() {
+    GltfBuilder builder = openFloor();
+    json& document = builder.document;
+    // Joints 0.8 apart, the lowest on the floor; the mesh is modelled with it at the origin.
+    const int hand = builder.add("nodes", {{"translation", {0, 0.8, 0}}});
+    const int knee = builder.add("nodes", {{"translation", {0, 0.8, 0}}, {"children", {hand}}});
+    const int foot = builder.node({{"translation", {-1, 0, -0.5}}, {"children", {knee}}});
+    std::vector<float> inverseBind;
+    for (const float height : {0.0F, 0.8F, 1.6F})
+        inverseBind.insert(inverseBind.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -height, 0, 1});
+    builder.add("skins", {{"joints", {foot, knee, hand}},
+                          {"inverseBindMatrices", builder.floats(inverseBind, "MAT4")}});
+    builder.node({{"mesh", builder.mesh(columnOf(builder, 9))}, {"skin", 0}, {"translation", {50, 7, 3}}});
+    builder.animate(foot, "translation", {0, 2}, {-1, 0, -0.5F, 0.6F, 0, 0.2F});
+    builder.animate(knee, "rotation", {0, 1, 2},
+                    {0, 0, 0, 1, 0, 0, 0.3826834F, 0.9238795F, 0.3826834F, 0, 0, 0.9238795F});
+    builder.animate(hand, "scale", {0, 2}, {1, 1, 1, 2, 0.5F, 2});
+
+    const int box = addCube(builder, {0.1F, 0.4F, 0.8F}, {{"translation", {1, 0.5, -0.8}}});
+    const int mesh = document["nodes"][static_cast<std::size_t>(box)]["mesh"];
+    std::vector<float> swelling, leaning;
+    for (int i = 0; i < 8; ++i) {
+        const bool top = (i >> 1 & 1) != 0;
+        swelling.insert(swelling.end(), {top ? ((i & 1) != 0 ? 0.4F : -0.4F) : 0.0F, top ? 0.3F : 0.0F, 0});
+        leaning.insert(leaning.end(), {0, 0, top ? 0.5F : 0.0F});
+    }
+    document["meshes"][static_cast<std::size_t>(mesh)]["primitives"][0]["targets"] = {
+        {{"POSITION", builder.floats(swelling)}}, {{"POSITION", builder.floats(leaning)}}};
+    builder.animate(box, "weights", {0, 1, 2}, {0, 0, 1, 0, 0.5F, 1});
+    return builder;
+}
+
 Scene frozenAt(Scene scene, double seconds) {
     const Pose pose = poseAt(scene.animation, seconds);
     for (Instance& instance : scene.instances) {
+        if (instance.deforms) {
+            Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+            const DeformationState state = stateOf(*mesh.deformation, &pose);
+            for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+                const DeformedVertex vertex = deformedVertex(*mesh.deformation, state, i);
+                mesh.vertices[i].position = glm::vec3(vertex.positionWorld - mesh.centre);
+                mesh.vertices[i].normal = glm::vec3(vertex.normalWorld);
+            }
+            mesh.deformation = nullptr;
+            instance.deforms = false;
+        }
         if (instance.moves())
             instance.worldFromObject = pose.worldFromNode.at(static_cast<std::size_t>(instance.node));
         instance.node = -1;

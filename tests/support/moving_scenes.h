@@ -16,6 +16,10 @@ GltfBuilder openFloor();
 // instances move.
 GltfBuilder twoThatMove();
 
+// On it a column that bends at two joints while it walks, and a box whose top swells, of which both change
+// their form.
+GltfBuilder twoThatDeform();
+
 // The scene as it is at a time, without an animation: a fresh scene of that pose, in the same volume.
 Scene frozenAt(Scene scene, double seconds);
 

@@ -1,7 +1,9 @@
 """Against two renderers that share no code with the references: `vct`, and Mitsuba's own path tracer."""
+import io
 import math
 
 import numpy as np
+import PIL.Image
 import pytest
 
 from files import ROOT
@@ -14,13 +16,15 @@ from truth.scene import load_scene
 SIZE = (128, 128)
 
 
-@pytest.fixture(scope="module", params=["cornell", "courtyard"])
+@pytest.fixture(scope="module", params=[("cornell", None), ("courtyard", None), ("walker", 1.4)], ids=lambda p: p[0])
 def both(request, program, tmp_path_factory):
-    """(folder of vct's pictures, scene, world) of one scene."""
-    path, out = ROOT / f"assets/{request.param}.glb", tmp_path_factory.mktemp(request.param)
+    """(folder of vct's pictures, scene, world) of one scene, at a moment of its animation where it has one."""
+    name, seconds = request.param
+    path, out = ROOT / f"assets/{name}.glb", tmp_path_factory.mktemp(name)
     render(program, path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--preset", "thesis", "--mode", "gi",
-           "--grid", 128, "--shadow-map", 2048, "--debug-views", "--light-parts")
-    scene = load_scene(path)
+           "--grid", 128, "--shadow-map", 2048, "--debug-views", "--light-parts",
+           *(("--time", seconds) if seconds is not None else ()))
+    scene = load_scene(path, seconds=seconds)
     return out, scene, make_world(scene)
 
 
@@ -69,6 +73,44 @@ def test_lit_surfaces_are_equally_bright(both):
     assert len(ratio) > 1000
     assert abs(np.median(ratio) - 1) < 0.003
     assert np.mean(np.abs(ratio - 1) < 0.01) > 0.95
+
+
+def waves(side, slope):
+    """A normal map that repeats: slopes of `slope` along x, twice as many and half as steep along y."""
+    along = 2 * np.pi * (np.arange(side) + 0.5) / side
+    normal = np.ones((side, side, 3))
+    normal[..., 0], normal[..., 1] = slope * np.sin(along)[None], 0.5 * slope * np.sin(2 * along)[:, None]
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    buffer = io.BytesIO()
+    PIL.Image.fromarray(np.round(127.5 * (normal + 1)).astype(np.uint8)).save(buffer, "PNG")
+    return buffer.getvalue()
+
+
+def test_normal_maps_are_read_alike(program, maker, tmp_path):
+    """A floor under a slanting sun whose texture coordinates run against the world's x, and are mirrored on one half."""
+    glb = maker.glb
+    map_ = glb.texture("waves", waves(64, 0.4), 10497)
+    material = maker.grey(0.6)
+    glb.json["materials"][material]["normalTexture"] = {"index": map_, "scale": 0.8}
+    maker.quad((1, 0, -3), (-1, 0, 0), (0, 0, 2), material, (1, 2))
+    maker.quad((0, 0, -3), (-1, 0, 0), (0, 0, 2), material, (-1, 2))
+    maker.quad((-1, 0, -3), (2, 0, 0), (0, 1, 0), maker.grey(0.1))
+    glb.camera("above", (0.2, 3, 0.5), (0, 0, -2), 40)
+    glb.directional_light("sun", (0.5, -1, 0.3), (1, 1, 1), 3.0)
+    scene = maker.load()
+    render(program, maker.path, "--out", tmp_path, "--size", "128x128", "--preset", "mobile", "--mode", "gi", "--grid", 64,
+           "--light-parts", "--debug-views")
+    albedo = read_exr(tmp_path / "debug_views/g_buffer_albedo.exr")
+    mine = (read_exr(tmp_path / "gi.exr") - read_exr(tmp_path / "indirect_light.exr"))[..., 0]
+    theirs = draw(make_world(scene), scene, "direct", SIZE, 64, 0).image[..., 0]
+    lit = (np.abs(albedo[..., 0] - 0.6) < 0.01) & (theirs > 0.25)
+    floor = lit.copy()
+    for shift, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):  # an edge's pixel is of the floor in part
+        floor &= np.roll(lit, shift, axis)
+    assert floor.sum() > 2000 and theirs[floor].std() > 0.04
+    difference = (mine - theirs)[floor]
+    assert abs(difference.mean()) < 0.005
+    assert np.abs(difference).max() < 0.02  # nor does the map turn a pixel into its own shadow
 
 
 def test_full_light_is_that_of_mitsubas_own_path_tracer(root):

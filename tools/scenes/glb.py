@@ -63,6 +63,20 @@ class Glb:
             result["indices"] = self._indices(shape.indices)
         return result
 
+    def follow_joints(self, primitive, joints, weights):
+        """Of each vertex four joints, as indices into the skin's, and their weights, whose sum is 1."""
+        data = bytes(index for row in joints for index in row)
+        columns = list(zip(*joints))
+        primitive["attributes"]["JOINTS_0"] = self.accessor(self._view(data, ARRAY_BUFFER), U8, len(joints), "VEC4",
+                                                            [min(c) for c in columns], [max(c) for c in columns])
+        primitive["attributes"]["WEIGHTS_0"] = self._floats(weights, "VEC4")
+
+    def skin(self, name, joints, places):
+        """`places`: of the joints, in the space of the mesh, where all stand upright while it is modelled."""
+        inverse = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -x, -y, -z, 1) for x, y, z in places]
+        return self._append("skins", {"name": name, "joints": joints,
+                                      "inverseBindMatrices": self._floats(inverse, "MAT4", None)})
+
     def mesh(self, name, *primitives):
         return self._append("meshes", {"name": name, "primitives": list(primitives)})
 

@@ -14,6 +14,7 @@ import program
 from .gltf_file import GltfError, GltfFile
 from .hdr import read_sky
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
+from .pose import joint_matrices, morphed, posed, vertex_matrices
 
 GRID, PADDING_VOXELS = 256, 2.5  # jni/engine/volume.cpp, at the grid of all measurements
 AO_DISTANCE = 0.045  # of the volume's side (pipeline.md, step 5)
@@ -91,8 +92,8 @@ def local_transform(node: dict) -> np.ndarray:
     return matrix
 
 
-def placed_nodes(document: dict) -> list[tuple[dict, np.ndarray]]:
-    """(node, worldFromNode) of the default scene, parents first, children in the file's order."""
+def placed_nodes(document: dict) -> list[tuple[int, np.ndarray]]:
+    """(index of the node, worldFromNode) of the default scene, parents first, children in the file's order."""
     nodes = document.get("nodes", [])
     if document.get("scenes"):
         roots = document["scenes"][document.get("scene", 0)].get("nodes", [])
@@ -103,7 +104,7 @@ def placed_nodes(document: dict) -> list[tuple[dict, np.ndarray]]:
     while pending:
         index, parent = pending.pop()
         world = parent @ local_transform(nodes[index])
-        placed.append((nodes[index], world))
+        placed.append((index, world))
         pending += [(c, world) for c in reversed(nodes[index].get("children", []))]
     return placed
 
@@ -121,28 +122,34 @@ def triangle_corners(mode: int, order: np.ndarray) -> np.ndarray:
     return np.stack([order[i + 1], order[i + 2], np.full(n - 2, order[0])], 1)
 
 
-def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, material: Material) -> tuple | None:
-    """World positions, normals, uvs and colours, each (triangles, 3, ...), of one primitive; None where it has no triangle."""
+def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, material: Material,
+                     weights: list[float], joints: np.ndarray | None) -> tuple | None:
+    """World positions, normals, uvs and colours, each (triangles, 3, ...), of one primitive; None where it has no triangle.
+    `world`: from the node's space; where the node has a skin, its `joints` count instead."""
     attributes = primitive["attributes"]
     if "POSITION" not in attributes:
         return None
-    position = file.accessor(attributes["POSITION"]).astype(np.float64)
+    position = morphed(file, primitive, weights, "POSITION", file.accessor(attributes["POSITION"]).astype(np.float64))
     order = (file.accessor(primitive["indices"])[:, 0].astype(np.int64) if "indices" in primitive
              else np.arange(len(position)))
     corners = triangle_corners(primitive.get("mode", 4), order)
     if len(corners) == 0:
         return None
-    linear = world[:3, :3]
-    positions = position[corners] @ linear.T + world[:3, 3]
-    if np.linalg.det(linear) < 0:  # a mirrored node's triangles turn round, and must not be inside out (3.7.4)
+    skinned = joints is not None and "JOINTS_0" in attributes
+    matrices = vertex_matrices(file, primitive, joints) if skinned else np.broadcast_to(world, (len(position), 4, 4))
+    linear, mirrored = matrices[:, :3, :3], np.linalg.det(matrices[0, :3, :3]) < 0
+    positions = (np.einsum("vij,vj->vi", linear, position) + matrices[:, :3, 3])[corners]
+    if mirrored:  # a mirrored node's triangles turn round, and must not be inside out (3.7.4)
         corners, positions = corners[:, ::-1], positions[:, ::-1]
     flat = unit(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]))
     flat = np.repeat(flat[:, None], 3, 1)
     if "NORMAL" in attributes:
         # Cofactors: the inverse transpose times the determinant, finite where a scale is 0.
-        cofactors = np.stack([np.cross(linear[:, 1], linear[:, 2]), np.cross(linear[:, 2], linear[:, 0]),
-                              np.cross(linear[:, 0], linear[:, 1])], 1) * (-1 if np.linalg.det(linear) < 0 else 1)
-        normals = unit(unit(file.accessor(attributes["NORMAL"]).astype(np.float64)[corners]) @ cofactors.T)
+        columns = [linear[:, :, k] for k in range(3)]
+        cofactors = np.stack([np.cross(columns[1], columns[2]), np.cross(columns[2], columns[0]),
+                              np.cross(columns[0], columns[1])], 2) * (-1 if mirrored else 1)
+        normal = morphed(file, primitive, weights, "NORMAL", unit(file.accessor(attributes["NORMAL"]).astype(np.float64)))
+        normals = unit(np.einsum("vij,vj->vi", cofactors, normal))[corners]
         normals = np.where(np.any(normals != 0, -1, keepdims=True), normals, flat)
     else:
         normals = flat
@@ -225,25 +232,30 @@ def sky_file(path: pathlib.Path) -> pathlib.Path | None:
     return sky if sky.is_file() else None
 
 
-def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256)) -> Scene:
-    """`size`: of the picture that is to be made; a view may depend on its shape."""
+def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256), seconds: float | None = None) -> Scene:
+    """`size`: of the picture that is to be made; a view may depend on its shape. `seconds`: of the first animation, as
+    `vct render --time` takes it; None is at rest."""
     file = GltfFile(path)
     try:
-        return build(file, size)
+        return build(file, size, seconds)
     except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
         raise GltfError(f"{path}: not a scene that can be read: {error!r}") from error
 
 
-def build(file: GltfFile, size: tuple[int, int]) -> Scene:
-    document = file.json
-    materials, placed = load_materials(document), placed_nodes(document)
+def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene:
+    document = posed(file, seconds)
+    materials, worlds = load_materials(document), placed_nodes(document)
+    placed = [(document["nodes"][index], world) for index, world in worlds]
     parts, material_of = [], []
     for node, world in placed:
         if "mesh" not in node:
             continue
-        for primitive in document["meshes"][node["mesh"]]["primitives"]:
+        mesh = document["meshes"][node["mesh"]]
+        weights = node.get("weights", mesh.get("weights", []))
+        joints = joint_matrices(file, document, node["skin"], dict(worlds)) if "skin" in node else None
+        for primitive in mesh["primitives"]:
             material = primitive.get("material", len(materials) - 1)  # the last one is the default material
-            arrays = primitive_arrays(file, primitive, world, materials[material])
+            arrays = primitive_arrays(file, primitive, world, materials[material], weights, joints)
             if arrays:
                 parts.append(arrays)
                 material_of.append(np.full(len(arrays[0]), material))

@@ -4,9 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "scene/bounds.h"
+#include "scene/deformation.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -34,9 +35,13 @@ class BlockMask {
 // An instance that can move.
 struct Placement {
     glm::dmat4 worldFromObject{1.0};
-    Bounds box;  // around it
+    Bounds box;                                              // around it
+    std::shared_ptr<const DeformationState> form = nullptr;  // null where it keeps its form
 
-    bool operator==(const Placement& other) const { return worldFromObject == other.worldFromObject; }
+    bool operator==(const Placement& other) const {
+        return worldFromObject == other.worldFromObject &&
+               (form == other.form || (form != nullptr && other.form != nullptr && *form == *other.form));
+    }
 };
 
 struct ShadowReach {

@@ -1,0 +1,42 @@
+// The triangles of a mesh that deform.comp has moved, once for each axis along which they may be voxelized: those that
+// belong to another axis shrink to a point there, which no rasterizer draws. jni/engine/axis_sort.h does it for what
+// keeps its form, on the CPU and without gaps.
+#include "shared/counters.glsl"
+#include "shared/dominant_axis.h"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(location = VCT_UNIFORM_DEFORM) uniform uint ranges[VCT_DEFORM_RANGES];
+layout(std430, binding = VCT_SSBO_DEFORM_VERTICES) readonly buffer VertexBlock {
+    float vertices[];  // volume space; position comes first
+};
+layout(std430, binding = VCT_SSBO_SORT_CORNERS) readonly buffer CornerBlock {
+    uint corners[];  // three vertices of each triangle
+};
+layout(std430, binding = VCT_SSBO_SORT_SORTED) writeonly buffer SortedBlock {
+    uint sorted[];  // likewise, along x, then y, then z
+};
+
+vec3 positionOf(uint corner) {
+    uint vertex = corner - ranges[VCT_SORT_FIRST_VERTEX];
+    uint at = ranges[VCT_DEFORM_FIRST_FLOAT] + vertex * ranges[VCT_DEFORM_VERTEX_FLOATS];
+    return vec3(vertices[at], vertices[at + 1u], vertices[at + 2u]);
+}
+
+void main() {
+    COUNT(VCT_COUNTER_SORT_AXES);
+    uint count = ranges[VCT_DEFORM_COUNT];
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint triangle = gl_GlobalInvocationID.x; triangle < count; triangle += stride) {
+        COUNT(VCT_COUNTER_SORT_AXES_TRIANGLE);
+        uint first = ranges[VCT_SORT_FIRST_CORNER] + 3u * triangle;
+        uvec3 corner = uvec3(corners[first], corners[first + 1u], corners[first + 2u]);
+        int axis = dominantAxis(positionOf(corner.x), positionOf(corner.y), positionOf(corner.z));
+        for (int i = 0; i < 3; ++i) {
+            uvec3 here = i == axis ? corner : corner.xxx;
+            uint at = ranges[VCT_SORT_FIRST_SORTED] + 3u * (uint(i) * count + triangle);
+            sorted[at] = here.x;
+            sorted[at + 1u] = here.y;
+            sorted[at + 2u] = here.z;
+        }
+    }
+}

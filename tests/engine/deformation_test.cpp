@@ -1,0 +1,96 @@
+// Skins and morph targets on the GPU.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/grids.h"
+#include "support/playing_scene.h"
+#include "support/voxel_kinds.h"
+
+namespace vct::test {
+namespace {
+
+class Deforming : public testing::TestWithParam<VoxelKind> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Deforming, everyVoxelKind(), nameOfKind);
+
+// Of parts of the scene that are made anew nothing of an earlier form is left, and nothing of the new one is
+// missing.
+TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatDeform());
+    ASSERT_EQ(std::count_if(scene.instances.begin(), scene.instances.end(),
+                            [](const Instance& instance) { return instance.deforms; }),
+              2);
+    const Settings settings = settingsOf(GetParam());
+    for (const Mode mode : {Mode::gi, Mode::ao}) {
+        PlayingScene stage(context, scene, settings);
+        for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35}) {
+            stage.frameAt(seconds, mode);
+            PlayingScene fresh(context, scene, settings);
+            fresh.frameAt(seconds, mode);
+            expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
+        }
+        const Grid before = gridOf(stage.renderer());
+        stage.frameAt(1.7, mode);
+        EXPECT_FALSE(gridOf(stage.renderer()).lists == before.lists) << "nothing changes its form";
+    }
+}
+
+// The GPU reckons in float what the CPU does in double, so an edge may fall on another pixel.
+TEST_P(Deforming, IsWhatTheCpuMakesOfIt) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatDeform());
+    Settings settings = settingsOf(GetParam());
+    settings.size = glm::ivec2(128);
+    for (const double seconds : {0.0, 0.6, 1.3, 2.0}) {
+        PlayingScene stage(context, scene, settings);
+        stage.frameAt(seconds, Mode::phong);
+        const Scene frozen = frozenAt(scene, seconds);
+        PlayingScene expected(context, frozen, settings);
+        expected.frame(Mode::phong);
+        PlayingScene rest(context, scene, settings);
+        rest.frame(Mode::phong);
+        const auto differing = [&](Renderer& a, Renderer& b) {
+            const Image x = a.radiance(), y = b.radiance();
+            int count = 0;
+            for (std::size_t i = 0; i < x.pixels.size(); ++i)
+                count += glm::length(x.pixels[i] - y.pixels[i]) > 0.02F ? 1 : 0;
+            return count;
+        };
+        EXPECT_LE(differing(stage.renderer(), expected.renderer()), 16) << seconds << " of 16384 pixels";
+        if (seconds > 0.0) {
+            EXPECT_GT(differing(stage.renderer(), rest.renderer()), 400) << seconds;
+        }
+    }
+}
+
+// Sorted by their axis by the GPU, triangles give the voxels of the geometry shader.
+TEST(DeformingInstances, TheirTrianglesSortedByTheirAxisGiveTheSameVoxels) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatDeform());
+    for (const char* preset : {"thesis", "mobile"}) {
+        const Settings byShader = settingsOf({preset, Voxelization::geometryShader});
+        const Settings bySorting = settingsOf({preset, Voxelization::sortedAxes});
+        PlayingScene a(context, scene, byShader), b(context, scene, bySorting);
+        for (const double seconds : {0.4, 1.6}) {
+            a.frameAt(seconds);
+            b.frameAt(seconds);
+            expectSameGrid(gridOf(a.renderer()), gridOf(b.renderer()), preset);
+        }
+    }
+}
+
+// A scene at rest is paid for as one that was modelled so.
+TEST(DeformingInstances, CostNothingWithoutAnAnimation) {
+    GltfBuilder builder = twoThatDeform();
+    builder.document.erase("animations");
+    const Scene scene = load(builder);
+    const SceneFeatures features = featuresOf(scene);
+    EXPECT_FALSE(features.deforms);
+    EXPECT_FALSE(features.movingObjects);
+    for (const Mesh& mesh : scene.meshes)
+        EXPECT_EQ(mesh.deformation, nullptr);
+}
+
+}  // namespace
+}  // namespace vct::test

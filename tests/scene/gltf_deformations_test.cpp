@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/deformation.h"
+#include "support/gltf_builder.h"
+#include "support/moving_scenes.h"
+
+namespace vct::test {
+namespace {
+
+const Mesh& deformingMesh(const Scene& scene, int which) {
+    for (const Instance& instance : scene.instances)
+        if (instance.deforms && which-- == 0) return scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    throw std::out_of_range("no such mesh");
+}
+
+glm::dvec3 world(const Mesh& mesh, std::size_t vertex) {
+    return mesh.centre + glm::dvec3(mesh.vertices[vertex].position);
+}
+
+void expectNear(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance = 1e-5) {
+    EXPECT_LE(glm::length(actual - expected), tolerance)
+        << actual.x << " " << actual.y << " " << actual.z << ", expected " << expected.x << " " << expected.y
+        << " " << expected.z;
+}
+
+// The node of a skinned mesh does not count (glTF 2.0, section 3.7.3.3): its joints alone do.
+TEST(Deformations, AtRestVerticesAreWhereTheirJointsAre) {
+    const Scene scene = load(twoThatDeform());
+    EXPECT_TRUE(scene.warnings.empty());
+    const Mesh& column = deformingMesh(scene, 0);
+    expectNear(world(column, 0), {-0.75, 0.0, -0.5});
+    expectNear(world(column, 64), {-0.75, 1.6, -0.5});
+    expectNear(glm::dvec3(column.vertices[64].normal), {1, 0, 0});
+}
+
+TEST(Deformations, AVertexBetweenTwoJointsGoesHalfTheWay) {
+    const Scene scene = load(twoThatDeform());
+    const Mesh& column = deformingMesh(scene, 0);
+    const Pose pose = poseAt(scene.animation, 1.0);
+    const DeformationState state = stateOf(*column.deformation, &pose);
+    // At one second the foot is at (-.2, 0, -.15), and from the knee on all turns by 45 degrees about z.
+    const double c = std::sqrt(0.5);
+    const glm::dvec3 foot(-0.2, 0.0, -0.15), knee = foot + glm::dvec3(0, 0.8, 0);
+    const auto vertex = [&](std::size_t ring) {
+        return deformedVertex(*column.deformation, state, 8 * ring);
+    };
+    expectNear(vertex(0).positionWorld, foot + glm::dvec3(0.25, 0, 0));
+    const glm::dvec3 turned(c * 0.25, c * 0.25, 0);
+    expectNear(vertex(4).positionWorld, knee + turned);
+    expectNear(vertex(4).normalWorld, {c, c, 0});
+    // A quarter up, the foot and the knee have a half each.
+    const glm::dvec3 byFoot = foot + glm::dvec3(0.25, 0.4, 0);
+    const glm::dvec3 byKnee = knee + turned + glm::dvec3(c * 0.4, -c * 0.4, 0);
+    expectNear(vertex(2).positionWorld, 0.5 * (byFoot + byKnee));
+}
+
+TEST(Deformations, MorphTargetsAddUpByTheirWeights) {
+    const Scene scene = load(twoThatDeform());
+    const Mesh& box = deformingMesh(scene, 1);
+    const Pose pose = poseAt(scene.animation, 1.5);
+    ASSERT_EQ(pose.morphWeights.size(), 1U);
+    EXPECT_EQ(pose.morphWeights[0], (std::vector<float>{0.75F, 0.5F}));
+    const DeformationState state = stateOf(*box.deformation, &pose);
+    for (std::size_t i = 0; i < box.vertices.size(); ++i) {
+        const glm::dvec3 rest = world(box, i) - glm::dvec3(1, 0.5, -0.8);
+        const bool top = rest.y > 0.0;
+        const glm::dvec3 moved(top ? std::copysign(0.3, rest.x) : 0.0, top ? 0.225 : 0.0, top ? 0.25 : 0.0);
+        expectNear(deformedVertex(*box.deformation, state, i).positionWorld, world(box, i) + moved);
+    }
+}
+
+TEST(Deformations, WeightsAtRestAreTheNodesBeforeTheMeshs) {
+    GltfBuilder builder = twoThatDeform();
+    builder.document.erase("animations");
+    const std::size_t meshes = builder.document["meshes"].size();
+    builder.document["meshes"][meshes - 1]["weights"] = {0.5, 0};
+    const auto height = [](const GltfBuilder& b) { return load(b).boundsWorld.max.y; };
+    builder.document["nodes"][builder.document["nodes"].size() - 1]["weights"] = {4.0, 0.0};
+    EXPECT_NEAR(height(builder), 1.0 + 4.0 * 0.3, 1e-5);
+    builder.document["nodes"][builder.document["nodes"].size() - 1].erase("weights");
+    EXPECT_NEAR(height(builder), 1.6, 1e-5);  // the column's
+    EXPECT_TRUE(load(builder).warnings.empty());
+}
+
+// Weights of splines have their tangents before and behind each value, of all targets (appendix C.5).
+TEST(Deformations, WeightsFollowSplines) {
+    GltfBuilder builder = twoThatDeform();
+    const int box = static_cast<int>(builder.document["nodes"].size()) - 1;
+    builder.document.erase("animations");
+    builder.animate(box, "weights", {0, 1},
+                    {0, 0, 0, 2, 0, 3,    // in-tangents, values, out-tangents of the first key
+                     0, 0, 1, -1, 0, 0},  // and of the second
+                    "CUBICSPLINE");
+    const Scene scene = load(builder);
+    const std::vector<float> weights = poseAt(scene.animation, 0.5).morphWeights.at(0);
+    EXPECT_NEAR(weights.at(0), 0.5, 1e-6);
+    EXPECT_NEAR(weights.at(1), 0.5 * 2 + 0.5 * -1 + 0.125 * 3, 1e-6);
+}
+
+TEST(Deformations, BoxesAndBoundsHoldEveryVertexAtEveryTime) {
+    const Scene scene = load(twoThatDeform());
+    for (const int which : {0, 1}) {
+        const Deformation& deformation = *deformingMesh(scene, which).deformation;
+        const DeformationBoxes boxes(deformation);
+        for (double seconds = 0.0; seconds <= 2.0; seconds += 0.25) {
+            const Pose pose = poseAt(scene.animation, seconds);
+            const DeformationState state = stateOf(deformation, &pose);
+            const Bounds box = boxes.around(state, glm::dmat4(1.0));
+            for (std::size_t i = 0; i < deformation.positions.size(); ++i) {
+                const glm::dvec3 p = deformedVertex(deformation, state, i).positionWorld;
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(box.min - 1e-6, p)) &&
+                            glm::all(glm::lessThanEqual(p, box.max + 1e-6)));
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(scene.boundsWorld.min - 1e-3, p)) &&
+                            glm::all(glm::lessThanEqual(p, scene.boundsWorld.max + 1e-3)))
+                    << seconds;
+            }
+        }
+    }
+}
+
+TEST(Deformations, WhatIsDamagedIsNamed) {
+    const auto changed = [](auto&& change) {
+        GltfBuilder builder = twoThatDeform();
+        change(builder);
+        return loadError(builder);
+    };
+    const auto has = [](const std::string& text, const char* part) {
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    };
+    has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"].erase(2); }), "follow joint 2 of 2");
+    has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"][1] = 99; }), "node 99");
+    has(changed([](GltfBuilder& b) {
+            b.document["skins"][0]["inverseBindMatrices"] =
+                b.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4");
+        }),
+        "are 1 for 3 joints");
+    has(changed([](GltfBuilder& b) {
+            json& primitive = b.document["meshes"][1]["primitives"][0];
+            primitive["attributes"]["WEIGHTS_0"] = b.floats({1, 0, 0, 0}, "VEC4");
+        }),
+        "WEIGHTS_0 has 1 elements for 72 vertices");
+    has(changed([](GltfBuilder& b) {
+            json& primitive = b.document["meshes"][2]["primitives"][0];
+            primitive["targets"][0]["POSITION"] = b.floats({1, 0, 0});
+        }),
+        "morph target has 1 elements for 8 vertices");
+    // Weights that do not fit their keys keep the scene from playing, not from being drawn.
+    GltfBuilder odd = twoThatDeform();
+    const int box = static_cast<int>(odd.document["nodes"].size()) - 1;
+    odd.document.erase("animations");
+    odd.animate(box, "weights", {0, 1}, {0, 0, 1});
+    EXPECT_TRUE(hasWarning(load(odd), "has 3 values for 2 keys of 2 weights"));
+}
+
+}  // namespace
+}  // namespace vct::test
