@@ -7,7 +7,7 @@
 swim  a slow camera (sideways, forward, turning; 1.3 pixels a frame): the change from frame to frame of the light
       that the same surface points receive, carried by the true geometry; it should be none. The floor is that of
       a field that is known not to change
-lag   a sun that goes once around in 10 s, and moving objects (`moving`, and the hundred `balls`), at 30
+lag   a sun that goes once around in 10 s, and moving objects (`moving`, the hundred `balls`, the `walker`), at 30
       frames a second: each frame against the still picture of its moment
 
 Entries of the same program stay in the file, so that several runs can share one; another program's are dropped. Ends with
@@ -28,11 +28,11 @@ from files import ROOT, commit, program_sha256, shown, write_whole
 from motion import changed_scenes, lag, swim, tables
 from motion.renderer import Renderer
 from references import SAME_PICTURE, parse_size, still_scenes
-from scenes import balls, moving
+from scenes import balls, moving, walker
 
 VERSION = 1
 DARK = {"lone_plane"}  # no light comes from other surfaces there: nothing that could lag
-OBJECTS = {"moving": moving.SECONDS, "balls": balls.SECONDS}  # the length of the animation, seconds
+OBJECTS = {"moving": moving.SECONDS, "balls": balls.SECONDS, "walker": walker.SECONDS}  # the length of the animation, seconds
 
 
 def arguments() -> argparse.Namespace:
@@ -101,7 +101,7 @@ class Motion:
         """A scene in which something moves, and its number of frames; None where nothing could."""
         if name in OBJECTS:
             frames = min(self.options.lag_frames, int(OBJECTS[name] * lag.FPS))
-            if name == "moving":
+            if name != "balls":
                 return asset(name), frames
             path = self.temporary / "balls.glb"
             path.write_bytes(balls.build(moving=balls.COUNT).to_bytes())

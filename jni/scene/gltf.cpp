@@ -1,5 +1,6 @@
 #include "scene/gltf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -117,6 +118,23 @@ std::vector<Placement> placementsOf(GltfFile& file, const PlacedNode& placed, An
     return placements;
 }
 
+// A pane of little alpha is left out so that light goes through it. Where nothing else is in the scene, that
+// would leave a black picture.
+void keepSomethingVisible(GltfFile& file, Scene& scene) {
+    const auto materialOf = [&](const Instance& instance) -> Material& {
+        return scene.materials[scene.meshes[instance.mesh].material];
+    };
+    const auto isSeen = [&](const Instance& instance) {
+        const Material& material = materialOf(instance);
+        return material.alphaMode == Material::AlphaMode::opaque ||
+               material.baseColor.a >= material.alphaCutoff;
+    };
+    if (std::any_of(scene.instances.begin(), scene.instances.end(), isSeen)) return;
+    for (const Instance& instance : scene.instances)
+        materialOf(instance).alphaMode = Material::AlphaMode::opaque;
+    file.warn("all of the scene is nearly transparent: it is drawn opaque");
+}
+
 Scene buildScene(GltfFile& file, const std::string& animation) {
     Scene scene;
     scene.path = file.path;
@@ -148,6 +166,7 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
         }
     }
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
+    keepSomethingVisible(file, scene);
     computeBounds(scene);
     addCameras(file, nodes, scene);
     scene.warnings = file.takeWarnings();

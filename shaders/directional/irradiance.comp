@@ -104,11 +104,16 @@ Received nextMean(Received before, float known, vec3 light, float nearness, floa
     return Received(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
 }
 
-// What is remembered of a face is that of few cones while things change, but what is received changes no faster from place
-// to place than what sends it is near (Ward, Rubinstein and Clear 1988): far from all, a face takes the mean of its block's
-// faces and of those around, which have looked into many directions together.
+// What is received changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
+// 1 where that is a voxel away, as along creases, 0 from four voxels on.
+float closeness(float nearness) {
+    return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
+}
+
+// What is remembered of a face is that of few cones while things change, but far from all a face takes the mean of its
+// block's faces and of those around, which have looked into many directions together.
 vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
-    float weight = lightStep.smoothing * clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
+    float weight = lightStep.smoothing * (1.0 - closeness(nearness));
     // No texel of another direction's faces may leak in.
     float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
     vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
@@ -128,12 +133,16 @@ void main() {
         uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
         if (slot >= voxelPlaces()) continue;
         SurfacePlane plane = facePlane(slot, listed.face);
-        float known = min(stepsOf(i), lightStep.memory);
+        // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
+        // crawls. It looks into more directions, and remembers more of them.
+        float close = closeness(receivedOf(i).nearness);
+        float known = min(stepsOf(i), lightStep.memory * (1.0 + 2.0 * close * lightStep.smoothing));
+        uint cones = close > 0.5 ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
         float coverage = faceCoverage(slot, listed.face);
         // A face without a memory looks into more directions, unless there is hardly anything of it.
         bool isNew = known == 0.0 && coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, hasBack(slot, listed.face, plane));
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : lightStep.cones));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             for (uint c = 0u; c < sums; ++c) {

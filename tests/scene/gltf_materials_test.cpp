@@ -288,6 +288,17 @@ TEST(GltfMaterials, TextureTransformIsBakedIntoItsOwnCoordinates) {
     EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(GltfMaterials, ASceneOfNothingButGlassIsDrawnOpaque) {
+    GltfBuilder glass =
+        textured({{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.1}}}}});
+    EXPECT_EQ(load(glass).materials.at(0).alphaMode, Material::AlphaMode::opaque);
+    EXPECT_TRUE(hasWarning(load(glass), "drawn opaque"));
+    // Beside anything else light goes through it.
+    glass.triangle();
+    EXPECT_EQ(load(glass).materials.at(0).alphaMode, Material::AlphaMode::mask);
+    EXPECT_FALSE(hasWarning(load(glass), "drawn opaque"));
+}
+
 TEST(GltfMaterials, TextureWithoutCoordinatesIsWarnedOf) {
     GltfBuilder builder = textured({{"emissiveTexture", {{"index", 0}, {"texCoord", 5}}}});
     builder.texture(encodePng(4));
