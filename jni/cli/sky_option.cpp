@@ -44,7 +44,7 @@ void SkyOption::lightScene(const Scene& scene, const std::string& lightText, Dir
     const glm::dvec3 direction = -light.towardsLight / light.towardsLight.y;
     char text[320];
     std::snprintf(text, sizeof text,
-                  "note: nothing in the scene shines; it is lit by a sun and a plain sky, as with --light "
+                  "note: the scene has no light of its own; it is lit by a sun and a plain sky, as with --light "
                   "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
                   direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r},
                   double{sky.g}, double{sky.b});

@@ -168,11 +168,24 @@ PunctualLight posed(PunctualLight light, const Pose& pose) {
     return light;
 }
 
+namespace {
+
+// Whether something glows all over. What glows by a texture, as the dials of an instrument do, lights up
+// itself and hardly what is around.
+bool glowsAsALamp(const Scene& scene) {
+    const std::vector<unsigned> materials = featuresOf(scene).materialFeatures;
+    return std::any_of(materials.begin(), materials.end(), [](unsigned features) {
+        return (features & featureEmissive) != 0 && (features & featureEmissiveTexture) == 0;
+    });
+}
+
+}  // namespace
+
 DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light = defaultLight();
     if (scene.punctualLights.empty()) {
-        if (featuresOf(scene).has(featureEmissive)) light.intensity = 0.0F;
+        if (glowsAsALamp(scene)) light.intensity = 0.0F;
         return light;
     }
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
@@ -195,8 +208,7 @@ DirectionalLight defaultLight() {
 }
 
 glm::vec3 chooseSky(const Scene& scene) {
-    const bool shines =
-        !scene.lights.empty() || !scene.punctualLights.empty() || featuresOf(scene).has(featureEmissive);
+    const bool shines = !scene.lights.empty() || !scene.punctualLights.empty() || glowsAsALamp(scene);
     return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
 }
 

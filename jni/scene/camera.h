@@ -44,9 +44,10 @@ Camera posed(Camera camera, const Pose& pose);
 DirectionalLight posed(DirectionalLight light, const Pose& pose);
 PunctualLight posed(PunctualLight light, const Pose& pose);
 
-// The scene's sun. Where it has none, the default one, of intensity 0 where something in the scene glows; but
-// where other lights shine, one of no colour: it gives no light, and its E, which the strongest of them gives
-// at a quarter of the scene's size, is the unit of what is drawn.
+// The scene's sun. Where it has none, the default one, of intensity 0 where something in the scene glows all
+// over, and not by a texture as the dials of an instrument do; but where other lights shine, one of no
+// colour: it gives no light, and its E, which the strongest of them gives at a quarter of the scene's size,
+// is the unit of what is drawn.
 DirectionalLight chooseLight(const Scene& scene);
 // From the upper front right, E = pi.
 DirectionalLight defaultLight();

@@ -69,11 +69,11 @@ TEST(SkyOption, ASceneWithoutAnyLightGetsASunAndASkyAndSaysHowToRepeatThem) {
     const std::string given = program.err.substr(at, program.err.find('\n', at) - at);
     const Image byDefault = readImage(program.folder.file("out/gi.exr"));
     ASSERT_EQ(program.run(renderPatio(given)), 0) << program.err;
-    EXPECT_EQ(program.err.find("nothing in the scene shines"), std::string::npos);
+    EXPECT_EQ(program.err.find("the scene has no light of its own"), std::string::npos);
     expectSameInHalves(readImage(program.folder.file("out/gi.exr")), byDefault);
     // A sky that is given is light, and no sun is added to it.
     ASSERT_EQ(program.run(renderPatio("--environment " + patio + ".hdr")), 0) << program.err;
-    EXPECT_EQ(program.err.find("nothing in the scene shines"), std::string::npos);
+    EXPECT_EQ(program.err.find("the scene has no light of its own"), std::string::npos);
     EXPECT_GT(compareImages(readImage(program.folder.file("out/gi.exr")), byDefault, 0.01F).fraction, 0.5);
 }
 

@@ -127,6 +127,20 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
 }
 
+TEST(ChooseLight, WhatGlowsAllOverIsALightAndWhatGlowsByATextureIsNone) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.materials[0].emissive = glm::vec3(2.0F);
+    scene.textures.resize(1);
+    scene.meshes.resize(1);
+    scene.instances.push_back({0});
+    EXPECT_EQ(chooseLight(scene).intensity, 0.0F);
+    EXPECT_EQ(chooseSky(scene), glm::vec3(0.0F));
+    scene.materials[0].emissiveTexture = 0;
+    EXPECT_GT(chooseLight(scene).intensity, 3.0F);
+    EXPECT_GT(chooseSky(scene).b, 0.1F);
+}
+
 TEST(ClipFromWorld, HasAVerticalFieldOfViewAndTheAspectOfThePicture) {
     const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
     const Camera camera = lookAt({0, 0, 10}, {0, 0, 0}, 90.0);

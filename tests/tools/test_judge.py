@@ -115,7 +115,7 @@ def test_a_scene_without_camera_and_light_is_the_same_on_both_sides(program, roo
     out = tmp_path / "judged"
     done = judge(program, room, out)
     assert done.returncode == 0, done.stderr
-    assert "nothing in the scene shines" in done.stdout and "camera: --camera eye=" in done.stdout
+    assert "the scene has no light of its own" in done.stdout and "camera: --camera eye=" in done.stdout
     assert abs(judged(out)["bias"]) < 0.08 and judged(out)["relmse"] < 0.05
 
 
@@ -149,7 +149,7 @@ def test_emission_is_scaled_on_both_sides(program, maker, tmp_path, emission):
     assert judge(program, maker.path, usual, *options).returncode == 0
     done = judge(program, maker.path, given, *options, "--emission", emission)
     assert done.returncode == 0, done.stderr
-    assert ("nothing in the scene shines" in done.stdout) == (emission == "0")
+    assert ("the scene has no light of its own" in done.stdout) == (emission == "0")
     if emission == "0":
         assert abs(judged(given)["bias"]) < 0.1
     else:

@@ -276,7 +276,8 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     area2 = np.linalg.norm(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]), axis=-1)
     keep = area2 > 1e-14  # a triangle without area stops no ray
     name, axes, eye, fov = find_camera(document, placed, file.path, size)
-    glows = any(materials[i].emissive.max() > 0 for i in set(owner.tolist()))
+    # What glows by a texture hardly lights what is around; the program gives such a scene its sun.
+    glows = any(materials[i].emissive.max() > 0 and materials[i].emissive_texture < 0 for i in set(owner.tolist()))
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
