@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "lab/options.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 
 namespace vct::app {
 

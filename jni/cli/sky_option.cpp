@@ -7,7 +7,7 @@
 #include "engine/environment.h"
 #include "image/environment_file.h"
 #include "lab/options.h"
-#include "scene/camera.h"
+#include "scene/light_choice.h"
 
 namespace vct::cli {
 
@@ -43,11 +43,12 @@ void SkyOption::lightScene(const Scene& scene, const std::string& lightText, Dir
     settings.skyRadiance = sky;
     const glm::dvec3 direction = -light.towardsLight / light.towardsLight.y;
     char text[320];
-    std::snprintf(text, sizeof text,
-                  "note: the scene has no light of its own; it is lit by a sun and a plain sky, as with --light "
-                  "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
-                  direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r},
-                  double{sky.g}, double{sky.b});
+    std::snprintf(
+        text, sizeof text,
+        "note: the scene has no light of its own; it is lit by a sun and a plain sky, as with --light "
+        "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
+        direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r}, double{sky.g},
+        double{sky.b});
     say(text);
 }
 

@@ -25,8 +25,9 @@ class WebpPicture {
     std::vector<std::uint8_t> decode() const;
 
   private:
-    const unsigned char* bytes_;
-    std::size_t size_;
+    // A build that lacks the library reads neither.
+    [[maybe_unused]] const unsigned char* bytes_;
+    [[maybe_unused]] std::size_t size_;
     int width_ = 0, height_ = 0;
 };
 

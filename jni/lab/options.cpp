@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 
 namespace vct {
 

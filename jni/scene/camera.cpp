@@ -9,12 +9,10 @@
 #include "core/error.h"
 #include "core/number_text.h"
 #include "scene/framing.h"
-#include "scene/scene_features.h"
 
 namespace vct {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 // What is nearer to a camera that looks at something than this share of its distance may be cut off.
 constexpr double nearestOfDistance = 1.0 / 50.0;
 constexpr double widestTanHalf = 11.43;  // 170 degrees, for fitted()
@@ -166,55 +164,6 @@ PunctualLight posed(PunctualLight light, const Pose& pose) {
     if (light.node < 0) return light;
     follow(light.worldFromLight, pose, light.node);
     return light;
-}
-
-namespace {
-
-// Whether something glows all over. What glows by a texture, as the dials of an instrument do, lights up
-// itself and hardly what is around.
-bool glowsAsALamp(const Scene& scene) {
-    const std::vector<unsigned> materials = featuresOf(scene).materialFeatures;
-    return std::any_of(materials.begin(), materials.end(), [](unsigned features) {
-        return (features & featureEmissive) != 0 && (features & featureEmissiveTexture) == 0;
-    });
-}
-
-}  // namespace
-
-DirectionalLight chooseLight(const Scene& scene) {
-    if (!scene.lights.empty()) return scene.lights.front();
-    DirectionalLight light = defaultLight();
-    if (scene.punctualLights.empty()) {
-        if (glowsAsALamp(scene)) light.intensity = 0.0F;
-        return light;
-    }
-    const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
-    const double distance = std::max(0.25 * std::max({size.x, size.y, size.z}), 1e-15);
-    double strongest = 0.0;  // lux
-    for (const PunctualLight& other : scene.punctualLights) {
-        const bool placed = other.type != PunctualLight::Type::directional;
-        strongest = std::max(strongest, other.intensity / (placed ? distance * distance : 1.0));
-    }
-    light.color = glm::vec3(0.0F);
-    light.intensity = static_cast<float>(std::min(strongest, 1e30));
-    return light;
-}
-
-DirectionalLight defaultLight() {
-    DirectionalLight light;
-    light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
-    light.intensity = static_cast<float>(pi);
-    return light;
-}
-
-glm::vec3 chooseSky(const Scene& scene) {
-    const bool shines = !scene.lights.empty() || !scene.punctualLights.empty() || glowsAsALamp(scene);
-    return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
-}
-
-glm::vec3 plainSky(const DirectionalLight& light) {
-    const float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
-    return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
 }
 
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {

@@ -44,20 +44,6 @@ Camera posed(Camera camera, const Pose& pose);
 DirectionalLight posed(DirectionalLight light, const Pose& pose);
 PunctualLight posed(PunctualLight light, const Pose& pose);
 
-// The scene's sun. Where it has none, the default one, of intensity 0 where something in the scene glows all
-// over, and not by a texture as the dials of an instrument do; but where other lights shine, one of no
-// colour: it gives no light, and its E, which the strongest of them gives at a quarter of the scene's size,
-// is the unit of what is drawn.
-DirectionalLight chooseLight(const Scene& scene);
-// From the upper front right, E = pi.
-DirectionalLight defaultLight();
-// The radiance of a plain sky for a scene in which nothing shines, so that its first picture shows it; else
-// black.
-glm::vec3 chooseSky(const Scene& scene);
-// The radiance of a sky that gives a floor a quarter of such a light, in the blue of a clear day. As of the
-// default light where it gives nothing.
-glm::vec3 plainSky(const DirectionalLight& light);
-
 // Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene: to
 // `visibleWorld`, which is `boundsWorld` and what has moved out of it. Returns clipFromWorld.
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect,

@@ -23,6 +23,8 @@ constexpr int outsideResolution = 96, aroundResolution = 12;
 // Of all directions, those in which a closed room has a surface before its middle. A box of 4 x 2 x 4 m that
 // is open at the front has 90 %, a room of 4 x 5 x 2.7 m with a window 98 %.
 constexpr double closedShare = 0.96;
+constexpr double openShare =
+    0.6;  // likewise of a room that is open at a side; a field under the sky has half
 constexpr double roomShare = 0.1;   // of the bounds' volume, at least, is before a room's middle
 constexpr double muchMore = 1.5;    // times the surface that is seen from the front
 constexpr double fromBelow = 0.67;  // what a view from below counts, as things rarely stand on glass
@@ -207,8 +209,8 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
     return places;
 }
 
-// Whether the scene is a closed room whose inside is what there is to see.
-bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside) {
+// Whether the scene is a room, closed in so many of all directions, whose inside is what there is to see.
+bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double leastClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     // The very middle may be inside a column; a place with a column before an opening may look closed.
     const std::vector<Around> places = placesAround(
@@ -218,7 +220,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside) {
     for (const Around& around : places) {
         const Enclosure enclosure = enclosureOf(around);
         if (enclosure.volume < roomShare * size.x * size.y * size.z) continue;
-        if (enclosure.closed < closedShare) return false;
+        if (enclosure.closed < leastClosed) return false;
         if (enclosure.volume < most) continue;
         most = enclosure.volume;
         widest = &around;
@@ -268,7 +270,7 @@ View viewInside(const Scene& scene, double aspect) {
 Camera frameScene(const Scene& scene, double aspect) {
     const double fovDeg = fovFor(outsideTanHalf, aspect);
     const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, fovDeg, aspect);
-    if (isRoom(scene, outside)) {
+    if (isRoom(scene, outside, closedShare)) {
         const View inside = viewInside(scene, aspect);
         return lookAtRounded(inside.eye, inside.target, inside.fovDeg, diagonalOf(scene));
     }
@@ -277,6 +279,10 @@ Camera frameScene(const Scene& scene, double aspect) {
     const glm::dvec3 back = best.worldFromView[2];
     return lookAtRounded(best.eye, best.eye - glm::dot(best.eye - centre, back) * back, fovDeg,
                          diagonalOf(scene));
+}
+
+bool isOpenRoom(const Scene& scene) {
+    return isRoom(scene, viewsFromOutside(scene, fovFor(outsideTanHalf, 1.0), 1.0), openShare);
 }
 
 }  // namespace vct

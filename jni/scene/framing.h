@@ -1,4 +1,4 @@
-// A view of a scene that has no camera of its own.
+// What a scene shows: a room or things, and a view of it where it has no camera of its own.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,5 +10,8 @@ namespace vct {
 // another side, where much more of its surface is seen from there. A closed room is seen from inside: from
 // where, and towards where, most of its space is before the camera. cameraOption() repeats it exactly.
 Camera frameScene(const Scene& scene, double aspect);
+
+// Whether the scene is a room that one looks into, closed or open at a side, rather than things in the open.
+bool isOpenRoom(const Scene& scene);
 
 }  // namespace vct

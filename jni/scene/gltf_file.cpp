@@ -155,6 +155,15 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
+// For tinygltf a skin without inverse bind matrices is an error, for the specification (section 5.28) they
+// are then the identity. The index -1 is none.
+void allowSkinsWithoutMatrices(json& document) {
+    const auto skins = document.find("skins");
+    if (skins == document.end() || !skins->is_array()) return;
+    for (json& skin : *skins)
+        if (skin.is_object()) skin.emplace("inverseBindMatrices", -1);
+}
+
 // Whether a buffer is there for programs that do not unpack meshoptimizer's streams.
 bool isFallback(const json& source) {
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
@@ -300,6 +309,7 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
     hideDracoIndices(document);
+    allowSkinsWithoutMatrices(document);
     // What is taken here, tinygltf does not see.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");

@@ -11,6 +11,7 @@
 #include "lab/read_back.h"
 #include "scene/camera.h"
 #include "scene/framing.h"
+#include "scene/light_choice.h"
 #include "support/faces.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"

@@ -7,6 +7,7 @@
 #include "lab/debug_view.h"
 #include "lab/read_back.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/renderers.h"
 #include "support/voxels.h"
 

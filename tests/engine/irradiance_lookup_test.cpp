@@ -6,6 +6,7 @@
 #include <set>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"
 #include "support/scenes.h"

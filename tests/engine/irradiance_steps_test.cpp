@@ -7,6 +7,7 @@
 
 #include "gl/call_log.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/playing_scene.h"
 #include "support/received.h"
 #include "support/scenes.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/cpu_directional_cones.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"

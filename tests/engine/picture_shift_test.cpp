@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 

@@ -12,6 +12,7 @@
 #include "lab/debug_view.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/renderers.h"
 
 namespace vct::test {

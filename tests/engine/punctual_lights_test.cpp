@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/errors.h"
 #include "support/frame_inspector.h"
 #include "support/playing_scene.h"

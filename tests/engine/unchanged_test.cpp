@@ -9,6 +9,7 @@
 #include "lab/debug_view.h"
 #include "lab/options.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/grids.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/grids.h"
 #include "support/renderers.h"
 #include "support/scenes.h"

@@ -5,6 +5,7 @@
 
 #include "lab/read_back.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/errors.h"
 #include "support/renderers.h"
 #include "support/scenes.h"

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 

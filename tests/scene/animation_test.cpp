@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/errors.h"
 #include "support/gltf_builder.h"
 

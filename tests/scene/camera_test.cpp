@@ -111,36 +111,6 @@ TEST(CameraOption, RepeatsATurnedCamera) {
     expectMentions(errorOf([] { lookAt({0, 0, 1}, {0, 0, 0}, 40.0, glm::dvec3(0, 0, 2)); }), {"up"});
 }
 
-TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
-    Scene scene;
-    const DirectionalLight fallback = chooseLight(scene);
-    EXPECT_NEAR(glm::length(fallback.towardsLight), 1.0, 1e-12);
-    EXPECT_GT(glm::min(fallback.towardsLight.x, glm::min(fallback.towardsLight.y, fallback.towardsLight.z)),
-              0.0);
-    EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
-    // Where others shine it gives no light.
-    scene.punctualLights.emplace_back();
-    EXPECT_EQ(chooseLight(scene).color, glm::vec3(0.0F));
-    EXPECT_GT(chooseLight(scene).intensity, 0.0F);
-    scene.lights.resize(1);
-    scene.lights[0].intensity = 5.0F;
-    EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
-}
-
-TEST(ChooseLight, WhatGlowsAllOverIsALightAndWhatGlowsByATextureIsNone) {
-    Scene scene;
-    scene.materials.resize(1);
-    scene.materials[0].emissive = glm::vec3(2.0F);
-    scene.textures.resize(1);
-    scene.meshes.resize(1);
-    scene.instances.push_back({0});
-    EXPECT_EQ(chooseLight(scene).intensity, 0.0F);
-    EXPECT_EQ(chooseSky(scene), glm::vec3(0.0F));
-    scene.materials[0].emissiveTexture = 0;
-    EXPECT_GT(chooseLight(scene).intensity, 3.0F);
-    EXPECT_GT(chooseSky(scene).b, 0.1F);
-}
-
 TEST(ClipFromWorld, HasAVerticalFieldOfViewAndTheAspectOfThePicture) {
     const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
     const Camera camera = lookAt({0, 0, 10}, {0, 0, 0}, 90.0);

@@ -35,6 +35,24 @@ TEST(Deformations, AtRestVerticesAreWhereTheirJointsAre) {
     expectNear(glm::dvec3(column.vertices[64].normal), {1, 0, 0});
 }
 
+// glTF 2.0, section 5.28: they are then the identity.
+TEST(Deformations, ASkinMayHaveNoInverseBindMatrices) {
+    GltfBuilder identities = twoThatDeform();
+    std::vector<float> values;
+    for (int i = 0; i < 3 * 16; ++i)
+        values.push_back(i % 16 % 5 == 0 ? 1.0F : 0.0F);
+    identities.document["skins"][0]["inverseBindMatrices"] = identities.floats(values, "MAT4");
+    GltfBuilder none = twoThatDeform();
+    none.document["skins"][0].erase("inverseBindMatrices");
+    const Scene expected = load(identities), loaded = load(none);
+    EXPECT_TRUE(loaded.warnings.empty());
+    const Mesh &a = deformingMesh(expected, 0), &b = deformingMesh(loaded, 0);
+    ASSERT_EQ(a.vertices.size(), b.vertices.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i)
+        expectNear(world(b, i), world(a, i), 0.0);
+    EXPECT_GT(glm::length(world(b, 64) - world(deformingMesh(load(twoThatDeform()), 0), 64)), 0.1);
+}
+
 TEST(Deformations, AVertexBetweenTwoJointsGoesHalfTheWay) {
     const Scene scene = load(twoThatDeform());
     const Mesh& column = deformingMesh(scene, 0);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
 

@@ -8,7 +8,7 @@
 #include "app/android/assets.h"
 #include "app/log.h"
 #include "gl/debug.h"
-#include "scene/camera.h"
+#include "scene/light_choice.h"
 
 namespace vct::app {
 
