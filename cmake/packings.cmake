@@ -22,3 +22,5 @@ endif()
 vct_packing(DRACO draco draco/compression/decode.h)
 vct_packing(MESHOPT meshoptimizer meshoptimizer.h)
 vct_packing(WEBP webp webp/decode.h)
+# No package of Debian: whoever installs it has it.
+vct_packing(KTX ktx ktx.h)

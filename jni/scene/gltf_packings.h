@@ -1,5 +1,6 @@
 // What a file may be packed with beside glTF's own forms. Each is read by its own library, which a build may
-// lack (CMake's VCT_DRACO, VCT_MESHOPT and VCT_WEBP); what needs it is then refused with the library's name.
+// lack (CMake's VCT_DRACO, VCT_MESHOPT, VCT_WEBP and VCT_KTX); what needs it is then refused with the
+// library's name.
 #pragma once
 
 #include <optional>
@@ -30,8 +31,8 @@ void hideDracoIndices(nlohmann::json& document);
 std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::Primitive& primitive,
                                                const std::string& mesh);
 
-// The image of a texture: the WebP one where there is one that can be read, else the plain one. Throws where
-// there is none that can be read.
+// The image of a texture: the WebP one where there is one that can be read, else the plain one, else the KTX2
+// one. Throws where there is none.
 int imageOf(const GltfFile& file, int texture);
 
 }  // namespace vct

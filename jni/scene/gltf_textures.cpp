@@ -1,5 +1,6 @@
 #include "core/memory.h"
 #include "core/number_text.h"
+#include "image/ktx2_picture.h"
 #include "image/stb_picture.h"
 #include "image/webp_picture.h"
 #include "scene/gltf_accessors.h"
@@ -32,11 +33,10 @@ int imageOf(const GltfFile& file, int texture) {
     const tinygltf::Value* const webp = extensionOf(source.extensions, "EXT_texture_webp");
     if (webp != nullptr && (readsWebp || source.source < 0)) return indexAt(*webp, "source");
     if (source.source >= 0) return source.source;
-    const std::string what = "texture " + std::to_string(texture);
-    if (extensionOf(source.extensions, "KHR_texture_basisu") != nullptr)
-        file.fail(what + " is KTX2 (KHR_texture_basisu), which needs the library libktx and is not read",
-                  "export it with PNG, JPEG or WebP textures, or with one of them as a fallback");
-    file.fail(what + " has no PNG, JPEG or WebP image", "export it with PNG, JPEG or WebP textures");
+    const tinygltf::Value* const ktx2 = extensionOf(source.extensions, "KHR_texture_basisu");
+    if (ktx2 != nullptr) return indexAt(*ktx2, "source");
+    file.fail("texture " + std::to_string(texture) + " has no PNG, JPEG, WebP or KTX2 image",
+              "export it with one of these textures");
 }
 
 int TextureLoader::get(int index) {
@@ -104,6 +104,10 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     try {
         if (isWebp(bytes.data, bytes.size)) {
             const WebpPicture picture(bytes.data, bytes.size);
+            checkSize(picture);
+            result.rgba = picture.decode();
+        } else if (isKtx2(bytes.data, bytes.size)) {
+            const Ktx2Picture picture(bytes.data, bytes.size);
             checkSize(picture);
             result.rgba = picture.decode();
         } else {

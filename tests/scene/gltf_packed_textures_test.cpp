@@ -1,0 +1,211 @@
+// WebP and KTX2 textures, and what stands beside them; encoded here by their libraries.
+#include <gtest/gtest.h>
+
+#ifdef VCT_HAS_WEBP
+#include <webp/encode.h>
+#endif
+#ifdef VCT_HAS_KTX
+#include <ktx.h>
+#endif
+
+#include <random>
+
+#include "support/errors.h"
+#include "support/packed_mesh.h"
+
+namespace vct::test {
+namespace {
+
+// A field with a texture that has these images; no index where there is none.
+struct TexturedField {
+    GltfBuilder builder = plainField(BumpyField(3));
+    json texture = json::object();
+
+    int image(const Bytes& bytes) {
+        return builder.add("images",
+                           {{"name", "wall"}, {"bufferView", builder.view(bytes.data(), bytes.size())}});
+    }
+    GltfBuilder file() const {
+        GltfBuilder result = builder;
+        result.add("textures", texture);
+        result.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+        result.document["meshes"][0]["primitives"][0]["material"] = 0;
+        return result;
+    }
+};
+
+[[maybe_unused]] std::vector<std::uint8_t> picturePixels() {
+    std::vector<std::uint8_t> rgba;
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 16; ++x)
+            for (const int channel : {x * 15, y * 10, 100 + x - y, x == y ? 128 : 255})
+                rgba.push_back(static_cast<std::uint8_t>(channel));
+    return rgba;
+}
+
+// Mean difference of the one texture from picturePixels(), of 255.
+[[maybe_unused]] double differenceFromThePicture(const Scene& scene) {
+    EXPECT_TRUE(scene.warnings.empty());
+    const Texture& texture = scene.textures.at(0);
+    const std::vector<std::uint8_t> expected = picturePixels();
+    EXPECT_EQ(texture.width, 16);
+    EXPECT_EQ(texture.height, 24);
+    if (texture.rgba.size() != expected.size()) return 255.0;
+    double difference = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        difference += std::abs(int{texture.rgba.data()[i]} - int{expected[i]});
+    return difference / static_cast<double>(expected.size());
+}
+
+#ifdef VCT_HAS_WEBP
+
+Bytes encodeWebp(bool lossless) {
+    const std::vector<std::uint8_t> rgba = picturePixels();
+    std::uint8_t* encoded = nullptr;
+    const std::size_t size = lossless ? WebPEncodeLosslessRGBA(rgba.data(), 16, 24, 64, &encoded)
+                                      : WebPEncodeRGBA(rgba.data(), 16, 24, 64, 90, &encoded);
+    const Bytes bytes(encoded, encoded + size);
+    WebPFree(encoded);
+    return bytes;
+}
+
+TEST(Webp, IsTheSamePicture) {
+    for (const bool lossless : {true, false}) {
+        TexturedField field;
+        field.image(encodePng(4));
+        field.texture = {{"source", 0}};
+        field.texture["extensions"]["EXT_texture_webp"]["source"] = field.image(encodeWebp(lossless));
+        field.builder.document["extensionsUsed"] = {"EXT_texture_webp"};
+        // Lossless keeps colours below alpha 0 only; there are none.
+        EXPECT_LE(differenceFromThePicture(load(field.file())), lossless ? 0.0 : 6.0);
+    }
+}
+
+// Some exporters name it as if it were PNG.
+TEST(Webp, IsReadWithoutTheExtensionToo) {
+    TexturedField field;
+    field.texture = {{"source", field.image(encodeWebp(true))}};
+    EXPECT_EQ(load(field.file()).textures.at(0).height, 24);
+}
+
+TEST(Webp, DamagedPicturesAreRefusedByName) {
+    const Bytes picture = encodeWebp(true);
+    std::mt19937 random(5);
+    int refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        Bytes damaged = i % 2 == 0 ? picture : encodeWebp(false);
+        for (int bytes = 0; bytes < 3; ++bytes)
+            damaged[12 + random() % (damaged.size() - 12)] = static_cast<unsigned char>(random());
+        if (i % 5 == 0) damaged.resize(12 + random() % (damaged.size() - 12));
+        TexturedField field;
+        field.texture["extensions"]["EXT_texture_webp"]["source"] = field.image(damaged);
+        const std::string error = loadError(field.file());
+        if (error.empty()) continue;
+        ++refused;
+        expectMentions(error, {"test.glb", "image 0 (wall)"});
+    }
+    EXPECT_GT(refused, 80);
+}
+
+#else
+
+TEST(Webp, IsRefusedByTheNameOfTheLibraryUnlessThereIsAFallback) {
+    TexturedField field;
+    field.texture["extensions"]["EXT_texture_webp"]["source"] =
+        field.image(bytesOf(std::string("RIFF\x10\0\0\0WEBPVP8L", 16)));
+    expectMentions(loadError(field.file()), {"test.glb", "image 0 (wall)", "libwebp", "VCT_WEBP"});
+    field.texture["source"] = field.image(encodePng(4));
+    EXPECT_EQ(load(field.file()).textures.at(0).width, 4);
+}
+
+#endif
+
+#ifdef VCT_HAS_KTX
+
+enum class Codec { plain, plainZstd, etc1s, uastc };
+
+Bytes encodeKtx2(Codec codec) {
+    ktxTextureCreateInfo info{};
+    info.vkFormat = 43;  // R8G8B8A8_SRGB
+    info.baseWidth = 16;
+    info.baseHeight = 24;
+    info.baseDepth = info.numLevels = info.numLayers = info.numFaces = 1;
+    info.numDimensions = 2;
+    ktxTexture2* texture = nullptr;
+    EXPECT_EQ(ktxTexture2_Create(&info, KTX_TEXTURE_CREATE_ALLOC_STORAGE, &texture), KTX_SUCCESS);
+    const std::vector<std::uint8_t> rgba = picturePixels();
+    ktxTexture_SetImageFromMemory(ktxTexture(texture), 0, 0, 0, rgba.data(), rgba.size());
+    if (codec == Codec::plainZstd) {
+        EXPECT_EQ(ktxTexture2_DeflateZstd(texture, 5), KTX_SUCCESS);
+    }
+    if (codec == Codec::etc1s || codec == Codec::uastc) {
+        ktxBasisParams parameters{};
+        parameters.structSize = sizeof parameters;
+        parameters.uastc = codec == Codec::uastc;
+        parameters.threadCount = 1;
+        parameters.compressionLevel = KTX_ETC1S_DEFAULT_COMPRESSION_LEVEL;
+        parameters.qualityLevel = 255;
+        EXPECT_EQ(ktxTexture2_CompressBasisEx(texture, &parameters), KTX_SUCCESS);
+    }
+    ktx_uint8_t* encoded = nullptr;
+    ktx_size_t size = 0;
+    EXPECT_EQ(ktxTexture_WriteToMemory(ktxTexture(texture), &encoded, &size), KTX_SUCCESS);
+    const Bytes bytes(encoded, encoded + size);
+    free(encoded);
+    ktxTexture_Destroy(ktxTexture(texture));
+    return bytes;
+}
+
+TEST(Ktx2, IsTheSamePicture) {
+    for (const auto& [codec, most] :
+         {std::pair{Codec::plain, 0.0}, {Codec::plainZstd, 0.0}, {Codec::uastc, 4.0}, {Codec::etc1s, 12.0}}) {
+        TexturedField field;
+        field.texture["extensions"]["KHR_texture_basisu"]["source"] = field.image(encodeKtx2(codec));
+        field.builder.document["extensionsRequired"] = {"KHR_texture_basisu"};
+        EXPECT_LE(differenceFromThePicture(load(field.file())), most) << static_cast<int>(codec);
+    }
+}
+
+TEST(Ktx2, IsReadWithoutTheExtensionToo) {
+    TexturedField field;
+    field.texture = {{"source", field.image(encodeKtx2(Codec::uastc))}};
+    EXPECT_EQ(load(field.file()).textures.at(0).height, 24);
+}
+
+TEST(Ktx2, DamagedPicturesAreRefusedByName) {
+    std::mt19937 random(5);
+    int refused = 0;
+    for (const Codec codec : {Codec::plainZstd, Codec::etc1s, Codec::uastc}) {
+        const Bytes picture = encodeKtx2(codec);
+        for (int i = 0; i < 300; ++i) {
+            Bytes damaged = picture;
+            for (int bytes = 0; bytes < 3; ++bytes)
+                damaged[12 + random() % (damaged.size() - 12)] = static_cast<unsigned char>(random());
+            if (i % 5 == 0) damaged.resize(12 + random() % (damaged.size() - 12));
+            TexturedField field;
+            field.texture["extensions"]["KHR_texture_basisu"]["source"] = field.image(damaged);
+            const std::string error = loadError(field.file());
+            if (error.empty()) continue;
+            ++refused;
+            expectMentions(error, {"test.glb", "image 0 (wall)"});
+        }
+    }
+    EXPECT_GT(refused, 200);
+}
+
+#else
+
+TEST(Ktx2, IsRefusedByTheNameOfTheLibraryUnlessThereIsAFallback) {
+    TexturedField field;
+    field.builder.document["extensionsRequired"] = {"KHR_texture_basisu"};
+    field.texture["extensions"]["KHR_texture_basisu"]["source"] =
+        field.image(bytesOf("\xABKTX 20\xBB\r\n\x1A\n"));
+    expectMentions(loadError(field.file()), {"test.glb", "image 0 (wall)", "KTX2", "libktx", "VCT_KTX"});
+    field.texture["source"] = field.image(encodePng(4));
+    EXPECT_EQ(load(field.file()).textures.at(0).width, 4);
+}
+
+#endif
+
+}  // namespace
+}  // namespace vct::test
