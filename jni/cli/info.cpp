@@ -14,6 +14,7 @@
 #include "lab/scene_costs.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
+#include "scene/light_choice.h"
 
 namespace vct::cli {
 namespace {
@@ -101,7 +102,8 @@ void printCamera(const InfoOptions& options) {
                                       {"name", camera.name},
                                       {"eye_world", three(3)},
                                       {"right_up_back", {three(0), three(1), three(2)}},
-                                      {"vertical_fov_rad", camera.verticalFovRad}};
+                                      {"vertical_fov_rad", camera.verticalFovRad},
+                                      {"lights_itself", chooseSky(scene) == glm::vec3(0.0F)}};
     std::puts(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 

@@ -14,6 +14,8 @@ import urllib.parse
 import numpy as np
 import PIL.Image
 
+from . import packings
+
 COMPONENT_TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 GLB_MAGIC, JSON_CHUNK, BIN_CHUNK = 0x46546C67, 0x4E4F534A, 0x004E4942
@@ -39,6 +41,8 @@ class GltfFile:
         except (ValueError, struct.error) as error:
             raise GltfError(f"{path}: not a glTF 2.0 file: {error}") from error
         self._buffers: dict[int, bytes] = {}
+        self._unpacked_views: dict[int, bytes] = {}
+        self._unpacked_rows: dict[int, np.ndarray] = {}  # of accessors
 
     def _parse(self, data: bytes) -> dict:
         if data[:4] != struct.pack("<I", GLB_MAGIC):
@@ -67,20 +71,46 @@ class GltfFile:
             self._buffers[index] = self._binary if uri is None else self._resource(uri)
         return self._buffers[index]
 
+    def _view(self, index: int) -> tuple[bytes, int]:
+        """What a view lies in, and where it begins there."""
+        view = self.json["bufferViews"][index]
+        packed = packings.meshopt_of(view)
+        if packed is None:
+            return self.buffer(view["buffer"]), view.get("byteOffset", 0)
+        if index not in self._unpacked_views:
+            start = packed.get("byteOffset", 0)
+            stream = self.buffer(packed["buffer"])[start:start + packed["byteLength"]]
+            self._unpacked_views[index] = packings.unpack_view(packed, stream)
+        return self._unpacked_views[index], 0
+
+    def unpack(self, primitive: dict) -> None:
+        """Before its accessors are read: those that are packed by Draco then stand for what the stream holds."""
+        packed = primitive.get("extensions", {}).get("KHR_draco_mesh_compression")
+        if packed is None or primitive["indices"] in self._unpacked_rows:
+            return
+        view = self.json["bufferViews"][packed["bufferView"]]
+        data, start = self._view(packed["bufferView"])
+        indices, attributes = packings.unpack_primitive(packed, data[start:start + view["byteLength"]])
+        self._unpacked_rows[primitive["indices"]] = indices
+        for name, rows in attributes.items():
+            self._unpacked_rows[primitive["attributes"][name]] = rows
+
     def _rows(self, view_index: int, offset: int, count: int, kind: type, width: int) -> np.ndarray:
         """`count` rows of `width` numbers of a buffer view, rows `byteStride` apart."""
         view = self.json["bufferViews"][view_index]
         size = np.dtype(kind).itemsize
         stride = view.get("byteStride", size * width)
-        start = view.get("byteOffset", 0) + offset
-        return np.ndarray((count, width), np.dtype(kind).newbyteorder("<"), self.buffer(view["buffer"]), start,
+        data, start = self._view(view_index)
+        return np.ndarray((count, width), np.dtype(kind).newbyteorder("<"), data, start + offset,
                           (stride, size)).astype(kind)
 
     def accessor(self, index: int) -> np.ndarray:
         """(count, width); normalized integers become float64 (3.6.2.2), sparse ones are filled in (3.6.2.3)."""
         accessor = self.json["accessors"][index]
         kind, width, count = COMPONENT_TYPES[accessor["componentType"]], WIDTHS[accessor["type"]], accessor["count"]
-        if "bufferView" in accessor:
+        if index in self._unpacked_rows:
+            rows = self._unpacked_rows[index].copy()
+        elif "bufferView" in accessor:
             rows = self._rows(accessor["bufferView"], accessor.get("byteOffset", 0), count, kind, width)
         else:
             rows = np.zeros((count, width), kind)
@@ -99,8 +129,8 @@ class GltfFile:
         image = self.json["images"][index]
         if "bufferView" in image:
             view = self.json["bufferViews"][image["bufferView"]]
-            start = view.get("byteOffset", 0)
-            data = self.buffer(view["buffer"])[start:start + view["byteLength"]]
+            data, start = self._view(image["bufferView"])
+            data = data[start:start + view["byteLength"]]
         else:
             data = self._resource(image["uri"])
         return np.asarray(PIL.Image.open(io.BytesIO(data)).convert("RGBA"))

@@ -93,11 +93,21 @@ def load_materials(document: dict) -> list[Material]:
     return [load_material(m) for m in [*document.get("materials", []), {}]]
 
 
+def image_of(texture: dict) -> int:
+    """The program too prefers WebP to what is there beside it, and that to KTX2."""
+    extensions = texture.get("extensions", {})
+    if "EXT_texture_webp" in extensions:
+        return extensions["EXT_texture_webp"]["source"]
+    if "source" not in texture:
+        raise ValueError("a texture is neither PNG, JPEG nor WebP, and others are not read here")
+    return texture["source"]
+
+
 def load_textures(file: GltfFile, materials: list[Material]) -> list[Texture]:
     """The file's as colours, and behind them those that hold numbers, which `materials` then refer to."""
     textures, numbers = [], []
     for texture in file.json.get("textures", []):
-        stored = file.image(texture["source"]).astype(np.float64) / 255
+        stored = file.image(image_of(texture)).astype(np.float64) / 255
         texels = np.concatenate([linear_from_srgb(stored[..., :3]), stored[..., 3:]], -1)
         sampler = file.json["samplers"][texture["sampler"]] if "sampler" in texture else {}
         textures.append(Texture(texels, WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)],

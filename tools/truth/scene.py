@@ -4,6 +4,7 @@ That space is the world moved and scaled so that the voxel volume is the cube of
 1 mm, of 10 km and far from the origin then keep the same precision, and give the same picture.
 """
 import dataclasses
+import itertools
 import math
 import pathlib
 
@@ -14,6 +15,7 @@ import program
 from .gltf_file import GltfError, GltfFile
 from .hdr import read_sky
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
+from .packings import instance_transforms
 from .pose import joint_matrices, morphed, posed, vertex_matrices
 
 GRID, PADDING_VOXELS = 256, 2.5  # jni/engine/volume.cpp, at the grid of all measurements
@@ -129,6 +131,7 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
     attributes = primitive["attributes"]
     if "POSITION" not in attributes:
         return None
+    file.unpack(primitive)
     position = morphed(file, primitive, weights, "POSITION", file.accessor(attributes["POSITION"]).astype(np.float64))
     order = (file.accessor(primitive["indices"])[:, 0].astype(np.int64) if "indices" in primitive
              else np.arange(len(position)))
@@ -253,9 +256,10 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
         mesh = document["meshes"][node["mesh"]]
         weights = node.get("weights", mesh.get("weights", []))
         joints = joint_matrices(file, document, node["skin"], dict(worlds)) if "skin" in node else None
-        for primitive in mesh["primitives"]:
+        instances = [world @ local_transform(instance) for instance in instance_transforms(file, node)]
+        for instance, primitive in itertools.product(instances, mesh["primitives"]):
             material = primitive.get("material", len(materials) - 1)  # the last one is the default material
-            arrays = primitive_arrays(file, primitive, world, materials[material], weights, joints)
+            arrays = primitive_arrays(file, primitive, instance, materials[material], weights, joints)
             if arrays:
                 parts.append(arrays)
                 material_of.append(np.full(len(arrays[0]), material))
@@ -278,6 +282,7 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     name, axes, eye, fov = find_camera(document, placed, file.path, size)
     # What glows by a texture hardly lights what is around; the program gives such a scene its sun.
     glows = any(materials[i].emissive.max() > 0 and materials[i].emissive_texture < 0 for i in set(owner.tolist()))
+    glows = glows and program.camera(file.path, size)["lights_itself"]  # in a room
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
