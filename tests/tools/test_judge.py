@@ -142,6 +142,9 @@ def test_emission_is_scaled_on_both_sides(program, maker, tmp_path, emission):
     grey = maker.grey(0.6)
     maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), grey)
     maker.quad((-1, 0, -1), (2, 0, 0), (0, 1.5, 0), grey)
+    maker.quad((-1, 0, 1), (0, 0, -2), (0, 1.5, 0), grey)
+    maker.quad((1, 0, -1), (0, 0, 2), (0, 1.5, 0), grey)
+    maker.quad((-1, 1.5, -1), (2, 0, 0), (0, 0, 2), grey)
     maker.quad((-0.5, 1.4, -0.5), (1, 0, 0), (0, 0, 1), maker.glb.material("lamp", (0.5, 0.5, 0.5), emissive=((1, 1, 1), 2.0, None)))
     maker.path.write_bytes(maker.glb.to_bytes())
     usual, given = tmp_path / "usual", tmp_path / "given"

@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from .gltf_file import GltfFile
+from .specular_glossiness import SpecularGlossiness, converted, converted_texels, specular_glossiness
 
 WRAPS = {10497: 0, 33648: 1, 33071: 2}  # repeat, mirrored repeat, clamp to edge
 NEAREST = 9728
@@ -38,6 +39,7 @@ class Material:
     normal_texture: int  # or -1
     normal_uv: UvSource | None
     normal_scale: float
+    textured_gloss: SpecularGlossiness | None = None  # until its textures are read
 
     @property
     def glossy(self) -> bool:
@@ -88,9 +90,27 @@ def load_material(material: dict) -> Material:
                     normal.get("scale", 1.0) if normal else 1.0)
 
 
+def load_specular_glossiness(material: Material, source: SpecularGlossiness) -> None:
+    laid_by = source.diffuse_info or source.specular_info
+    material.base_color_uv = material.gloss_uv = uv_source(laid_by)
+    material.base_color_texture = material.gloss_texture = -1
+    if laid_by is not None:
+        material.base_color, material.metallic, material.roughness = np.ones(4), 1.0, 1.0
+        material.textured_gloss = source
+        return
+    base, metallic = converted(source.diffuse[:3], source.specular)
+    material.base_color = np.append(base, source.diffuse[3])
+    material.metallic, material.roughness = float(metallic), 1 - source.glossiness
+
+
 def load_materials(document: dict) -> list[Material]:
     """The file's, then the default material (glTF 3.9.2)."""
-    return [load_material(m) for m in [*document.get("materials", []), {}]]
+    sources = [*document.get("materials", []), {}]
+    materials = [load_material(source) for source in sources]
+    for material, source in zip(materials, sources):
+        if (gloss := specular_glossiness(source)) is not None:
+            load_specular_glossiness(material, gloss)
+    return materials
 
 
 def image_of(texture: dict) -> int:
@@ -113,9 +133,16 @@ def load_textures(file: GltfFile, materials: list[Material]) -> list[Texture]:
         textures.append(Texture(texels, WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)],
                                 sampler.get("magFilter") == NEAREST))
         numbers.append(dataclasses.replace(textures[-1], texels=stored))
-    if not any(m.gloss_texture >= 0 or m.normal_texture >= 0 for m in materials):
-        return textures
     for material in materials:
         material.gloss_texture += len(textures) if material.gloss_texture >= 0 else 0
         material.normal_texture += len(textures) if material.normal_texture >= 0 else 0
-    return textures + numbers
+    result = textures + numbers if any(m.gloss_texture >= 0 or m.normal_texture >= 0 for m in materials) else list(textures)
+    for material in materials:
+        if (source := material.textured_gloss) is None:
+            continue
+        pictures = [textures[info["index"]] if info else None for info in (source.diffuse_info, source.specular_info)]
+        texels = converted_texels(source, *(picture.texels if picture else None for picture in pictures))
+        material.base_color_texture, material.gloss_texture = len(result), len(result) + 1
+        result += [dataclasses.replace(pictures[0] or pictures[1], texels=each) for each in texels]
+        material.textured_gloss = None
+    return result
