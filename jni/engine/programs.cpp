@@ -37,6 +37,7 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_HEIGHT " + number(g.height),
             "VCT_GATHER_LEVEL_END " + number(g.levelEnd),
             "VCT_GATHER_EXTINCTION " + number(g.extinction),
+            g.fadesAtBorder ? "VCT_GATHER_FADES true" : "VCT_GATHER_FADES false",
             "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }
 

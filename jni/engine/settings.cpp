@@ -124,8 +124,10 @@ Settings presetSettings(const std::string& name) {
         settings.gather.startOffset = 0.5F;
         settings.gather.firstSample = 0.25F;
         settings.gather.step = 1.0F;
-        settings.gather.height = 0.25F;
+        settings.gather.height = 0.2F;
+        settings.gather.fadesAtBorder = true;
         settings.gather.threshold = 0.16F;
+        settings.gather.bounceGain = 1.02F;
         settings.occlusion.directions = 128;
         settings.occlusion.cones = 16;
         settings.occlusion.step = 1.0F;

@@ -83,6 +83,9 @@ struct GatherSettings {
     // Of the last sample before the footprint grows, in shares of its opacity: .5 is exact where all is
     // covered in part, 1 lets nothing through a wall that stands there (docs/levers.md).
     float levelEnd = 0.65F;
+    // Whether what stands on the volume's border fades into the nothing behind it, or cones are cut off there,
+    // which loses some of it and hides that cones meet too much elsewhere (docs/levers.md).
+    bool fadesAtBorder = false;
     float threshold = 0.15F;  // a cone with less transmittance left is done
     // Scales what faces send on: cones lose some light through the gaps between their samples (a closed
     // furnace shows it), and each bounce would lose it again.

@@ -60,9 +60,11 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     float distance = VCT_GATHER_FIRST_SAMPLE;
     float rise = dot(direction, normal);
     float level = levelAt(VCT_GATHER_START + distance * rise, spread);
-    // Where it leaves the volume (in the far corner's or the near one's planes).
-    vec3 away = (step(0.0, direction) * grid - start) / direction;
-    reach = min(reach, min(away.x, min(away.y, away.z)));
+    if (!VCT_GATHER_FADES) {
+        // Where it leaves the volume (in the far corner's or the near one's planes).
+        vec3 away = (step(0.0, direction) * grid - start) / direction;
+        reach = min(reach, min(away.x, min(away.y, away.z)));
+    }
     while (distance < reach) {
         COUNT(VCT_CONE_COUNTER);
         float height = VCT_GATHER_START + distance * rise;
@@ -71,7 +73,16 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
         bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
         mediump vec3 share = mix(abs(direction), vec3(0.0), own);
-        mediump vec4 met = sampleFaces((start + direction * distance) / grid, direction, share, level);
+        vec3 position = (start + direction * distance) / grid;
+        mediump vec4 met = sampleFaces(position, direction, share, level);
+        if (VCT_GATHER_FADES) {
+            // Beyond the volume there is nothing: in the half texels on both sides of its border the border's texel fades
+            // into that. Of a wall on the border a cone that is cut off there loses up to half.
+            vec3 fromCentre = abs(position - 0.5);
+            float inside = grid * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) + 0.5;
+            if (inside <= 0.0) break;
+            met *= min(inside, 1.0);
+        }
         // The next sample is wider than it is far away where the level rises: the two share what is between them.
         mediump float opacity = (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity;
         // Added, and cut off at what is left: multiplied transmittances let too much through.

@@ -91,7 +91,7 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
         const bool ofBack = hasBack && std::abs(normal[axis]) >= 0.3;
         if (direction[axis] * normal[axis] < 0.0 || ofBack) nearShare[axis] = 0.0;
         const double end = direction[axis] >= 0.0 ? grid : 0.0;
-        reach = std::min(reach, (end - start[axis]) / direction[axis]);
+        if (!s.fadesAtBorder) reach = std::min(reach, (end - start[axis]) / direction[axis]);
     }
     const double rise = glm::dot(direction, normal);
     const auto levelAt = [&](double height) {
@@ -106,7 +106,16 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
         const double stride = s.step * std::exp2(level);
         const double share = levelAt(height + stride * rise) > level ? s.levelEnd : 1.0;
         const bool near = height < s.ownSurface * std::exp2(level);
-        const Met met = sample(start + direction * distance, direction, near ? nearShare : axisShare, level);
+        const glm::dvec3 position = start + direction * distance;
+        Met met = sample(position, direction, near ? nearShare : axisShare, level);
+        if (s.fadesAtBorder) {
+            const glm::dvec3 fromCentre = glm::abs(position - 0.5 * grid);
+            const double beyond = std::max({fromCentre.x, fromCentre.y, fromCentre.z}) - 0.5 * grid;
+            const double inside = 0.5 - beyond / std::exp2(level);
+            if (inside <= 0.0) break;
+            met.light *= std::min(inside, 1.0);
+            met.coverage *= std::min(inside, 1.0);
+        }
         const double taken =
             std::min<double>(share * s.extinction * s.step * std::min(met.coverage, 1.0), result.sky);
         result.light += met.light * (taken / std::max(met.coverage, 1e-4));
