@@ -1,6 +1,4 @@
 # The app: libvct.so, which Gradle packs (app/build.gradle), or the target `apk` (cmake/apk.cmake).
-enable_language(C)
-
 # The NDK's, so not under our warnings.
 set(glue ${ANDROID_NDK}/sources/android/native_app_glue)
 add_library(vct_native_app_glue OBJECT ${glue}/android_native_app_glue.c)
@@ -16,7 +14,7 @@ target_link_options(vct PRIVATE
     # Phones with pages of 16 KiB load nothing less aligned; NDKs before r28 link for 4 KiB.
     -Wl,-z,max-page-size=16384)
 # No folder of the machine that built it in what assert() prints.
-foreach(target vct vct_library vct_core vct_single_headers vct_imgui)
+foreach(target vct vct_library vct_core vct_single_headers vct_imgui vct_draco vct_meshoptimizer vct_webp)
     target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections
         -ffile-prefix-map=${CMAKE_BINARY_DIR}/= -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=)
 endforeach()

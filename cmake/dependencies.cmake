@@ -2,6 +2,7 @@
 # desktop has packages of them; Android has none, so there they are fetched, in the versions that Debian 12 packages.
 if(ANDROID)
     include(cmake/dependencies_android.cmake)
+    include(cmake/packings_android.cmake)
 else()
     include(cmake/dependencies_host.cmake)
 endif()

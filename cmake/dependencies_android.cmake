@@ -1,5 +1,6 @@
 # Fetched at configure time, each pinned by its commit's hash, which git checks against every byte.
 include(FetchContent)
+enable_language(C)
 find_package(Git REQUIRED)
 
 # One commit without its history: a tenth of what FetchContent's own clone would load.

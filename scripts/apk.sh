@@ -50,8 +50,8 @@ done
 [[ -f /usr/share/android-framework-res/framework-res.apk ]] || compgen -G "$sdk/platforms/android-*/android.jar" >/dev/null ||
     missing "no framework to link the manifest against: on Debian, apt install android-framework-res; of the SDK, a platform"
 
-# The last of the libraries that cmake/dependencies_android.cmake fetches.
-[[ -d build/android/_deps/imgui-src ]] ||
+# The last of the libraries that cmake/packings_android.cmake fetches.
+[[ -d build/android/_deps/webp-src ]] ||
     GIT_TERMINAL_PROMPT=0 timeout 60 git ls-remote --quiet https://github.com/ocornut/imgui.git HEAD >/dev/null 2>&1 ||
     missing "github.com, from where the app's libraries are fetched once, cannot be reached"
 
