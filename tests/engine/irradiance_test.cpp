@@ -187,6 +187,20 @@ TEST(Gather, WhiteFurnaceIsOne) {
     }
 }
 
+// Its walls stand on the volume's border, where a cone that is cut off loses up to half of one: 7 % of all.
+TEST(Gather, WallsOnTheBorderAreWholeWhereTheyFade) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = closedBox(0.0);
+    scene.materials[0].emissive = glm::vec3(1.0F);
+    Settings settings = mobileAt(16);
+    settings.gather.fadesAtBorder = true;
+    FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
+    Spread faces;
+    for (const auto& [entry, face] : frame.received(false))
+        faces.add(face.light.g * frame.radianceRange());
+    EXPECT_NEAR(faces.mean, 1.0, 0.03);
+}
+
 // One lit plane in an empty volume: a surface does not light itself, so the right answer is 0. And the side
 // that the sun does not light, of a sheet that is seen from both: its faces lie in the voxels of the lit
 // ones.
@@ -254,11 +268,14 @@ TEST(Gather, LightStaysOnItsSideOfAThinWall) {
 
 // Faces and cones as the shaders find them, but for a filter of 8 bits: after one step, each of the faces
 // that are looked at.
-TEST(Gather, AFaceReceivesWhatTheCpusConesFind) {
+class GatherAtBorder : public ::testing::TestWithParam<bool> {};
+
+TEST_P(GatherAtBorder, AFaceReceivesWhatTheCpusConesFind) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     Settings settings = mobileAt(16);
     settings.lightFrames = 1;
+    settings.gather.fadesAtBorder = GetParam();
     FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
     const CpuFaceCones cpu(frame.faceLevels(), settings.gather);
     const std::map<std::uint32_t, FacePlane> planes = readPlanes(frame.renderer().directional()->voxels());
@@ -285,6 +302,8 @@ TEST(Gather, AFaceReceivesWhatTheCpusConesFind) {
     EXPECT_LE(difference / looked, 0.3 / 255.0);
     EXPECT_LE(off, looked / 100);
 }
+
+INSTANTIATE_TEST_SUITE_P(CutOffOrFading, GatherAtBorder, ::testing::Bool());
 
 // A lamp in the voxels of a ceiling is in front of it: it sends what it does without one.
 TEST(Gather, ALampRightUnderACeilingSendsAllItsLight) {
