@@ -1,4 +1,5 @@
 # The app: libvct.so, which Gradle packs (app/build.gradle), or the target `apk` (cmake/apk.cmake).
+
 # The NDK's, so not under our warnings.
 set(glue ${ANDROID_NDK}/sources/android/native_app_glue)
 add_library(vct_native_app_glue OBJECT ${glue}/android_native_app_glue.c)
