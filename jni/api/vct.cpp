@@ -27,8 +27,7 @@ std::shared_ptr<const Environment> environmentOf(const SkyPicture& sky) {
     return std::make_shared<const Environment>(image, "SceneDescription::sky");
 }
 
-Settings settingsOf(const Options& options, const SceneDescription& scene,
-                    const gl::Capabilities& capabilities) {
+Settings settingsOf(const Options& options, const SceneDescription& scene) {
     Settings settings = presetSettings(options.preset);
     if (options.grid != 0) settings.grid = options.grid;
     settings.size = {options.width, options.height};
@@ -40,7 +39,7 @@ Settings settingsOf(const Options& options, const SceneDescription& scene,
         settings.skyRadiance[i] = sky;
     }
     if (scene.sky) settings.environment = environmentOf(*scene.sky);
-    return forDriver(settings, capabilities);
+    return settings;
 }
 
 gl::Capabilities capabilitiesOf(GetProcAddress getProcAddress) {
@@ -140,8 +139,8 @@ struct GlobalIllumination::Implementation {
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
         }
         const SavedState saved;
-        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description, capabilities),
-                         capabilities, shadersOf(options));
+        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description), capabilities,
+                         shadersOf(options));
         plain.emplace();
     }
     ~Implementation() {

@@ -41,14 +41,15 @@ std::vector<int> GlObjects::possibleGrids(const Settings& settings, bool moves) 
 }
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
-                                 const Settings& wanted, const Choices& choices) {
-    const Settings settings = forDriver(wanted, capabilities_);
+                                 const Settings& settings, const Choices& choices) {
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
         settings.grid != renderer_->settings().grid ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
         settings.environment != renderer_->settings().environment) {
         // The old one goes first: a phone may not have room for the voxels of both.
         renderer_.reset();
+        if (const std::string note = voxelizationNote(settings.voxels, capabilities_); !note.empty())
+            log(note);
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
         scene_ = scene;
         preset_ = choices.preset;

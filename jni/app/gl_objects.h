@@ -29,7 +29,7 @@ class GlObjects {
     // For a renderer in place of the present one, which goes before another comes.
     std::vector<int> possibleGrids(const Settings& settings, bool moves) const;
     Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
-                          const Settings& wanted, const Choices& choices);
+                          const Settings& settings, const Choices& choices);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
     void dropRenderer() { renderer_.reset(); }
 

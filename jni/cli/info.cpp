@@ -79,6 +79,8 @@ void printScene(const InfoOptions& options) {
     options.sky.lightScene(scene, options.scene.light, frame.light, frame.settings);
     const Context context = options.scene.backend.open();
     options.scene.fitGrid(frame.settings, scene, context.capabilities);
+    if (const std::string note = voxelizationNote(frame.settings.voxels, context.capabilities); !note.empty())
+        say(note);
     const Progress progress("rendering " + scene.path + " with and without each of its features");
     const SceneCosts costs = sceneCosts(scene, frame, context.capabilities, shaders());
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;

@@ -31,7 +31,7 @@ struct RenderOptions {
     std::string toneMap = "neutral";
     SkyOption sky;
     // Over the preset's, where given.
-    std::optional<std::string> shadow, specular, voxelization;
+    std::optional<std::string> shadow, specular;
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg;
@@ -51,7 +51,6 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.lightRadius = options.lightRadius;
-    if (options.voxelization) settings.voxelization = voxelizationFromText(*options.voxelization);
     if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
     if (options.specular) settings.specular = specularFromText(*options.specular);
     settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
@@ -202,6 +201,8 @@ void render(const RenderOptions& options) {
     const Context context = options.scene.backend.open();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
     options.scene.fitGrid(settings, scene, context.capabilities);
+    if (const std::string note = voxelizationNote(settings.voxels, context.capabilities); !note.empty())
+        say(note);
     Renderer renderer(scene, light, settings, context.capabilities, shaders());
 
     if (settings.voxels == Voxels::directional)
@@ -271,10 +272,6 @@ void addRender(CLI::App& app, int&) {
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();
     options->scene.addTo(*command)->required();
-    command->add_option(
-        "--voxelization", options->voxelization,
-        "What finds the axis along which a triangle is voxelized: geometry-shader, or "
-        "sorted-axes (when the scene is loaded, and again for what moves); default: the preset's");
     command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
     command->add_option("--cone-angle", options->coneAngleDeg,
                         "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");

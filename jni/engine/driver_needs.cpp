@@ -8,11 +8,6 @@
 
 namespace vct {
 
-Settings forDriver(Settings settings, const gl::Capabilities& capabilities) {
-    if (!capabilities.meets("GL_EXT_geometry_shader")) settings.voxelization = Voxelization::sortedAxes;
-    return settings;
-}
-
 std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
                                      const gl::Capabilities& capabilities) {
     const gl::Limits& limits = capabilities.limits;
@@ -23,12 +18,6 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
         needs.push_back({std::string(name) + " >= " + std::to_string(needed), std::to_string(found), neededBy,
                          true, found >= needed});
     };
-    if (settings.voxelization == Voxelization::geometryShader) {
-        const bool met = capabilities.meets("GL_EXT_geometry_shader");
-        needs.push_back({"GL_EXT_geometry_shader", met ? "there" : "missing",
-                         "voxelization: the voxelization sorted-axes gives the same voxels without", true,
-                         met});
-    }
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
             faces ? DirectionalVoxels::blocksX * settings.grid : settings.grid,
             "the voxels at " + cubed + (faces ? ", six faces of each side by side" : "") +
@@ -71,7 +60,7 @@ std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::C
                                std::size_t bytes) {
     std::vector<int> grids;
     for (const int grid : allGrids()) {
-        Settings there = forDriver(settings, capabilities);
+        Settings there = settings;
         there.grid = grid;
         const std::vector<gl::Requirement> needs = needsOf(there, moves, capabilities);
         const auto isMet = [](const gl::Requirement& need) { return need.met; };

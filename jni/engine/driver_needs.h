@@ -9,9 +9,6 @@
 
 namespace vct {
 
-// The same picture by other means where the driver lacks what `settings` would use.
-Settings forDriver(Settings settings, const gl::Capabilities& capabilities);
-
 // Met or not. `moves`: something in the scene does.
 std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
                                      const gl::Capabilities& capabilities);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/settings.h"
+#include "engine/voxelization.h"
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "scene/scene_features.h"

@@ -39,6 +39,7 @@ std::optional<Emitters> lampsOf(const Scene& scene, const Volume& volume, const 
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
     : settings_(validated(settings, featuresOf(scene).movingObjects, capabilities)),
+      voxelization_(voxelizationFor(settings.voxels, capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
       light_(light),
@@ -49,7 +50,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       emitters_(lampsOf(scene, volume_, settings, radianceUnit(light))),
       scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
-             radianceUnit(light), capabilities.uniformBufferOffsetAlignment, settings.voxelization),
+             radianceUnit(light), capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.
@@ -139,7 +140,7 @@ VoxelVolume& Renderer::voxels() {
         requireMemory(voxelBytes(settings_, settings_.grid),
                       "the voxels at " + std::to_string(settings_.grid) + "^3");
     if (packed)
-        voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_);
+        voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_, voxelization_);
     else
         voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, volume_, boundsWorld_,
                                                       sources());

@@ -111,6 +111,7 @@ class Renderer {
     VoxelVolume& voxels();
 
     Settings settings_;
+    Voxelization voxelization_;
     bool texturesInMainMemory_;
     gl::ShaderLibrary shaders_;
     DirectionalLight light_;

@@ -78,15 +78,6 @@ Specular specularFromText(const std::string& text) {
     return valueNamed(text, "--specular", Specular::none, Specular::cone, specularName);
 }
 
-const char* voxelizationName(Voxelization voxelization) {
-    return voxelization == Voxelization::geometryShader ? "geometry-shader" : "sorted-axes";
-}
-
-Voxelization voxelizationFromText(const std::string& text) {
-    return valueNamed(text, "--voxelization", Voxelization::geometryShader, Voxelization::sortedAxes,
-                      voxelizationName);
-}
-
 const std::vector<int>& allGrids() {
     static const std::vector<int> grids{64, 128, 256, 512};
     return grids;
@@ -102,7 +93,6 @@ Settings presetSettings(const std::string& name) {
     Settings settings;
     if (name == "thesis") return settings;
     settings.voxels = Voxels::directional;
-    settings.voxelization = Voxelization::sortedAxes;
     settings.shadow = Shadow::softMap;
     settings.specular = Specular::cone;
     settings.shadowMapSize = 1024;

@@ -51,19 +51,6 @@ enum class Voxels {
     directional,  // directional coverage: six faces per voxel, filtered by the texture unit
 };
 
-// How each triangle is projected along the axis that it faces most (thesis algorithm 7). The voxels are the
-// same, bit for bit.
-enum class Voxelization {
-    geometryShader,  // finds the axis, as in the thesis
-    // The triangles are sorted by their axis when the scene is loaded, and what moves in each pose. Some
-    // drivers have no geometry shaders; Mali GPUs have no hardware for them, and Arm's Mali GPU Best
-    // Practices advise against them (the thesis's voxelization took 301 ms of a frame of 856).
-    sortedAxes,
-};
-const char* voxelizationName(Voxelization voxelization);  // "geometry-shader", "sorted-axes"
-// Throws vct::Error listing the names.
-Voxelization voxelizationFromText(const std::string& text);
-
 // What a gather is for: all light, or only how open the surroundings are within the AO distance.
 enum class GatherOf { light, occlusion };
 
@@ -83,8 +70,8 @@ struct GatherSettings {
     // Of the last sample before the footprint grows, in shares of its opacity: .5 is exact where all is
     // covered in part, 1 lets nothing through a wall that stands there (docs/levers.md).
     float levelEnd = 0.65F;
-    // Whether what stands on the volume's border fades into the nothing behind it, or cones are cut off there,
-    // which loses some of it and hides that cones meet too much elsewhere (docs/levers.md).
+    // Whether what stands on the volume's border fades into the nothing behind it, or cones are cut off
+    // there, which loses some of it and hides that cones meet too much elsewhere (docs/levers.md).
     bool fadesAtBorder = false;
     float threshold = 0.15F;  // a cone with less transmittance left is done
     // Scales what faces send on: cones lose some light through the gaps between their samples (a closed
@@ -104,7 +91,6 @@ struct GridRange {
 
 struct Settings {
     Voxels voxels = Voxels::packed;
-    Voxelization voxelization = Voxelization::geometryShader;
     Specular specular = Specular::none;  // of modes 4 and 5, where voxels are faces
     GatherSettings gather;               // of diffuse light, where voxels are faces
     GatherSettings occlusion;            // of ambient occlusion alone (mode 3), likewise

@@ -32,8 +32,8 @@ const Feature features[] = {
     {{"GL_EXT_geometry_shader"},
      {3, 2, 3, 2},
      false,
-     "voxelization, as in the preset thesis: turns each triangle along its dominant axis; without it that "
-     "preset is lost, unless its triangles are sorted by axis"},
+     "voxelization, in the preset thesis: turns each triangle along its dominant axis; without it triangles "
+     "are sorted by axis, which gives the same voxels"},
     {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
      {3, 2, 3, 0},
      true,

@@ -106,7 +106,7 @@ Settings BenchRun::settingsFor(const BenchConfig& config) const {
     settings.skyRadiance = input_.sky.skyRadiance;
     settings.environment = input_.sky.environment;
     settings.revoxelize = true;
-    return forDriver(settings, input_.capabilities);
+    return settings;
 }
 
 std::string BenchRun::progress() const {

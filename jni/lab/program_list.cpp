@@ -54,13 +54,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));
-        for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes}) {
-            programs.push_back(packedVoxelizerProgram(features, voxelization));
-            programs.push_back(occupancyProgram(features, voxelization));
-            programs.push_back(directionalVoxelizerProgram(features, voxelization));
-            programs.push_back(relightProgram(features, voxelization));
-            programs.push_back(staticVoxelizerProgram(features, voxelization));
-        }
+        programs.push_back(packedVoxelizerProgram(features, Voxelization::geometryShader));
+        for (const auto& voxelizer : {packedVoxelizerProgram, occupancyProgram, directionalVoxelizerProgram,
+                                      relightProgram, staticVoxelizerProgram})
+            programs.push_back(voxelizer(features, Voxelization::sortedAxes));
         for (bool emissive : {false, true})
             for (bool gloss : {false, true})
                 for (bool mapped : {false, true})
@@ -118,6 +115,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
+    const Voxelization voxelization = voxelizationFor(settings.voxels, {});
     const ExtraTargets targets = extraTargets(features, settings.specular);
     // What glows is a lamp, unless it is large: then there are less.
     const LightSources sources{features.has(featurePunctualLights), settings.environment != nullptr,
@@ -136,8 +134,8 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         add(Step::voxelize, directionalClearBaseProgram());
         add(Step::voxelize, directionalClearProgram());
         for (unsigned f : features.materialFeatures) {
-            add(Step::voxelize, occupancyProgram(f, settings.voxelization));
-            add(Step::voxelize, directionalVoxelizerProgram(f, settings.voxelization));
+            add(Step::voxelize, occupancyProgram(f, voxelization));
+            add(Step::voxelize, directionalVoxelizerProgram(f, voxelization));
         }
         add(Step::voxelize, directionalResolveProgram());
         add(Step::mipmap, directionalLevelsProgram());
@@ -153,12 +151,12 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
     } else if (voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)
-            add(Step::voxelize, packedVoxelizerProgram(f, settings.voxelization));
+            add(Step::voxelize, packedVoxelizerProgram(f, voxelization));
         add(Step::mipmap, packedMipmapperProgram());
     }
     if (features.deforms) {
         add(Step::voxelize, deformProgram());
-        if (settings.voxelization == Voxelization::sortedAxes) add(Step::voxelize, sortAxesProgram());
+        if (voxelization == Voxelization::sortedAxes) add(Step::voxelize, sortAxesProgram());
     }
     if (sources.punctual && mode != Mode::phong)
         for (unsigned f : features.materialFeatures)

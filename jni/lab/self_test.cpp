@@ -144,14 +144,13 @@ std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels)
     return "";
 }
 
-// Without the geometry shader where it is the driver's only lack.
-Settings testSettings(const std::string& preset, const gl::Capabilities& capabilities) {
+Settings testSettings(const std::string& preset) {
     Settings settings = presetSettings(preset);
     settings.grid = testGrid;
     settings.size = glm::ivec2(8);
     settings.shadowMapSize = 512;
     settings.revoxelize = true;
-    return forDriver(settings, capabilities);
+    return settings;
 }
 
 // Faces: one of each voxel, as sheets have one side.
@@ -177,7 +176,7 @@ std::string wrongLight(const Renderer& renderer) {
 std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilities,
                     const gl::ReadShader& shaders, std::size_t& voxels) {
     const Scene scene = testScene();
-    const Settings settings = testSettings(preset, capabilities);
+    const Settings settings = testSettings(preset);
     Renderer renderer(scene, light(), settings, capabilities, shaders);
     const Camera camera = frameScene(scene, 1.0);
     const bool packed = settings.voxels == Voxels::packed;
@@ -210,8 +209,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
         std::string left;
         for (const std::string& preset : presetNames()) {
             at = "preset " + preset;
-            const std::vector<gl::Requirement> needs =
-                needsOf(testSettings(preset, capabilities), false, capabilities);
+            const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), false, capabilities);
             if (!std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; })) {
                 left += "; " + preset + " not tested, as the driver lacks what it needs";
                 continue;

@@ -52,13 +52,13 @@ const char* skyText(const Settings& settings) {
     return settings.skyRadiance == glm::vec3(0.0F) ? "dark" : "plain";
 }
 
-ordered_json settingsJson(const TimingsReport& report) {
+ordered_json settingsJson(const TimingsReport& report, const gl::Capabilities& capabilities) {
     const Settings& s = report.settings;
     return {{"preset", report.preset},
             {"grid", s.grid},
             {"width", s.size.x},
             {"height", s.size.y},
-            {"voxelization", voxelizationName(s.voxelization)},
+            {"voxelization", voxelizationName(voxelizationFor(s.voxels, capabilities))},
             {"shadow_map", s.shadowMapSize},
             {"cone_angle_deg", s.shadowConeAngleDeg},
             {"light_radius", s.lightRadius},
@@ -132,7 +132,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
                       {"renderer", capabilities.renderer},
                       {"version", capabilities.version}};
     json["machine"] = machineJson();
-    json["settings"] = settingsJson(report);
+    json["settings"] = settingsJson(report, capabilities);
     json["method"] = {{"clock", "glFinish before and after each step, CPU steady clock, milliseconds"},
                       {"warm_up_frames", warmUpFrames},
                       {"frames", report.timedFrames},

@@ -258,14 +258,14 @@ TEST(Display, SaysWhichExtensionIsMissing) {
     }
 }
 
-// The voxels do not need them.
-TEST(Display, WithoutGeometryShadersTheTriangleAxesAreSortedBeforehand) {
+TEST(Display, WithoutGeometryShadersTheThesisSortsTrianglesByAxisAndSaysSo) {
     const LesserDriver driver("3.1", "-GL_EXT_geometry_shader -GL_OES_geometry_shader");
     StandIn android;
-    android.intentExtra = "show grid=64 mode=gi";
+    android.intentExtra = "show preset=thesis grid=64 mode=gi";
     android.startUntilSceneShown(96, 64);
     android.run();
     EXPECT_EQ(android.errors(), "");
+    EXPECT_TRUE(android.logged("triangles are sorted by axis"));
     EXPECT_TRUE(android.logged("absent  GL_EXT_geometry_shader"));
     EXPECT_TRUE(android.logged("self-test passed"));
 }

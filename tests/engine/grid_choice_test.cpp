@@ -84,7 +84,7 @@ TEST(GridChoice, TheDriversLimitsSetTheLimit) {
 
     // Where there is none, the settings with the coarsest are refused with what is missing.
     const gl::Capabilities tiny = driverWith(100);
-    Settings refused = forDriver(quality, tiny);
+    Settings refused = quality;
     refused.grid = chooseGrid(scene, quality, tiny, enough).grid;
     EXPECT_EQ(refused.grid, 128);
     expectMentions(errorOf([&] { requireNeeds(refused, false, tiny); }),

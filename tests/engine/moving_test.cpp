@@ -12,20 +12,17 @@
 namespace vct::test {
 namespace {
 
-class MovingOfEveryKind : public testing::TestWithParam<VoxelKind> {};
-INSTANTIATE_TEST_SUITE_P(Voxels, MovingOfEveryKind, everyVoxelKind(), nameOfKind);
-
-class Moving : public testing::TestWithParam<VoxelKind> {};
-INSTANTIATE_TEST_SUITE_P(Voxels, Moving, onePerPreset(), nameOfKind);
+class Moving : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Moving, everyVoxelKind(), nameOfPreset);
 
 // In a mode that lights no face with what it received, the grid's radiance is compared too.
-TEST_P(MovingOfEveryKind, EveryFrameIsThatOfAFreshRendererOfItsPose) {
+TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
     ASSERT_EQ(std::count_if(scene.instances.begin(), scene.instances.end(),
                             [](const Instance& instance) { return instance.moves(); }),
               2);
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = smallPreset(GetParam());
     for (const Mode mode : {Mode::gi, Mode::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
@@ -57,7 +54,7 @@ TEST(MovingInstances, LeaveNoTraceInTheReceivedLight) {
 TEST_P(Moving, BetweenModesThatTakeTurns) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = smallPreset(GetParam());
     PlayingScene stage(context, scene, settings);
     stage.frameAt(0.1);
     expectFresh(stage, context, scene, settings, 0.4, Mode::ao);
@@ -112,7 +109,7 @@ TEST_P(Moving, WhatLeavesTheVolumeAndComesBack) {
     builder.animate(bird, "translation", {0, 1, 2, 3}, {0, 1, 0, 0, 1, 0, 900, 300, -40, 0.4F, 1.1F, 0});
     const Scene scene = load(builder);
     EXPECT_LT(scene.boundsWorld.max.x, 4.1) << "half of the floor's 4 m beyond its edge";
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = smallPreset(GetParam());
     PlayingScene stage(context, scene, settings);
     stage.frameAt(0.0);
     const std::size_t inside = gridOf(stage.renderer()).lists[0].size();
@@ -146,7 +143,7 @@ TEST_P(Moving, ALightThatGoesUnderTheHorizonAndACameraThatMoves) {
     builder.animate(1, "rotation", {0, 1, 2}, {-0.5F, 0, 0, 0.8660254F, 0, 0, 0, 1, 0.5F, 0, 0, 0.8660254F});
     builder.animate(2, "translation", {0, 2}, {0, 2.6F, 5.2F, 1.5F, 2.2F, 4.4F});
     const Scene scene = load(builder);
-    const Settings settings = settingsOf(GetParam());
+    const Settings settings = smallPreset(GetParam());
     PlayingScene stage(context, scene, settings);
     const auto brightness = [&] {
         double sum = 0.0;

@@ -11,8 +11,8 @@
 namespace vct::test {
 namespace {
 
-class Partial : public testing::TestWithParam<VoxelKind> {};
-INSTANTIATE_TEST_SUITE_P(Voxels, Partial, onePerPreset(), nameOfKind);
+class Partial : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Voxels, Partial, everyVoxelKind(), nameOfPreset);
 
 TEST(PartOfTheVoxels, ManyFramesLeaveNothingBehindAndTakeNoMoreMemory) {
     const Context context = openContext(Backend::egl);
@@ -55,7 +55,7 @@ Scene room() {
 // What the shaders count in a frame where that cube moves, without what the faces receive: that is of all of
 // them.
 std::vector<std::uint32_t> countsInTheRoom(const Context& context, bool revoxelize) {
-    Settings settings = settingsOf({"mobile", Voxelization::geometryShader});
+    Settings settings = mobileSettings();
     settings.grid = 128;
     settings.shadowMapSize = 512;
     settings.countInvocations = true;
@@ -95,7 +95,7 @@ TEST_P(Partial, AnOverflowIsReportedAndLeavesNothingBehind) {
     const int box = addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 1, 0}}});
     builder.animate(box, "scale", {0, 1}, {0.1F, 0.1F, 0.1F, 1.5F, 1.5F, 1.5F});
     const Scene scene = load(builder);
-    Settings settings = settingsOf(GetParam());
+    Settings settings = smallPreset(GetParam());
     PlayingScene roomy(context, scene, settings);
     roomy.frameAt(0.2);
     settings.activeVoxelLimit = roomy.renderer().activeVoxels()[0];
@@ -117,7 +117,7 @@ TEST(PartOfTheVoxels, AStaticSceneTakesLess) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
     const Scene frozen = frozenAt(scene, 0.0);
-    const Settings settings = settingsOf({"mobile", Voxelization::sortedAxes});
+    const Settings settings = mobileSettings();
     PlayingScene moving(context, scene, settings), still(context, frozen, settings);
     moving.frameAt(0.0);
     still.frame();

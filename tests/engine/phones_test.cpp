@@ -84,7 +84,7 @@ std::string outcome(const std::string& preset, const gl::Capabilities& capabilit
             runs = false;
             note(row);
         }
-    Settings settings = forDriver(presetSettings(preset), capabilities);
+    Settings settings = presetSettings(preset);
     const std::vector<int> grids =
         possibleGrids(settings, true, capabilities, std::numeric_limits<std::size_t>::max());
     if (runs && !grids.empty()) return "up to " + std::to_string(grids.back()) + "^3";
@@ -165,7 +165,7 @@ TEST(DriverNeeds, EachIsMissedByOne) {
         EXPECT_NO_THROW(requireNeeds(settings, true, enough));
     const struct {
         const Settings& settings;
-        int gl::Limits::*limit;
+        int gl::Limits::* limit;
         int least;
         const char* name;
     } needs[] = {

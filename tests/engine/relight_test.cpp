@@ -19,9 +19,9 @@ namespace {
 const glm::dvec3 sun(0.4, 1.0, 0.3);
 const std::vector<glm::dvec3> lights{{-0.7, 0.4, 0.2}, {1, 0, 0.1}, {0, -1, 0}, {0, 1, 0}, sun};
 
-class Relight : public testing::TestWithParam<VoxelKind> {
+class Relight : public testing::Test {
   protected:
-    Relight() : context_(openContext(Backend::egl)), settings_(settingsOf(GetParam())) {}
+    Relight() : context_(openContext(Backend::egl)), settings_(mobileSettings()) {}
 
     Renderer rendererOf(const Scene& scene, const glm::dvec3& towardsLight) const {
         return makeRenderer(context_, scene, lightFrom(towardsLight), settings_);
@@ -40,15 +40,11 @@ class Relight : public testing::TestWithParam<VoxelKind> {
     Context context_;
     Settings settings_;
 };
-INSTANTIATE_TEST_SUITE_P(Voxels, Relight,
-                         testing::Values(VoxelKind{"mobile", Voxelization::geometryShader},
-                                         VoxelKind{"mobile", Voxelization::sortedAxes}),
-                         nameOfKind);
 
 // Textures, holes, emission, both sides: the courtyard has all of them. A mode that lights no face with what
 // it received shows the radiance of every level's faces too; what faces received remembers the light before
 // (irradiance_steps_test.cpp).
-TEST_P(Relight, EveryLightLeavesTheVoxelsOfAFreshRenderer) {
+TEST_F(Relight, EveryLightLeavesTheVoxelsOfAFreshRenderer) {
     const Scene scene = loadGltf(asset("courtyard.glb"));
     for (const Mode mode : {Mode::gi, Mode::ao}) {
         Renderer renderer = rendererOf(scene, sun);
@@ -66,7 +62,7 @@ TEST_P(Relight, EveryLightLeavesTheVoxelsOfAFreshRenderer) {
     }
 }
 
-TEST_P(Relight, AfterOtherModesAndPosesToo) {
+TEST_F(Relight, AfterOtherModesAndPosesToo) {
     GltfBuilder builder = openFloor();
     const int box =
         addCube(builder, {0.9F, 0.2F, 0.1F}, {{"translation", {0, 0.6, 0}}, {"scale", {0.6, 0.6, 0.6}}});
@@ -85,7 +81,7 @@ TEST_P(Relight, AfterOtherModesAndPosesToo) {
     }
 }
 
-TEST_P(Relight, ItsProgramsAreMadeWhenTheLightMoves) {
+TEST_F(Relight, ItsProgramsAreMadeWhenTheLightMoves) {
     const Scene scene = load(openFloor());
     const Camera camera = chooseCamera(scene, "");
     const gl::CallLog log;

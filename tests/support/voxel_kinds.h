@@ -1,4 +1,4 @@
-// The kinds of voxels and ways to make them, as parameters of a test suite.
+// A preset for each kind of voxels, as parameters of a test suite.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,40 +9,25 @@
 
 namespace vct::test {
 
-struct VoxelKind {
-    const char* preset;
-    Voxelization voxelization;
-};
-
-// Small, so that a test can draw many frames.
-inline Settings settingsOf(const VoxelKind& kind) {
-    Settings settings = presetSettings(kind.preset);
+// A preset at a size at which a test can draw many frames.
+inline Settings smallPreset(const std::string& preset) {
+    Settings settings = presetSettings(preset);
     settings.grid = 64;
     settings.size = glm::ivec2(48);
     settings.shadowMapSize = 128;
-    settings.voxelization = kind.voxelization;
     return settings;
 }
 
 inline Settings mobileSettings() {
-    return settingsOf({"mobile", Voxelization::sortedAxes});
+    return smallPreset("mobile");
 }
 
 inline auto everyVoxelKind() {
-    return testing::Values(
-        VoxelKind{"thesis", Voxelization::geometryShader}, VoxelKind{"thesis", Voxelization::sortedAxes},
-        VoxelKind{"mobile", Voxelization::geometryShader}, VoxelKind{"mobile", Voxelization::sortedAxes});
+    return testing::Values("thesis", "mobile");
 }
 
-// One of each preset; the other way to make them gives the same voxels (sorted_axes_test.cpp).
-inline auto onePerPreset() {
-    return testing::Values(VoxelKind{"thesis", Voxelization::geometryShader},
-                           VoxelKind{"mobile", Voxelization::sortedAxes});
-}
-
-inline std::string nameOfKind(const testing::TestParamInfo<VoxelKind>& test) {
-    return std::string(test.param.preset) +
-           (test.param.voxelization == Voxelization::sortedAxes ? "SortedAxes" : "GeometryShader");
+inline std::string nameOfPreset(const testing::TestParamInfo<const char*>& test) {
+    return test.param;
 }
 
 }  // namespace vct::test

@@ -13,9 +13,9 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       sources_(sources),
       shadowTexel_(glm::length(boundsWorld.max - boundsWorld.min) / settings.shadowMapSize / volume.side),
       voxels_(shaders, settings.grid, settings.activeVoxelLimit),
-      voxelizer_(shaders, scene, settings.grid, settings.voxelization),
+      voxelizer_(shaders, scene, settings.grid, Voxelization::sortedAxes),
       mipmapper_(shaders) {
-    if (scene.moves()) incremental_.emplace(shaders, scene, settings.voxelization);
+    if (scene.moves()) incremental_.emplace(shaders, scene, Voxelization::sortedAxes);
 }
 
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
@@ -43,7 +43,7 @@ void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<Sce
                                    StepTimer& timer) {
     Irradiance::Change change{std::nullopt, before != inputs.now};
     if (before && before->placements == inputs.now.placements && !inputs.remake) {
-        if (!relighter_) relighter_.emplace(shaders_, inputs.scene, settings_.grid, settings_.voxelization);
+        if (!relighter_) relighter_.emplace(shaders_, inputs.scene, settings_.grid, Voxelization::sortedAxes);
         timer.time(Step::voxelize, [&] { relighter_->run(inputs.scene, inputs.light, voxels_); });
         timer.time(Step::mipmap, [&] { mipmapper_.update(voxels_, 0); });
     } else if (!incremental_) {

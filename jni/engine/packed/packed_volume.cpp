@@ -4,9 +4,10 @@
 
 namespace vct {
 
-PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings)
+PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
+                           Voxelization voxelization)
     : pyramid_(shaders, settings.grid, settings.activeVoxelLimit),
-      voxelizer_(shaders, scene, settings.grid, settings.voxelization),
+      voxelizer_(shaders, scene, settings.grid, voxelization),
       mipmapper_(shaders) {}
 
 VoxelLight PackedVolume::update(const Inputs& inputs, StepTimer& timer) {

@@ -11,7 +11,8 @@ namespace vct {
 
 class PackedVolume final : public VoxelVolume {
   public:
-    PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings);
+    PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
+                 Voxelization voxelization);
 
     // Voxels of another pose or light are made anew as a whole, as in the thesis.
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
