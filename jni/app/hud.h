@@ -11,7 +11,7 @@
 
 #include "app/choices.h"
 #include "app/scenes.h"
-#include "lab/step_timer.h"
+#include "engine/step_timer.h"
 
 struct ImDrawData;
 struct ImGuiContext;

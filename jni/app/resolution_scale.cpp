@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lab/step_timer.h"
+#include "engine/step_timer.h"
 
 namespace vct::app {
 

@@ -9,7 +9,7 @@
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
-#include "lab/read_back.h"
+#include "gl/read_back.h"
 
 namespace vct {
 

@@ -17,10 +17,10 @@
 #include "engine/passes/shadow_map.h"
 #include "engine/picture.h"
 #include "engine/settings.h"
+#include "engine/step_timer.h"
 #include "gl/capabilities.h"
 #include "gl/program.h"
 #include "image/image.h"
-#include "lab/step_timer.h"
 
 namespace vct {
 

@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
-#include "lab/voxel_view.h"
 
 namespace vct {
 
@@ -23,7 +22,6 @@ std::vector<shared::LevelCommands> emptyCommands(int grid, int levels, std::uint
     std::uint32_t firstEntry = 0;
     for (int level = 0; level < levels; ++level) {
         shared::LevelCommands& c = commands[level];
-        c.indexCount = VoxelView::indexCount;
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(level)));
@@ -154,7 +152,7 @@ std::vector<shared::LevelCommands> VoxelPyramid::readCommands() const {
 
 std::vector<std::uint32_t> VoxelPyramid::readList(int level) const {
     const shared::LevelCommands commands = readCommands()[static_cast<std::size_t>(level)];
-    std::vector<std::uint32_t> list(std::min(commands.instanceCount, commands.capacity));
+    std::vector<std::uint32_t> list(std::min(commands.voxelCount, commands.capacity));
     activeVoxels_.read(list.data(), list.size() * sizeof list[0], commands.firstEntry * sizeof list[0]);
     return list;
 }
@@ -163,12 +161,12 @@ std::vector<std::uint32_t> VoxelPyramid::activeCounts(
     const std::vector<shared::LevelCommands>& commands) const {
     std::vector<std::uint32_t> counts;
     for (const shared::LevelCommands& c : commands) {
-        if (c.instanceCount > c.capacity)
-            throw Error("the scene has " + std::to_string(c.instanceCount) + " active voxels at " +
+        if (c.voxelCount > c.capacity)
+            throw Error("the scene has " + std::to_string(c.voxelCount) + " active voxels at " +
                         std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +
-                        "; make room for " + std::to_string(c.instanceCount) +
+                        "; make room for " + std::to_string(c.voxelCount) +
                         " active voxels, or use a coarser grid");
-        counts.push_back(c.instanceCount);
+        counts.push_back(c.voxelCount);
     }
     return counts;
 }

@@ -26,7 +26,6 @@ class VoxelPyramid {
     int grid() const { return grid_; }
     int levels() const { return texture_.levels(); }  // log2(grid) + 1
     const gl::Texture& texture() const { return texture_; }
-    const gl::Buffer& commands() const { return commands_; }
     const gl::Buffer& activeVoxels() const { return activeVoxels_; }
 
     // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;

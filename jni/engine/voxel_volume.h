@@ -6,8 +6,8 @@
 #include "engine/picture.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
+#include "engine/step_timer.h"
 #include "engine/voxel_pyramid.h"
-#include "lab/step_timer.h"
 
 namespace vct {
 

@@ -23,7 +23,7 @@ namespace vct::gl {
     X(DeleteSamplers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
     X(DepthRangef) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
     X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
-    X(DrawElementsIndirect) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                     \
+    X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                    \
     X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
     X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
     X(GetError) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \

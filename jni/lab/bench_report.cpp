@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "engine/settings.h"
-#include "lab/step_timer.h"
+#include "engine/step_timer.h"
 #include "lab/table.h"
 #include "lab/timings.h"
 

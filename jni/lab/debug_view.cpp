@@ -6,7 +6,7 @@
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/objects.h"
-#include "lab/read_back.h"
+#include "gl/read_back.h"
 #include "lab/voxel_view.h"
 
 namespace vct {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/settings.h"
+#include "engine/step_timer.h"
 #include "gl/program.h"
-#include "lab/step_timer.h"
 #include "scene/scene_features.h"
 
 namespace vct {

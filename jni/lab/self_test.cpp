@@ -6,9 +6,9 @@
 
 #include "engine/renderer.h"
 #include "gl/debug.h"
+#include "gl/read_back.h"
 #include "lab/cpu_mips.h"
 #include "lab/driver_checks.h"
-#include "lab/read_back.h"
 #include "scene/framing.h"
 #include "scene/gltf.h"
 

@@ -3,8 +3,8 @@
 #include <numeric>
 
 #include "engine/settings.h"
+#include "engine/step_timer.h"
 #include "lab/bench_report.h"
-#include "lab/step_timer.h"
 #include "lab/table.h"
 #include "lab/timings.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/renderer.h"
+#include "engine/step_timer.h"
 #include "gl/capabilities.h"
-#include "lab/step_timer.h"
 
 namespace vct {
 

@@ -1,5 +1,8 @@
 #include "lab/voxel_view.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "engine/programs.h"
 #include "gl/debug.h"
 
@@ -7,8 +10,8 @@ namespace vct {
 
 namespace {
 // Corner i of the cube is (i & 1, i >> 1 & 1, i >> 2 & 1).
-constexpr GLushort cube[VoxelView::indexCount] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                                                  2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
+constexpr GLushort cube[36] = {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
+                               2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6};
 }  // namespace
 
 gl::ProgramDescription voxelViewProgram() {
@@ -41,15 +44,15 @@ const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     voxels.texture().bind(VCT_TEX_VOXELS);
     vertexArray_.bind();
     indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
-    // baseInstance must be 0 in ES 3.1, so the level's place in the list is the attribute's offset.
+    // ES 3.1 has no base instance, so the attribute's offset selects the level's entries.
     voxels.activeVoxels().bind(GL_ARRAY_BUFFER);
     gl::EnableVertexAttribArray(VCT_ATTRIBUTE_VOXEL);
     gl::VertexAttribIPointer(VCT_ATTRIBUTE_VOXEL, 1, GL_UNSIGNED_INT, 0,
                              reinterpret_cast<const void*>(voxels.firstEntry(level) * sizeof(GLuint)));
     gl::VertexAttribDivisor(VCT_ATTRIBUTE_VOXEL, 1);
-    voxels.commands().bind(GL_DRAW_INDIRECT_BUFFER);
-    gl::DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
-                             reinterpret_cast<const void*>(level * sizeof(shared::LevelCommands)));
+    const shared::LevelCommands commands = voxels.readCommands()[static_cast<std::size_t>(level)];
+    gl::DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(std::size(cube)), GL_UNSIGNED_SHORT, nullptr,
+                              static_cast<GLsizei>(std::min(commands.voxelCount, commands.capacity)));
     return color_;
 }
 

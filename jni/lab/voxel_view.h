@@ -10,11 +10,9 @@ gl::ProgramDescription voxelViewProgram();
 
 class VoxelView {
   public:
-    static constexpr unsigned indexCount = 36;  // a cube's triangles
-
     VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size);
 
-    // Draws through the level's indirect command. Returns RGBA16F, rgb relative to E/pi.
+    // Waits for the GPU to learn how many voxels there are. Returns RGBA16F, rgb relative to E/pi.
     const gl::Texture& draw(const VoxelPyramid& voxels, int level);
 
   private:

@@ -1,4 +1,4 @@
-// A cube per active voxel, drawn by the indirect command of its level. The list comes in as an instanced
+// A cube per active voxel of a level, drawn by instances. The list comes in as an instanced
 // integer attribute: vertex shaders cannot read storage buffers on Mali.
 #include "packed/voxel_sample.glsl"
 

@@ -12,7 +12,7 @@ layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
 // Appends a voxel that was empty until now to its level's list; past the capacity it is only counted. Returns its
 // place in the list, which may be past the capacity.
 uint appendVoxel(uint level, uvec3 voxel) {
-    uint index = atomicAdd(commands[level].instanceCount, 1u);
+    uint index = atomicAdd(commands[level].voxelCount, 1u);
     if (index >= commands[level].capacity) return index;
     activeVoxels[commands[level].firstEntry + index] = packEntry(voxel);
     if (index % uint(VCT_LIST_GROUP) == 0u && index / uint(VCT_LIST_GROUP) < VCT_MAX_GROUPS)
@@ -21,12 +21,12 @@ uint appendVoxel(uint level, uvec3 voxel) {
 }
 
 bool overflowed(uint level) {
-    return commands[level].instanceCount > commands[level].capacity;
+    return commands[level].voxelCount > commands[level].capacity;
 }
 
 // Entries of a level that can be visited.
 uint activeVoxelCount(uint level) {
-    return min(commands[level].instanceCount, commands[level].capacity);
+    return min(commands[level].voxelCount, commands[level].capacity);
 }
 
 uvec3 activeVoxel(uint level, uint i) {

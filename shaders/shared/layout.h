@@ -307,16 +307,12 @@ struct DeformSource {
     vec4 weights;  // of the four joints
 };
 
-// One mip level of the active-voxel list: its indirect draw (voxel view), its indirect dispatch (mipmap,
-// sparse clear), and where its entries are. `instanceCount` counts every active voxel, also those that
-// found no room in the list, so an overflow can be reported with the size that would be needed.
+// One mip level of the active-voxel list: how many voxels are active, the indirect dispatch over them (mipmap, sparse
+// clear), and where its entries are. `voxelCount` also counts voxels that found no room in the list, so that an overflow
+// can be reported with the capacity that would be needed.
 struct LevelCommands {
-    uint indexCount;  // DrawElementsIndirectCommand
-    uint instanceCount;
-    uint firstIndex;
-    uint baseVertex;
-    uint baseInstance;  // reserved, must be 0 in ES 3.1: hence firstEntry
-    uint groupsX;       // DispatchIndirectCommand
+    uint voxelCount;
+    uint groupsX;  // DispatchIndirectCommand
     uint groupsY;
     uint groupsZ;
     uint firstEntry;  // of this level, in entries of the list

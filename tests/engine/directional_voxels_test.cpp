@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "gl/read_back.h"
 #include "lab/cpu_mips.h"
-#include "lab/read_back.h"
 #include "scene/camera.h"
 #include "scene/framing.h"
 #include "scene/light_choice.h"

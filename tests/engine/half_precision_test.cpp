@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/read_back.h"
 #include "lab/debug_view.h"
-#include "lab/read_back.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 #include "support/renderers.h"

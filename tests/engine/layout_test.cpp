@@ -58,7 +58,7 @@ TEST(UniformBlocks, FollowStd140) {
     EXPECT_EQ(offsetof(FrameUniforms, eye), 192U);
     EXPECT_EQ(sizeof(DrawUniforms), 2 * 64 + 3 * 16U);
     // std430: tightly packed.
-    EXPECT_EQ(sizeof(LevelCommands), 64U);
-    EXPECT_EQ(offsetof(LevelCommands, faceGroupsX), 40U);
-    EXPECT_EQ(offsetof(LevelCommands, groupsX), 20U);
+    EXPECT_EQ(sizeof(LevelCommands), 48U);
+    EXPECT_EQ(offsetof(LevelCommands, faceGroupsX), 24U);
+    EXPECT_EQ(offsetof(LevelCommands, groupsX), 4U);
 }

@@ -1,4 +1,4 @@
-#include "lab/step_timer.h"
+#include "engine/step_timer.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "lab/read_back.h"
+#include "gl/read_back.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 #include "support/errors.h"

@@ -6,8 +6,8 @@
 #include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
+#include "gl/read_back.h"
 #include "lab/debug_view.h"
-#include "lab/read_back.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "gl/read_back.h"
 #include "lab/cpu_mips.h"
-#include "lab/read_back.h"
 
 namespace vct::test {
 

@@ -121,7 +121,7 @@ bool IncrementalUpdate::mipmap(DirectionalVoxels& voxels) {
     }
     gl::MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     lastCommands_ = voxels.index().readCommands();
-    const bool hadRoom = lastCommands_[0].instanceCount <= voxels.places();
+    const bool hadRoom = lastCommands_[0].voxelCount <= voxels.places();
     if (!hadRoom) staticEntries_.reset();        // more room is made by emptying everything
     voxels.index().activeCounts(lastCommands_);  // throws where the list itself is too short
     return hadRoom;
@@ -150,7 +150,7 @@ void IncrementalUpdate::dispatchOverPart(int level) const {
     const auto list = static_cast<std::size_t>(level);
     const std::uint32_t staticCount = staticEntries_->count(list);
     // What moves is as much as in the last frame, give or take a few.
-    const std::uint32_t last = level == 0 ? lastCommands_[0].instanceCount : lastCommands_[list].faceCount;
+    const std::uint32_t last = level == 0 ? lastCommands_[0].voxelCount : lastCommands_[list].faceCount;
     staticEntries_->dispatchOver(staticEntries_->chosen(list), {staticCount, last - staticCount}, list);
 }
 

@@ -10,8 +10,8 @@
 #include "engine/passes/shadow_map.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
+#include "engine/step_timer.h"
 #include "gl/objects.h"
-#include "lab/step_timer.h"
 
 namespace vct {
 

@@ -8,8 +8,8 @@
 #include "engine/picture.h"
 #include "engine/scene_state.h"
 #include "engine/settings.h"
+#include "engine/step_timer.h"
 #include "gl/objects.h"
-#include "lab/step_timer.h"
 
 namespace vct {
 

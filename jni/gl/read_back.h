@@ -1,4 +1,4 @@
-// From GL to the CPU: pictures and voxels. For files and tests; each call waits for the GPU.
+// Reads pictures and voxels back from GL, for files and tests; each call waits for the GPU.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "lab/read_back.h"
+#include "gl/read_back.h"
 
 #include <algorithm>
 
