@@ -69,7 +69,7 @@ void printScene(const InfoOptions& options) {
     frame.settings.revoxelize = true;  // what every pass costs
     options.sky.applyTo(frame.settings);
     validate(frame.settings);
-    const std::vector<Mode> modes = modesFromText(options.mode);
+    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;

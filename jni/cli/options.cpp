@@ -130,7 +130,10 @@ void SceneOptions::fitGrid(Settings& settings, const Scene& loaded,
         say(choice.reason);
         return;
     }
-    if (voxelSize) settings.grid = gridForVoxelSize(loaded.boundsWorld, *voxelSize);
+    if (voxelSize)
+        settings.grid = parsed(
+            "--voxel-size", [&](double metres) { return gridForVoxelSize(loaded.boundsWorld, metres); },
+            *voxelSize);
     say(gridText(loaded.boundsWorld, settings.grid));
     const std::string warning = coarseGridWarning(loaded, settings);
     if (!warning.empty()) say(warning);

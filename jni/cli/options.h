@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "engine/settings.h"
 #include "gl/shader_source.h"
 #include "platform/platform.h"
@@ -56,5 +57,15 @@ struct SceneOptions : SceneFileOption {
     // Sets a grid that follows from the scene. Prints how large the voxels are, and why.
     void fitGrid(Settings& settings, const Scene& loaded, const gl::Capabilities& capabilities) const;
 };
+
+// Parses an option's value; errors begin with the option's name.
+template <class Parse, class Value>
+auto parsed(const char* option, Parse parse, const Value& value) {
+    try {
+        return parse(value);
+    } catch (const Error& error) {
+        throw Error(std::string(option) + ": " + error.what());
+    }
+}
 
 }  // namespace vct::cli

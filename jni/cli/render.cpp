@@ -51,8 +51,8 @@ Settings settingsFrom(const RenderOptions& options) {
     settings.shadowMapSize = options.shadowMap.value_or(settings.shadowMapSize);
     settings.shadowConeAngleDeg = options.coneAngleDeg.value_or(settings.shadowConeAngleDeg);
     settings.lightRadius = options.lightRadius;
-    if (options.shadow) settings.shadow = shadowFromText(*options.shadow);
-    if (options.specular) settings.specular = specularFromText(*options.specular);
+    if (options.shadow) settings.shadow = parsed("--shadow", shadowFromText, *options.shadow);
+    if (options.specular) settings.specular = parsed("--specular", specularFromText, *options.specular);
     settings.lightFrames = options.lightFrames.value_or(settings.lightFrames);
     options.sky.applyTo(settings);
     settings.revoxelize = options.revoxelize;
@@ -160,7 +160,7 @@ void renderMode(const Placed& placed, Mode mode, const std::vector<double>& mome
 }
 
 void render(const RenderOptions& options) {
-    const std::vector<Mode> modes = modesFromText(options.mode);
+    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
     Settings settings = settingsFrom(options);
     if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
@@ -172,7 +172,8 @@ void render(const RenderOptions& options) {
     std::optional<float> exposure;
     if (options.exposure != "auto") exposure = std::stof(options.exposure);
     // Before anything slow: an output that cannot be written should be known at once.
-    PictureWriter pictures(options.out, exposure, toneMapFromText(options.toneMap), options.contactSheet);
+    PictureWriter pictures(options.out, exposure, parsed("--tone-map", toneMapFromText, options.toneMap),
+                           options.contactSheet);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
     requirePictureMemory(settings.size);

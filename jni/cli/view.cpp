@@ -123,7 +123,7 @@ bool view(const ViewOptions& options) {
     app::Choices& choices = request.show.choices;
     app::choosePreset(choices, options.preset);
     choices.grid = options.scene.settings(options.preset).grid;
-    const std::vector<Mode> modes = modesFromText(options.mode);
+    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();
     choices.resolution = 1;  // as the window

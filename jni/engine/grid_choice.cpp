@@ -78,7 +78,7 @@ std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
     const Narrow narrow = narrowest(scene, settings.voxels);
     if (narrow.across <= 0.0 || narrow.across >= voxelSize(scene.boundsWorld, settings.grid)) return {};
     return "warning: " + narrow.text(settings.voxels) +
-           ", less than a voxel: their light and shadow are wrong; use a finer --grid, or leave out of the "
+           ", less than a voxel: their light and shadow are wrong; use a finer grid, or leave out of the "
            "scene what is far away";
 }
 
@@ -86,7 +86,7 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
     for (const int grid : allGrids())
         if (voxelSize(boundsWorld, grid) <= metres) return grid;
     const int finest = allGrids().back();
-    throw Error("--voxel-size " + lengthText(metres) + ": the finest grid, " + std::to_string(finest) +
+    throw Error("no grid has voxels of " + lengthText(metres) + ": the finest, " + std::to_string(finest) +
                 "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
                 "; ask for that or more, or render a part of the scene");
 }

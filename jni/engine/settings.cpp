@@ -11,14 +11,12 @@ namespace vct {
 namespace {
 constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5, or all)";
 
-// That of two whose name is `text`. `option`: of the command line.
+// Returns the one of two values that is called `text`.
 template <class Value>
-Value valueNamed(const std::string& text, const char* option, Value first, Value second,
-                 const char* (*nameOf)(Value)) {
+Value valueNamed(const std::string& text, Value first, Value second, const char* (*nameOf)(Value)) {
     for (Value value : {first, second})
         if (text == nameOf(value)) return value;
-    throw Error(std::string(option) + " '" + text + "' does not exist; use " + nameOf(first) + " or " +
-                nameOf(second));
+    throw Error("'" + text + "' does not exist; use " + nameOf(first) + " or " + nameOf(second));
 }
 
 }  // namespace
@@ -55,10 +53,10 @@ std::vector<Mode> modesFromText(const std::string& text) {
             return part == modeName(mode) || part == std::to_string(static_cast<int>(mode));
         });
         if (named == allModes().end())
-            throw Error("--mode '" + part + "' is not a mode; use " + modeNames + ", separated by commas");
+            throw Error("'" + part + "' is not a mode; use " + modeNames + ", separated by commas");
         if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
     }
-    if (modes.empty()) throw Error(std::string("--mode is empty; use ") + modeNames);
+    if (modes.empty()) throw Error(std::string("no mode is named; use ") + modeNames);
     return modes;
 }
 
@@ -67,7 +65,7 @@ const char* shadowName(Shadow shadow) {
 }
 
 Shadow shadowFromText(const std::string& text) {
-    return valueNamed(text, "--shadow", Shadow::cone, Shadow::softMap, shadowName);
+    return valueNamed(text, Shadow::cone, Shadow::softMap, shadowName);
 }
 
 const char* specularName(Specular specular) {
@@ -75,7 +73,7 @@ const char* specularName(Specular specular) {
 }
 
 Specular specularFromText(const std::string& text) {
-    return valueNamed(text, "--specular", Specular::none, Specular::cone, specularName);
+    return valueNamed(text, Specular::none, Specular::cone, specularName);
 }
 
 const std::vector<int>& allGrids() {
@@ -151,9 +149,9 @@ void validate(const Settings& settings) {
     require(settings.lightRadius >= 0.0F && std::isfinite(settings.lightRadius),
             "the radius of lights must be 0 or above");
     require(settings.filterTaps >= 4 && settings.filterTaps % 4 == 0,
-            "the places of the soft shadow must be a multiple of 4");
+            "filterTaps, the samples of the soft shadow, must be a multiple of 4");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
-            "the light frames (until the light stands still) must be between 1 and 1000");
+            "lightFrames must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
             "the shadow 'cone' goes through the voxels of the preset thesis; use soft-map with the others");
     require(settings.voxels == Voxels::directional || settings.specular == Specular::none,

@@ -13,7 +13,7 @@ namespace vct {
 ToneMap toneMapFromText(const std::string& text) {
     if (text == "none") return ToneMap::none;
     if (text == "neutral") return ToneMap::neutral;
-    throw Error("--tone-map '" + text + "' does not exist; use neutral or none");
+    throw Error("'" + text + "' does not exist; use neutral or none");
 }
 
 Image toneMapped(Image image, ToneMap toneMap, float exposure) {

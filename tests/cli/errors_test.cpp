@@ -47,11 +47,13 @@ TEST_P(CommandLine, FailsWithOneLineAndWritesNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Bad, CommandLine,
     ::testing::Values(
-        BadCommand{"Mode", renderCornell("--out out --mode sepia"), "gi-cone-shadow"},
+        BadCommand{"Mode", renderCornell("--out out --mode sepia"),
+                   "--mode: 'sepia' is not a mode; use phong"},
         BadCommand{"Grid", renderCornell("--out out --grid 100"), "100 not in {64,128,256,512,auto}"},
         BadCommand{"Size", renderCornell("--out out --size 400"), "WIDTHxHEIGHT"},
         BadCommand{"ConeAngle", renderCornell("--out out --cone-angle 0"), "the cone angle"},
-        BadCommand{"Shadow", renderCornell("--out out --shadow hard"), "cone or soft-map"},
+        BadCommand{"Shadow", renderCornell("--out out --shadow hard"),
+                   "--shadow: 'hard' does not exist; use cone or soft-map"},
         BadCommand{"Preset", renderCornell("--out out --preset best"), "thesis"},
         BadCommand{"Backend", renderCornell("--out out --backend direct3d"), "egl, osmesa, zink"},
         BadCommand{"Scene", "render none.glb --out out/deep/er", "none.glb"},
