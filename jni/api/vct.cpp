@@ -59,14 +59,14 @@ gl::ReadShader shadersOf(const Options& options) {
     return options.shaderFolder.empty() ? embeddedShaders() : gl::shadersFromFolder(options.shaderFolder);
 }
 
-std::vector<Picture> picturesOf(const Options& options) {
-    std::vector<Picture> pictures;
-    if (options.radiance) pictures.push_back(VCT_MODE_GI_CONE_SHADOW);
-    if (options.irradiance) pictures.push_back(VCT_VIEW_IRRADIANCE);
-    if (options.ambientVisibility) pictures.push_back(VCT_VIEW_AO);
-    if (options.sunVisibility) pictures.push_back(VCT_VIEW_CONE_SHADOW);
-    if (pictures.empty()) throw Error("the options ask for no picture; ask for one at least");
-    return pictures;
+std::vector<Output> outputsFor(const Options& options) {
+    std::vector<Output> outputs;
+    if (options.radiance) outputs.push_back(Output::giConeShadow);
+    if (options.irradiance) outputs.push_back(Output::irradiance);
+    if (options.ambientVisibility) outputs.push_back(Output::ambientVisibility);
+    if (options.sunVisibility) outputs.push_back(Output::sunVisibility);
+    if (outputs.empty()) throw Error("the options ask for no picture; ask for one at least");
+    return outputs;
 }
 
 // The last row tells a perspective or an orthographic projection from a transposed one, whose picture would
@@ -133,7 +133,7 @@ struct GlobalIllumination::Implementation {
 
     Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
                    const gl::Capabilities& capabilities)
-        : pictures(picturesOf(options)) {
+        : outputs(outputsFor(options)) {
         for (const Instance& instance : scene.instances) {
             nodes.push_back(instance.node);
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
@@ -149,21 +149,22 @@ struct GlobalIllumination::Implementation {
         renderer.reset();
     }
 
-    unsigned textureOf(Picture picture) const {
-        const auto found = std::find(pictures.begin(), pictures.end(), picture);
-        return found == pictures.end()
+    unsigned textureOf(Output output) const {
+        const auto found = std::find(outputs.begin(), outputs.end(), output);
+        return found == outputs.end()
                    ? 0
-                   : renderer->output(static_cast<std::size_t>(found - pictures.begin())).name();
+                   : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
     }
 
     Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
-        renderer->frame(pictures, cameraOf(view), surface, light == Light::settled);
-        return {textureOf(VCT_MODE_GI_CONE_SHADOW), textureOf(VCT_VIEW_IRRADIANCE), textureOf(VCT_VIEW_AO),
-                textureOf(VCT_VIEW_CONE_SHADOW)};
+        renderer->render(
+            {outputs, cameraOf(view), light == Light::settled ? LightSteps::all : LightSteps::one, surface});
+        return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
+                textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility)};
     }
 
-    std::vector<Picture> pictures;  // in the order of the renderer's outputs
-    std::vector<int> nodes;         // of each instance; -1: it does not move
+    std::vector<Output> outputs;
+    std::vector<int> nodes;  // of each instance; -1: it does not move
     Pose pose;
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // for the caller's G-buffer

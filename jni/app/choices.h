@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/output.h"
 #include "engine/settings.h"
 #include "scene/scene.h"
 
@@ -32,7 +33,7 @@ const char* skyName(Sky sky);  // "scene", "dark", "plain"
 
 struct Choices {
     std::string preset = defaultPreset;
-    Mode mode = Mode::giConeShadow;
+    Output mode = Output::giConeShadow;
     int grid = presetSettings(preset).grid;  // voxels along a side
     float coneAngleDeg = 5.0F;
     int resolution = 0;  // index into resolutions()

@@ -214,7 +214,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     if (const std::string* chosen =
             choose("preset", presetNames(), choices.preset, [](const std::string& name) { return name; }))
         choosePreset(choices, *chosen);
-    if (const Mode* chosen = choose("mode", allModes(), modeName(choices.mode), modeName))
+    if (const Output* chosen = choose("mode", allModes(), outputName(choices.mode), outputName))
         choices.mode = *chosen;
     buildGrid(content);
     const std::vector<Resolution>& all = resolutions();

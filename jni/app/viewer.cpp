@@ -132,7 +132,7 @@ void Viewer::drawScene(glm::ivec2 window) {
             if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
         }
         if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
-        renderer.frame(choices_.mode, view_->camera(aspect_));
+        renderer.render({{choices_.mode}, view_->camera(aspect_)});
         if (!look_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {

@@ -69,7 +69,7 @@ void printScene(const InfoOptions& options) {
     frame.settings.revoxelize = true;  // what every pass costs
     options.sky.applyTo(frame.settings);
     validate(frame.settings);
-    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
+    const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
@@ -88,7 +88,7 @@ void printScene(const InfoOptions& options) {
         "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"
         "preset %s, mode %s, %dx%d pixels, %d^3 voxels\n\n%s",
         scene.path.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
-        extent.x, extent.y, extent.z, options.preset.c_str(), modeName(frame.mode), frame.settings.size.x,
+        extent.x, extent.y, extent.z, options.preset.c_str(), outputName(frame.mode), frame.settings.size.x,
         frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
 }
 

@@ -93,12 +93,12 @@ struct Placed {
 
 // The mean of `count` pictures whose samples lie all over each pixel's square: the R2 sequence (Roberts 2018,
 // "The Unreasonable Effectiveness of Quasirandom Sequences"), from the middle on. The light must stand still.
-Image meanOfSamples(Renderer& renderer, Mode mode, const Camera& camera, int count) {
+Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count) {
     const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
     Image sum = renderer.radiance();
     for (int i = 1; i < count; ++i) {
         renderer.setPictureShift(glm::vec2(glm::fract(0.5 + static_cast<double>(i) * step) - 0.5));
-        renderer.frame(mode, camera);
+        renderer.render({{mode}, camera});
         const Image sample = renderer.radiance();
         for (std::size_t pixel = 0; pixel < sum.pixels.size(); ++pixel)
             sum.pixels[pixel] += sample.pixels[pixel];
@@ -120,11 +120,11 @@ void requirePictureMemory(glm::ivec2 size) {
 
 // One mode, seen by a camera that comes to a scene whose light is there. With timings a still picture is
 // drawn several times; of a sequence each frame is one sample. Reading back and writing is not timed.
-void renderMode(const Placed& placed, Mode mode, const std::vector<double>& moments, PictureWriter& pictures,
-                TimingsReport& report) {
+void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
+                PictureWriter& pictures, TimingsReport& report) {
     const RenderOptions& options = placed.options;
     Renderer& renderer = placed.renderer;
-    const std::string name = modeName(mode);
+    const std::string name = outputName(mode);
     const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws where the list overflowed
@@ -136,13 +136,13 @@ void renderMode(const Placed& placed, Mode mode, const std::vector<double>& mome
             "mode " + name + ", " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
             ", " + std::to_string(settings.grid) + "^3" +
             (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples per pixel" : ""));
-        renderer.renderConverged(mode, camera);
+        renderer.render({{mode}, camera, LightSteps::all});
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
-                renderer.frame(mode, camera);
+                renderer.render({{mode}, camera});
             renderer.timer().startRecording(Clocks::cpuAndGpu);
             for (int i = 0; i < timedFrames && !options.frames; ++i)
-                renderer.frame(mode, camera);
+                renderer.render({{mode}, camera});
         }
         if (!options.frames) write(name);
     }
@@ -153,14 +153,14 @@ void renderMode(const Placed& placed, Mode mode, const std::vector<double>& mome
                       moments.size(), moments[frame]);
         std::snprintf(suffix, sizeof suffix, "_%04zu", frame);
         const Progress progress(line);
-        renderer.frame(mode, placed.moveTo(moments[frame]));
+        renderer.render({{mode}, placed.moveTo(moments[frame])});
         write(name + suffix);
     }
     if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
 }
 
 void render(const RenderOptions& options) {
-    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
+    const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     Settings settings = settingsFrom(options);
     if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
@@ -213,11 +213,12 @@ void render(const RenderOptions& options) {
     const Placed placed{options, scene, camera, light, renderer};
     if (!exposure) {
         // By the mode that has the most of the light, where all are asked for.
-        const Progress progress(std::string("the exposure, by mode ") + modeName(modes.back()));
-        renderer.renderConverged(modes.back(), moments.empty() ? camera : placed.moveTo(moments.front()));
+        const Progress progress(std::string("the exposure, by mode ") + outputName(modes.back()));
+        renderer.render(
+            {{modes.back()}, moments.empty() ? camera : placed.moveTo(moments.front()), LightSteps::all});
         pictures.chooseExposure(renderer.radiance());
     }
-    for (const Mode mode : modes)
+    for (const Output mode : modes)
         renderMode(placed, mode, moments, pictures, report);
     pictures.writeContactSheet();
     report.resources = renderer.resources();

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
+#include "lab/options.h"
 #include "lab/program_list.h"
 #include "lab/shader_counters.h"
 #include "lab/timings.h"
@@ -51,7 +52,7 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
     };
     // One material that emits, or is glossy, gives every G-buffer a target more: the others are drawn with
     // and without.
-    for (Mode mode : allModes()) {
+    for (Output mode : allModes()) {
         for (const bool emissive : {false, true})
             for (const bool glossy : {false, true}) {
                 SceneFeatures possible;
@@ -63,7 +64,7 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
                     add(use);
             }
         for (const FrameProgram& use : framePrograms(settings, mode, ofScene))
-            add(use).modes.emplace_back(modeName(mode));
+            add(use).modes.emplace_back(outputName(mode));
     }
     return found;
 }
@@ -159,8 +160,8 @@ void writeShaders(const ShadersOptions& options) {
         settings.countInvocations = true;
         settings.revoxelize = true;
         Renderer renderer(scene, light, settings, context.capabilities, shaders());
-        for (Mode mode : allModes())
-            entry["counts"][modeName(mode)] = countsJson(countInvocations(renderer, mode, camera));
+        for (Output mode : allModes())
+            entry["counts"][outputName(mode)] = countsJson(countInvocations(renderer, mode, camera));
         manifest["presets"].push_back(std::move(entry));
     }
     writeJson(out.file("manifest.json"), manifest);

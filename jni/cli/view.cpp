@@ -83,7 +83,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
                        const ViewOptions& options) {
     const Settings& settings = seen.settings;
     std::string line = "vct render '" + seen.path + "' --out out --preset " + choices.preset + " --mode " +
-                       modeName(choices.mode) + " --grid " + std::to_string(settings.grid) + " --size " +
+                       outputName(choices.mode) + " --grid " + std::to_string(settings.grid) + " --size " +
                        std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
                        " --cone-angle " + numberText(settings.shadowConeAngleDeg) + " --camera " +
                        seen.cameraOption;
@@ -123,7 +123,7 @@ bool view(const ViewOptions& options) {
     app::Choices& choices = request.show.choices;
     app::choosePreset(choices, options.preset);
     choices.grid = options.scene.settings(options.preset).grid;
-    const std::vector<Mode> modes = parsed("--mode", modesFromText, options.mode);
+    const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();
     choices.resolution = 1;  // as the window

@@ -1,4 +1,4 @@
-// What settings ask of a driver beyond what every picture does (gl/requirements.h).
+// Requirements of settings on a driver, beyond those of every output (gl/requirements.h).
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
 // Throws one vct::Error that names every one that is not met.
 void requireNeeds(const Settings& settings, bool moves, const gl::Capabilities& capabilities);
 
-// What the voxels' textures and lists take at a grid; sums and light besides follow from the scene.
+// Memory of the voxels' textures and lists at a grid, without sums and light, which follow from the scene.
 std::size_t voxelBytes(const Settings& settings, int grid);
 
-// Those of allGrids() that the driver can do, and for which `bytes` are enough.
+// Returns those of allGrids() that the driver can do, and for which `bytes` are enough.
 std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::Capabilities& capabilities,
                                std::size_t bytes);
 

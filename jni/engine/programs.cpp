@@ -4,14 +4,15 @@
 
 namespace vct {
 
+std::string booleanDefine(const char* name, bool value) {
+    return std::string(name) + (value ? " true" : " false");
+}
+
 std::vector<std::string> featureDefines(unsigned features, unsigned used, std::vector<std::string> defines) {
     features &= used;
-    const auto define = [&](const char* name, bool has) {
-        defines.push_back(std::string(name) + (has ? " true" : " false"));
-    };
-    define("VCT_ALPHA_MASK", features & featureAlphaMask);
-    define("VCT_EMISSIVE", features & featureEmissive);
-    define("VCT_DOUBLE_SIDED", features & featureDoubleSided);
+    defines.push_back(booleanDefine("VCT_ALPHA_MASK", features & featureAlphaMask));
+    defines.push_back(booleanDefine("VCT_EMISSIVE", features & featureEmissive));
+    defines.push_back(booleanDefine("VCT_DOUBLE_SIDED", features & featureDoubleSided));
     if (features & featurePunctualLights) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (features & featureBaseColorTexture) defines.emplace_back("VCT_BASE_COLOR_TEXTURE");
     if (features & featureEmissiveTexture) defines.emplace_back("VCT_EMISSIVE_TEXTURE");
@@ -37,11 +38,11 @@ std::vector<std::string> gatherDefines(const GatherSettings& g) {
             "VCT_GATHER_HEIGHT " + number(g.height),
             "VCT_GATHER_LEVEL_END " + number(g.levelEnd),
             "VCT_GATHER_EXTINCTION " + number(g.extinction),
-            g.fadesAtBorder ? "VCT_GATHER_FADES true" : "VCT_GATHER_FADES false",
+            booleanDefine("VCT_GATHER_FADES", g.fadesAtBorder),
             "VCT_GATHER_THRESHOLD " + number(g.threshold)};
 }
 
-std::vector<std::string> sourceDefines(const LightSources& sources) {
+std::vector<std::string> lightDefines(const LightFeatures& sources) {
     std::vector<std::string> defines;
     if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
     if (sources.emitters) defines.emplace_back("VCT_EMITTERS");

@@ -1,4 +1,5 @@
-// What the programs of several passes have in common. Each pass describes its own in its header.
+// Defines and descriptions that the programs of several passes share. Each pass describes its own in its
+// header.
 #pragma once
 
 #include "engine/settings.h"
@@ -9,31 +10,33 @@
 
 namespace vct {
 
-// Where the passes of one renderer take their shaders from, with the defines that counting and the driver's
-// arithmetic ask of all of them.
+// The source of all shaders of one renderer, with the defines that counting and the driver's arithmetic ask
+// of all of them.
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
                                 gl::ReadShader read);
 
-// What a material has of the features that a pass reads, `used`, as shared/material.glsl wants it, behind
-// other defines. A pass that does not read a feature is not forked by it.
-// What passes over the voxels read of a material: not what only a picture's pixels show.
+// Material features that passes over the voxels read: not those that only pixels show.
 constexpr unsigned voxelFeatures = ~(unsigned{featureGlossTexture} | unsigned{featureNormalMap});
-// What decides where a surface has holes.
+// Material features that decide where a surface has holes.
 constexpr unsigned holeFeatures =
     unsigned{featureBaseColorTexture} | unsigned{featureAlphaMask} | unsigned{featureVertexColors};
+// The defines of shared/material.glsl, behind other defines: those of a material's `features` that the pass
+// has in `used`, so that features that it does not read do not fork it.
 std::vector<std::string> featureDefines(unsigned features, unsigned used,
                                         std::vector<std::string> defines = {});
+// "NAME true" or "NAME false".
+std::string booleanDefine(const char* name, bool value);
 
 // The constants of directional/cones.glsl.
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
-// What shines besides the sun and a sky that is the same in all directions.
-struct LightSources {
+// Light of a scene besides the sun and a sky that is the same in all directions.
+struct LightFeatures {
     bool punctual = false;     // other lights of the file (passes/punctual_lights.h)
     bool environment = false;  // a picture of the sky (environment.h)
-    bool emitters = false;     // lamps (emitters.h)
+    bool emitters = false;     // compact emitters (emitters.h)
 };
-// What shaders of the received light are told of them.
-std::vector<std::string> sourceDefines(const LightSources& sources);
+// The defines of shaders that gather light.
+std::vector<std::string> lightDefines(const LightFeatures& sources);
 // A number as ESSL writes it, so that it comes back as it was.
 std::string number(float value);
 

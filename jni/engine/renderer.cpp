@@ -25,9 +25,10 @@ LightSize lightSize(const Settings& settings) {
     return {settings.lightRadius, settings.shadowConeAngleDeg};
 }
 
-// Where the voxels leave small emitters to cones of their own, and the scene has any.
-std::optional<Emitters> lampsOf(const Scene& scene, const Volume& volume, const Settings& settings,
-                                float radianceUnit) {
+// Returns the compact emitters, where the scene has some and directional voxels leave them to cones of their
+// own.
+std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume, const Settings& settings,
+                                        float radianceUnit) {
     if (settings.voxels != Voxels::directional) return {};
     const std::vector<EmitterPart> parts = emitterParts(scene, volume);
     if (parts.empty()) return {};
@@ -48,7 +49,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       faceRadianceRange_(faceRadianceRange(scene, light, brightestSky(settings), settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
-      emitters_(lampsOf(scene, volume_, settings, radianceUnit(light))),
+      emitters_(compactEmitters(scene, volume_, settings, radianceUnit(light))),
       scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
              radianceUnit(light), capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
@@ -57,9 +58,9 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
-        others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
-                        glm::pi<double>() * radianceUnit(light), lightSize(settings));
-    shades_.emplace_back(shaders_, sources(), settings_);
+        punctualLights_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
+                                glm::pi<double>() * radianceUnit(light), lightSize(settings));
+    shades_.emplace_back(shaders_, lightFeatures(), settings_);
     gl::checkErrors("setting up the renderer");
 }
 
@@ -78,7 +79,7 @@ void Renderer::setShadowConeAngle(float degrees) {
     changed.shadowConeAngleDeg = degrees;
     validate(changed);
     settings_ = changed;
-    if (others_ && settings_.lightRadius > 0.0F) others_->setSize(lightSize(settings_));
+    if (punctualLights_ && settings_.lightRadius > 0.0F) punctualLights_->setSize(lightSize(settings_));
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
@@ -99,25 +100,25 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     if (emitters_) emitters_->bind();
 }
 
-void Renderer::forgetWhatWasMade() {
+void Renderer::invalidateCaches() {
     if (shadowMap_) shadowMap_->forget();
-    if (others_) others_->forget();
-    if (voxels_) voxels_->forget();
+    if (punctualLights_) punctualLights_->forget();
+    if (voxels_) voxels_->invalidate();
 }
 
-void Renderer::setPoseNow(const Pose& pose) {
+void Renderer::applyPose(const Pose& pose) {
     scene_.setPose(pose);
-    if (others_) others_->setPose(pose);
+    if (punctualLights_) punctualLights_->setPose(pose);
     if (emitters_) emitters_->setPose(pose);
 }
 
 SceneState Renderer::state() const {
     return {scene_.placements(), light_.towardsLight,
-            others_ ? others_->states() : std::vector<PunctualLightState>()};
+            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>()};
 }
 
-LightSources Renderer::sources() const {
-    return {others_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
+LightFeatures Renderer::lightFeatures() const {
+    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -143,7 +144,7 @@ VoxelVolume& Renderer::voxels() {
         voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_, voxelization_);
     else
         voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, volume_, boundsWorld_,
-                                                      sources());
+                                                      lightFeatures());
     return *voxels_;
 }
 
@@ -166,7 +167,7 @@ Resources Renderer::resources() const {
     if (emitters_) add(resources, emitters_->uniforms());
     if (shadowMap_) add(resources, shadowMap_->texture());
     if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
-    if (others_) add(resources, others_->resources());
+    if (punctualLights_) add(resources, punctualLights_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
     for (const Shade& shade : shades_)

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.h"
 
 namespace vct {
 
 namespace {
-constexpr const char* modeNames = "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5, or all)";
-
 // Returns the one of two values that is called `text`.
 template <class Value>
 Value valueNamed(const std::string& text, Value first, Value second, const char* (*nameOf)(Value)) {
@@ -20,45 +17,6 @@ Value valueNamed(const std::string& text, Value first, Value second, const char*
 }
 
 }  // namespace
-
-const std::vector<Mode>& allModes() {
-    static const std::vector<Mode> modes{Mode::phong, Mode::shadowMap, Mode::ao, Mode::gi,
-                                         Mode::giConeShadow};
-    return modes;
-}
-
-const char* modeName(Mode mode) {
-    switch (mode) {
-        case Mode::phong:
-            return "phong";
-        case Mode::shadowMap:
-            return "shadow-map";
-        case Mode::ao:
-            return "ao";
-        case Mode::gi:
-            return "gi";
-        case Mode::giConeShadow:
-            return "gi-cone-shadow";
-    }
-    return "";
-}
-
-std::vector<Mode> modesFromText(const std::string& text) {
-    if (text == "all") return allModes();
-    std::vector<Mode> modes;
-    std::istringstream parts(text);
-    std::string part;
-    while (std::getline(parts, part, ',')) {
-        const auto named = std::find_if(allModes().begin(), allModes().end(), [&](Mode mode) {
-            return part == modeName(mode) || part == std::to_string(static_cast<int>(mode));
-        });
-        if (named == allModes().end())
-            throw Error("'" + part + "' is not a mode; use " + modeNames + ", separated by commas");
-        if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
-    }
-    if (modes.empty()) throw Error(std::string("no mode is named; use ") + modeNames);
-    return modes;
-}
 
 const char* shadowName(Shadow shadow) {
     return shadow == Shadow::cone ? "cone" : "soft-map";

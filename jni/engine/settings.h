@@ -1,4 +1,4 @@
-// What a frame is asked to be. A preset is a set of settings, not a second renderer.
+// The settings of a renderer. A preset is a set of settings, not a second renderer.
 #pragma once
 
 #include <cstdint>
@@ -7,27 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "shared/layout.h"
-
 namespace vct {
 
 class Environment;
 
-// The thesis's five scenes (5.1.2); the numbers are those of shaders/shared/layout.h.
-enum class Mode {
-    phong = VCT_MODE_PHONG,                  // Phong, diffuse and specular, no shadow
-    shadowMap = VCT_MODE_SHADOW_MAP,         // and the shadow map
-    ao = VCT_MODE_AO,                        // and cone-traced ambient occlusion
-    gi = VCT_MODE_GI,                        // and a diffuse bounce
-    giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // the shadow cone in place of the shadow map
-};
-
-const std::vector<Mode>& allModes();
-const char* modeName(Mode mode);  // "phong", "shadow-map", "ao", "gi", "gi-cone-shadow"
-// "all", or names and numbers separated by commas, each mode once; throws vct::Error listing the names.
-std::vector<Mode> modesFromText(const std::string& text);
-
-// What makes the soft shadow of mode 5.
+// The way in which mode 5 finds the soft shadow.
 enum class Shadow {
     cone,     // a cone through the voxels (thesis 4.6)
     softMap,  // percentage-closer filtering of the shadow map (shaders/passes/soft_shadow.glsl)
@@ -36,7 +20,7 @@ const char* shadowName(Shadow shadow);  // "cone", "soft-map"
 // Throws vct::Error listing the names.
 Shadow shadowFromText(const std::string& text);
 
-// What glossy materials (roughness below 1) reflect besides diffuse light.
+// The light that glossy materials (roughness below 1) reflect besides diffuse light.
 enum class Specular {
     none,  // nothing: every surface is a Lambert one of its base colour
     cone,  // the sun, and one cone along the mirror direction (shaders/passes/glossy.glsl)
@@ -45,13 +29,13 @@ const char* specularName(Specular specular);  // "none", "cone"
 // Throws vct::Error listing the names.
 Specular specularFromText(const std::string& text);
 
-// What the cones go through.
+// The kind of voxels that cones are traced through.
 enum class Voxels {
     packed,       // the thesis's: one packed word per voxel, filtered by hand
     directional,  // directional coverage: six faces per voxel, filtered by the texture unit
 };
 
-// What a gather is for: all light, or only how open the surroundings are within the AO distance.
+// The purpose of a gather: all light, or ambient visibility within the AO distance.
 enum class GatherOf { light, occlusion };
 
 // A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
@@ -107,14 +91,14 @@ struct Settings {
     glm::vec3 skyRadiance{0.0F};   // seen by cones and pixels that leave the volume
     // In place of skyRadiance: a picture of all directions, in the scene's unit of radiance.
     std::shared_ptr<const Environment> environment;
-    bool revoxelize = false;             // make shadow map and voxels anew in every frame, to measure that
+    bool revoxelize = false;             // rebuild shadow map and voxels in every frame, to measure that
     bool countInvocations = false;       // count what runs (shaders/shared/counters.glsl); slow
     std::uint32_t activeVoxelLimit = 0;  // capacity of the active-voxel list's base level; 0: by the grid
 };
 
 const std::vector<int>& allGrids();  // 64, 128, 256, 512
 
-// What a picture is made with where no preset is named: seconds on a CPU, milliseconds on a phone.
+// The preset where none is named: seconds on a CPU, milliseconds on a phone.
 constexpr const char* defaultPreset = "mobile";
 const std::vector<std::string>& presetNames();
 std::string presetList();  // with commas

@@ -20,7 +20,7 @@ class VoxelPyramid {
     VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity);
 
     Resources resources() const;
-    // What the texture and the list take.
+    // Memory of the texture and the list.
     static std::size_t bytesFor(int grid, std::uint32_t baseCapacity);
 
     int grid() const { return grid_; }
@@ -31,9 +31,9 @@ class VoxelPyramid {
     // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;
     // afterwards the image and the buffers are ready for shaders.
     void clear();
-    // The halves of that: empties the texture, without a barrier behind it.
+    // The halves of clear(). The first one empties the texture, without a barrier behind it; the second one
+    // resets the lists while the texture is being emptied.
     void zero();
-    // And the lists, where the texture is being emptied.
     void emptyLists();
 
     // Says which entries of the lists are active, as readCommands() has it.
@@ -45,7 +45,7 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a level.
     void dispatchOverLevel(int level) const;
-    // Likewise over the faces of a level that are not empty.
+    // Dispatches it over the faces of a level that are not empty.
     void dispatchOverFaces(int level) const;
 
     // Says where the levels' lists of faces lie in the buffer that holds them: from word `first` on, six for

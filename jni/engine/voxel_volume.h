@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/gpu_scene.h"
+#include "engine/output.h"
 #include "engine/passes/punctual_lights.h"
-#include "engine/picture.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
 #include "engine/step_timer.h"
@@ -11,7 +11,7 @@
 
 namespace vct {
 
-// What the last pass reads of a volume. A texture that a picture does not need is null.
+// The textures of a volume that the last pass reads. A texture that an output does not need is null.
 struct VoxelLight {
     const gl::Texture* packed = nullptr;      // the thesis's voxels, for its cones
     const gl::Texture* irradiance = nullptr;  // what surfaces receive: shaders/directional/irradiance.glsl
@@ -27,18 +27,18 @@ class VoxelVolume {
         const GpuScene& scene;
         DirectLight light;
         SceneState now;
-        Picture picture;  // decides which light is needed
-        int lightSteps;   // that the received light may come nearer to its final value
-        bool allBounces;  // or the first one alone
-        bool remake;      // make the voxels anew where nothing has changed, too
+        Output output;      // decides which light is needed
+        int lightSteps;     // most that face irradiance may take towards its final value
+        bool allBounces;    // or the first one alone
+        bool forceRebuild;  // of the voxels, even where nothing has changed
     };
-    // Brings the voxels, and of their light what the picture shows, up to date. Where nothing has changed
-    // since the last call, nothing is computed.
+    // Brings the voxels, and the light that the output reads, up to date. Where nothing has changed since the
+    // last call, nothing is computed.
     virtual VoxelLight update(const Inputs& inputs, StepTimer& timer) = 0;
-    // What there is may be wrong, as a frame failed: the next update makes everything anew.
-    virtual void forget() = 0;
+    // Marks everything as out of date, as a frame failed.
+    virtual void invalidate() = 0;
 
-    // Which voxels of each level are occupied.
+    // Says which voxels of each level are occupied.
     virtual const VoxelPyramid& occupancy() const = 0;
     virtual Resources resources() const = 0;
 };

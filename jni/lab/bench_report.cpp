@@ -22,8 +22,8 @@ struct Column {
 
 // The README's table.
 std::vector<Column> columnsOfATable() {
-    const std::string four = modeName(Mode::gi);
-    const std::string five = modeName(Mode::giConeShadow);
+    const std::string four = outputName(Output::gi);
+    const std::string five = outputName(Output::giConeShadow);
     return {{"voxelize + mipmap", five, voxelsStep}, {"irradiance", five, "irradiance"},
             {"trace, mode 4", four, "trace"},        {"trace, mode 5", five, "trace"},
             {"frame, mode 4", four, "total"},        {"frame, mode 5", five, "total"}};
@@ -60,8 +60,8 @@ ordered_json presetJson(const BenchRuns& runs) {
     for (const ordered_json& resource : first.at("resources"))
         bytes += resource.at("bytes").get<double>();
     json["bytes"] = bytes;
-    for (const Mode mode : modesFromText(runs.config.modes))
-        json["modes"][modeName(mode)] = modeJson(runs, modeName(mode));
+    for (const Output mode : modesFromText(runs.config.modes))
+        json["modes"][outputName(mode)] = modeJson(runs, outputName(mode));
     return json;
 }
 

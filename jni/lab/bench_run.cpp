@@ -113,7 +113,7 @@ std::string BenchRun::progress() const {
     std::string text = std::to_string(run_ + 1) + " of " + std::to_string(count()) + ": " + config().name +
                        ", run " + std::to_string(run_ / runs_.size() + 1) + " of " +
                        std::to_string(input_.request.repeat);
-    if (renderer_ && mode_ < modes_.size()) text += std::string(": ") + modeName(modes_[mode_]);
+    if (renderer_ && mode_ < modes_.size()) text += std::string(": ") + outputName(modes_[mode_]);
     return text;
 }
 
@@ -153,16 +153,16 @@ void BenchRun::beginRun() {
 
 void BenchRun::frame() {
     if (frame_ == warmUpFrames) renderer_->timer().startRecording(Clocks::cpuAndGpu);
-    renderer_->frame(modes_[mode_], camera_);
+    renderer_->render({{modes_[mode_]}, camera_});
     if (++frame_ == warmUpFrames + timedFrames) endMode();
 }
 
 void BenchRun::endMode() {
-    const Mode mode = modes_[mode_];
+    const Output mode = modes_[mode_];
     timings_.modes.emplace_back(mode, renderer_->timer().stopRecording());
     timings_.activeVoxels = renderer_->activeVoxels();
     if (run_ == 0 && !folder_.empty())
-        writePng(folder_ + "/" + modeName(mode) + ".png", renderer_->radiance());
+        writePng(folder_ + "/" + outputName(mode) + ".png", renderer_->radiance());
     ++mode_;
     frame_ = 0;
 }

@@ -95,7 +95,7 @@ class BenchRun {
     Camera camera_;
     std::vector<BenchRuns> runs_;  // of each configuration
     std::size_t run_ = 0;          // of count()
-    std::vector<Mode> modes_;
+    std::vector<Output> modes_;
     std::size_t mode_ = 0;
     int frame_ = 0;  // of this mode
     std::optional<Renderer> renderer_;

@@ -56,21 +56,21 @@ gl::ProgramDescription debugViewProgram(int view) {
 
 std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera) {
     std::vector<DebugView> parts;
-    const auto add = [&](const char* name, Picture view, bool allBounces, float unit) {
-        renderer.renderPart(view, camera, allBounces);
-        parts.push_back({name, readImage(renderer.output(), unit), true,
-                         view == VCT_VIEW_AO || view == VCT_VIEW_CONE_SHADOW});
+    const auto add = [&](Output output, bool allBounces) {
+        renderer.render({{output}, camera, LightSteps::all, nullptr, allBounces});
+        const bool isShare = output == Output::ambientVisibility || output == Output::sunVisibility;
+        const float unit = isShare ? 1.0F : renderer.radianceScale();
+        parts.push_back({outputName(output), readImage(renderer.output(), unit), true, isShare});
     };
-    const float unit = renderer.radianceScale();
-    add("ambient_occlusion", VCT_VIEW_AO, true, 1.0F);
-    add("indirect_light", VCT_VIEW_INDIRECT, false, unit);
-    add("cone_shadow", VCT_VIEW_CONE_SHADOW, true, 1.0F);
-    if (renderer.surface().gloss != nullptr) add("specular_light", VCT_VIEW_SPECULAR, true, unit);
+    add(Output::ambientVisibility, true);
+    add(Output::indirectLight, false);
+    add(Output::sunVisibility, true);
+    if (renderer.surface().gloss != nullptr) add(Output::specularLight, true);
     return parts;
 }
 
 std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera) {
-    renderer.renderConverged(Mode::giConeShadow, camera);
+    renderer.render({{Output::giConeShadow}, camera, LightSteps::all});
     const gl::ShaderLibrary& shaders = renderer.shaders();
     const glm::ivec2 size = renderer.settings().size;
     const GBuffer::Targets surface = renderer.surface();

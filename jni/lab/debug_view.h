@@ -19,7 +19,7 @@ struct DebugView {
     bool isShare = false;  // of 1: no light, which an exposure would be of
 };
 
-// What the cones see, each alone, from `camera` when the light stands still: ambient_occlusion,
+// The parts of the light, each alone and converged, from `camera`: ambient_occlusion,
 // indirect_light (of one bounce), cone_shadow, and specular_light where something is glossy.
 std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera);
 // Every intermediate, the light parts among them.

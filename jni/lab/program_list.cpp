@@ -79,7 +79,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                 programs.push_back(lightProgram(name, {false, environment, emitters}));
     for (const Settings& settings : variants) {
         const bool faces = settings.voxels == Voxels::directional;
-        for (int mode = VCT_MODE_PHONG; mode <= (faces ? VCT_VIEW_SPECULAR : VCT_VIEW_IRRADIANCE); ++mode)
+        for (const OutputReads& read : outputTable)
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
                     for (bool punctual : {false, true})
@@ -87,7 +87,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
                             for (bool mapped : {false, true})
                                 if ((faces || (!gloss && !emitters)) && (!mapped || !emissive))
                                     programs.push_back(shadeProgram(
-                                        mode, {emissive, gloss, mapped},
+                                        read.output, {emissive, gloss, mapped},
                                         {punctual, settings.environment != nullptr, emitters}, settings));
         if (settings.voxels != Voxels::directional) continue;
         for (const bool emitters : {false, true})
@@ -108,7 +108,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
     return programs;
 }
 
-std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, const SceneFeatures& features) {
+std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
+                                        const SceneFeatures& features) {
     std::vector<FrameProgram> programs;
     const auto add = [&](Step step, const gl::ProgramDescription& program) {
         for (const FrameProgram& known : programs)
@@ -118,19 +119,19 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
     const Voxelization voxelization = voxelizationFor(settings.voxels, {});
     const ExtraTargets targets = extraTargets(features, settings.specular);
     // What glows is a lamp, unless it is large: then there are less.
-    const LightSources sources{features.has(featurePunctualLights), settings.environment != nullptr,
+    const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
                                settings.voxels == Voxels::directional && features.has(featureEmissive)};
-    if (mode != Mode::phong)
+    const OutputReads& read = reads(mode);
+    if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, shadowMapProgram(f));
-    if (mode == Mode::giConeShadow && settings.shadow == Shadow::softMap) {
+    if (read.softShadow && settings.shadow == Shadow::softMap) {
         add(Step::shadowMap, shadowMomentsProgram());
         add(Step::shadowMap, nextShadowMomentsProgram());
     }
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
-    const bool voxels = mode == Mode::ao || mode == Mode::gi || mode == Mode::giConeShadow;
-    if (voxels && settings.voxels == Voxels::directional) {
+    if (read.voxels && settings.voxels == Voxels::directional) {
         add(Step::voxelize, directionalClearBaseProgram());
         add(Step::voxelize, directionalClearProgram());
         for (unsigned f : features.materialFeatures) {
@@ -139,8 +140,8 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         }
         add(Step::voxelize, directionalResolveProgram());
         add(Step::mipmap, directionalLevelsProgram());
-        const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
-        const LightSources received = sourcesOf(of, sources);
+        const GatherOf of = read.ambientVisibility ? GatherOf::occlusion : GatherOf::light;
+        const LightFeatures received = featuresFor(of, lights);
         for (const char* name : lightPrograms)
             if (of == GatherOf::light || name != std::string("light_shine"))
                 add(Step::irradiance, lightProgram(name, received));
@@ -148,7 +149,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         if (of == GatherOf::light) add(Step::irradiance, directionalMipmapperProgram());
         add(Step::irradiance,
             irradianceProgram(of == GatherOf::light ? settings.gather : settings.occlusion, of, received));
-    } else if (voxels) {
+    } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)
             add(Step::voxelize, packedVoxelizerProgram(f, voxelization));
@@ -158,10 +159,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, con
         add(Step::voxelize, deformProgram());
         if (voxelization == Voxelization::sortedAxes) add(Step::voxelize, sortAxesProgram());
     }
-    if (sources.punctual && mode != Mode::phong)
+    if (lights.punctual && read.shadowMap())
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, lightMapProgram(f));
-    add(Step::trace, shadeProgram(static_cast<int>(mode), targets, sources, settings));
+    add(Step::trace, shadeProgram(mode, targets, lights, settings));
     return programs;
 }
 

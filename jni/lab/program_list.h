@@ -2,6 +2,7 @@
 // offline, and `vct shaders` writes those of a frame.
 #pragma once
 
+#include "engine/output.h"
 #include "engine/settings.h"
 #include "engine/step_timer.h"
 #include "gl/program.h"
@@ -19,6 +20,6 @@ struct FrameProgram {
     Step step;
     gl::ProgramDescription program;
 };
-std::vector<FrameProgram> framePrograms(const Settings& settings, Mode mode, const SceneFeatures& features);
+std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features);
 
 }  // namespace vct

@@ -33,7 +33,7 @@ class Player {
             renderer_.setPose(pose);
             renderer_.setLightDirection(posed(light_, pose).towardsLight);
         }
-        renderer_.frame(options_.mode, options_.camera);
+        renderer_.render({{options_.mode}, options_.camera});
     }
 
     // The cost of the third frame: every pass is made in the first two.

@@ -33,7 +33,7 @@ struct FrameCost {
 // What a frame is rendered with.
 struct FrameOptions {
     Settings settings;
-    Mode mode = Mode::giConeShadow;
+    Output mode = Output::giConeShadow;
     Camera camera;
     DirectionalLight light;
     int timedFrames = 0;  // of each of two renderers in turn; 0: no times

@@ -183,7 +183,7 @@ std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilit
     // Twice: the second frame begins with the first one's voxels and must empty them.
     for (const char* frame : {"first frame, ", "second frame, "}) {
         voxels = 0;
-        renderer.frame(packed ? Mode::ao : Mode::giConeShadow, camera);
+        renderer.render({{packed ? Output::ao : Output::giConeShadow}, camera});
         const std::string wrong =
             packed ? wrongVoxels(renderer, expectedBase(), voxels) : wrongFaces(renderer, expectedBase());
         if (!wrong.empty()) return frame + wrong;

@@ -99,13 +99,13 @@ const std::vector<Stage>& stages() {
 
 }  // namespace
 
-std::vector<StageCount> countInvocations(Renderer& renderer, Mode mode, const Camera& camera) {
-    renderer.frame(mode, camera);  // a first frame has nothing to clear
+std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const Camera& camera) {
+    renderer.render({{mode}, camera});  // a first frame has nothing to clear
     std::array<std::uint32_t, VCT_COUNTER_COUNT> counts{};
     const gl::Buffer counters("shader counters", GL_SHADER_STORAGE_BUFFER, sizeof counts, counts.data(),
                               GL_DYNAMIC_COPY);
     counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COUNTERS);
-    renderer.frame(mode, camera);
+    renderer.render({{mode}, camera});
     counters.read(counts.data(), sizeof counts);
 
     std::vector<StageCount> found;

@@ -26,6 +26,6 @@ struct StageCount {
 
 // Draws two frames, the second as every later one, and counts it. The renderer's settings have
 // countInvocations and revoxelize. Fragments are counted before the depth test, in all stages that ran.
-std::vector<StageCount> countInvocations(Renderer& renderer, Mode mode, const Camera& camera);
+std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const Camera& camera);
 
 }  // namespace vct

@@ -69,7 +69,7 @@ std::vector<ThesisTable> thesisTables() {
 struct Cell {
     int grid;
     double coneAngleDeg;
-    std::vector<Mode> modes;
+    std::vector<Output> modes;
     std::vector<Step> steps;
 };
 
@@ -91,10 +91,10 @@ double valueMs(const std::vector<BenchRuns>& all, const Cell& cell, std::size_t 
     for (const BenchRuns& runs : all) {
         if (runs.config.grid != cell.grid || runs.config.coneAngleDeg != cell.coneAngleDeg) continue;
         const ordered_json& modes = runs.timings[run].at("modes");
-        for (const Mode mode : cell.modes)
-            if (modes.contains(modeName(mode)))
+        for (const Output mode : cell.modes)
+            if (modes.contains(outputName(mode)))
                 for (const Step step : cell.steps)
-                    sum += meanMs(modes.at(modeName(mode)).at("steps"), stepName(step));
+                    sum += meanMs(modes.at(outputName(mode)).at("steps"), stepName(step));
     }
     return sum / static_cast<double>(cell.modes.size());
 }
@@ -114,12 +114,12 @@ TableRow measuredRow(const std::string& platform, const std::vector<Cell>& cells
 }
 
 std::vector<TableRow> measuredRows(const std::string& table, const std::vector<BenchRuns>& all) {
-    const std::vector<Mode> last{Mode::giConeShadow};
-    const std::vector<Mode> voxelModes{Mode::ao, Mode::gi, Mode::giConeShadow};
+    const std::vector<Output> last{Output::giConeShadow};
+    const std::vector<Output> voxelModes{Output::ao, Output::gi, Output::giConeShadow};
     std::vector<Cell> cells;
     if (table == "5.2") {
         std::vector<Cell> still;
-        for (const Mode mode : allModes()) {
+        for (const Output mode : allModes()) {
             cells.push_back({256, 5.0, {mode}, wholeFrame});
             still.push_back({256, 5.0, {mode}, withoutVoxelizing});
         }
@@ -136,7 +136,7 @@ std::vector<TableRow> measuredRows(const std::string& table, const std::vector<B
         for (const int grid : {128, 256}) {
             for (const Step step : {Step::voxelize, Step::mipmap})
                 cells.push_back({grid, 5.0, voxelModes, {step}});
-            for (const Mode mode : voxelModes)
+            for (const Output mode : voxelModes)
                 cells.push_back({grid, 5.0, {mode}, {Step::trace}});
         }
     }
@@ -158,10 +158,10 @@ ordered_json rowJson(const TableRow& row) {
 ordered_json measurementsJson(const std::vector<BenchRuns>& all) {
     ordered_json json = ordered_json::array();
     for (const BenchRuns& runs : all)
-        for (const Mode mode : modesFromText(runs.config.modes)) {
+        for (const Output mode : modesFromText(runs.config.modes)) {
             ordered_json steps;
             const auto stepsOf = [&](const ordered_json& timings) -> const ordered_json& {
-                return timings.at("modes").at(modeName(mode)).at("steps");
+                return timings.at("modes").at(outputName(mode)).at("steps");
             };
             for (const auto& [step, unused] : stepsOf(runs.timings.front()).items()) {
                 std::vector<double> runsMs;
@@ -171,7 +171,7 @@ ordered_json measurementsJson(const std::vector<BenchRuns>& all) {
             }
             json.push_back({{"grid", runs.config.grid},
                             {"cone_angle_deg", runs.config.coneAngleDeg},
-                            {"mode", modeName(mode)},
+                            {"mode", outputName(mode)},
                             {"steps", std::move(steps)}});
         }
     return json;

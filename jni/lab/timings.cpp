@@ -42,7 +42,7 @@ ordered_json stepsJson(const std::array<std::vector<double>, stepCount>& stepsMs
 std::string gpuClockText(const TimingsReport& report) {
     for (const auto& [mode, times] : report.modes)
         if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())
-            return "not used: " + reason + " (" + modeName(mode) + ")";
+            return "not used: " + reason + " (" + outputName(mode) + ")";
     return "GL_EXT_disjoint_timer_query, GL_TIME_ELAPSED_EXT around each step of the same frames, "
            "milliseconds";
 }
@@ -141,8 +141,8 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     json["method"]["gpu_clock"] = gpuClock;
     const bool gpu = gpuClock.rfind("not used", 0) != 0;
     for (const auto& [mode, times] : report.modes) {
-        json["modes"][modeName(mode)]["steps"] = stepsJson(times.stepMs);
-        if (gpu) json["modes"][modeName(mode)]["gpu_steps"] = stepsJson(times.gpuMs);
+        json["modes"][outputName(mode)]["steps"] = stepsJson(times.stepMs);
+        if (gpu) json["modes"][outputName(mode)]["gpu_steps"] = stepsJson(times.gpuMs);
     }
     json["active_voxels"] = report.activeVoxels;
     std::size_t gBufferBytes = 0;
@@ -156,10 +156,10 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
     return json;
 }
 
-std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes) {
+std::string timingsTable(const std::vector<std::pair<Output, StepTimes>>& modes) {
     TableRows rows{{"milliseconds", "CS", "RT", "V", "M", "I", "Tr", "Tot"}};
     for (const auto& [mode, times] : modes) {
-        rows.push_back({modeName(mode)});
+        rows.push_back({outputName(mode)});
         const ordered_json steps = stepsJson(times.stepMs);
         for (const auto& [step, ms] : steps.items())
             rows.back().push_back(cellText("%.2f", ms.at("median")));

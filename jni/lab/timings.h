@@ -23,7 +23,7 @@ struct TimingsReport {
     std::string backend;
     std::string preset;
     Settings settings;
-    std::vector<std::pair<Mode, StepTimes>> modes;
+    std::vector<std::pair<Output, StepTimes>> modes;
     int timedFrames = vct::timedFrames;  // of each mode
     std::vector<std::uint32_t> activeVoxels;
     std::vector<Resource> resources;
@@ -33,7 +33,7 @@ nlohmann::ordered_json timingsJson(const TimingsReport& report, const gl::Capabi
 
 // One row per mode, the thesis's columns CS, RT, V, M, Tr, Tot with I, the irradiance, medians in
 // milliseconds.
-std::string timingsTable(const std::vector<std::pair<Mode, StepTimes>>& modes);
+std::string timingsTable(const std::vector<std::pair<Output, StepTimes>>& modes);
 
 double roundedMs(double ms);  // to a microsecond
 nlohmann::ordered_json roundedJson(const std::vector<double>& valuesMs);

@@ -1,5 +1,5 @@
-// The last pass: the light of each pixel, in the five modes (thesis 4.6, 5.1.2) or a part of it alone. One variant per
-// VCT_MODE, one of VCT_MODE_* and VCT_VIEW_*.
+// The last pass: the light of each pixel, in the five modes (thesis 4.6, 5.1.2) or a part of it alone. Each output has a
+// variant: VCT_MODE is its number, and VCT_SHOWS_* say what it reads (jni/engine/output.h).
 #define VCT_CONE_COUNTER VCT_COUNTER_SPECULAR_STEP
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
@@ -8,10 +8,6 @@
 #include "shared/surface.glsl"
 
 const int mode = VCT_MODE;
-const bool showsAmbientVisibility = mode == VCT_MODE_AO || mode == VCT_VIEW_AO;
-const bool showsIndirectLight = mode >= VCT_MODE_GI && !showsAmbientVisibility && mode != VCT_VIEW_CONE_SHADOW;
-const bool showsHardShadow = mode >= VCT_MODE_SHADOW_MAP && mode <= VCT_MODE_GI;
-const bool showsSoftShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
 
@@ -34,7 +30,7 @@ struct Gather {
 #include "directional/irradiance.glsl"
 const bool received = true;
 Gather indirectDiffuse(vec3 position, vec3 normal) {
-    if (showsAmbientVisibility) return Gather(vec3(0.0), ambientVisibilityAt(position, normal));
+    if (VCT_SHOWS_AMBIENT_VISIBILITY) return Gather(vec3(0.0), ambientVisibilityAt(position, normal));
     return Gather(receivedAt(position, normal), 1.0);
 }
 #else
@@ -42,8 +38,8 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
 const bool received = false;
 Gather indirectDiffuse(vec3 position, vec3 normal) {
     const float diffuseReach = 1.0;  // in sides of the volume (published program)
-    if (showsAmbientVisibility) return gatherDiffuse(position, normal, frame.aoDistance);
-    if (showsIndirectLight) return gatherDiffuse(position, normal, diffuseReach);
+    if (VCT_SHOWS_AMBIENT_VISIBILITY) return gatherDiffuse(position, normal, frame.aoDistance);
+    if (VCT_SHOWS_INDIRECT_LIGHT) return gatherDiffuse(position, normal, diffuseReach);
     return Gather(vec3(0.0), 1.0);
 }
 #endif
@@ -69,8 +65,8 @@ mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
 
 // What the mode shows of the sun, of 1.
 mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
-    if (showsSoftShadow) return softSun(position, normal, cosTheta);
-    if (!showsHardShadow) return 1.0;
+    if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normal, cosTheta);
+    if (!VCT_SHOWS_HARD_SHADOW) return 1.0;
     if (received) return shadowMapLightOn(position, normal);
     return shadowMapLight(position, cosTheta);
 }
@@ -108,14 +104,14 @@ mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gather
 #include "shared/punctual_lights.glsl"
 // What leaves of all of them, relative to the sun's E/pi.
 mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometry) {
-    if (mode > VCT_MODE_GI_CONE_SHADOW) return vec3(0.0);
     float slackShare = shadowSlack(ofGeometry);  // before any branch: derivatives need the whole quad
     vec3 sum = vec3(0.0);
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
         vec3 left = leaving(brdf, normal, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        sum += mode == VCT_MODE_PHONG ? left : left * punctualVisibility(i, position, ofGeometry, light.towards, slackShare);
+        bool shadows = VCT_SHOWS_HARD_SHADOW || VCT_SHOWS_SOFT_SHADOW;
+        sum += shadows ? left * punctualVisibility(i, position, ofGeometry, light.towards, slackShare) : left;
     }
     return min(sum, 6e4);
 }
@@ -128,7 +124,7 @@ mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometr
 #ifdef VCT_EMISSIVE_TARGET
 layout(binding = VCT_TEX_G_EMISSIVE) uniform mediump sampler2D emissiveTarget;
 mediump vec3 emitted(ivec2 pixel) {
-    return mode <= VCT_MODE_GI_CONE_SHADOW ? texelFetch(emissiveTarget, pixel, 0).rgb : vec3(0.0);
+    return texelFetch(emissiveTarget, pixel, 0).rgb;
 }
 #else
 mediump vec3 emitted(ivec2 pixel) {
@@ -151,14 +147,14 @@ mediump vec3 ofSunAndSurroundings(Brdf brdf, vec3 position, vec3 normal, float c
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
     if (mode == VCT_VIEW_SPECULAR) return mirrored(brdf, position, normal, gather.radiance);
     // Occlusion is in the received light already; it takes nothing from the sun.
-    if (mode >= VCT_MODE_GI && received)
+    if (VCT_SHOWS_INDIRECT_LIGHT && received)
         return light * leaving(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
                brdf.diffuse * diffuseShareOfAll(brdf, normal) * gather.radiance + mirrored(brdf, position, normal, gather.radiance);
     // What the sun's disc shows is the direct light; nothing else dims or lifts it. Else eq. 4.9.
     mediump float total = light;
     if (!softShadowIsAll)
         total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);
-    if (mode >= VCT_MODE_GI)
+    if (VCT_SHOWS_INDIRECT_LIGHT)
         return brdf.diffuse * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
     if (mode == VCT_MODE_PHONG) total = 1.0;
     mediump float phong = cosTheta + specularLight * phongSpecular(position, normal, cosTheta);

@@ -74,7 +74,7 @@ TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     DirectionalLight sun;
     sun.intensity = 3;
     Renderer drawn(described_.loaded, sun, settings, capabilities, testShaders());
-    drawn.frame(Mode::phong, described_.camera);
+    drawn.render({{Output::phong}, described_.camera});
     const GBuffer::Targets targets = drawn.surface();
     GBufferTextures textures{targets.albedo->name(), targets.normal->name(), targets.depth->name(),
                              targets.emissive->name(), targets.gloss->name()};

@@ -36,13 +36,13 @@ TEST(EmptyVolume, IndirectIsTheSkyAndOcclusionAndShadowAreOne) {
     const Camera camera = lookAt({0, 3, 0.5}, {0, 0, 0}, 40);
     FrameInspector frame = overVoxels(context, scene, {1, 2, 3}, camera,
                                       [](Words& base) { std::fill(base.begin(), base.end(), 0U); });
-    for (const auto& [view, right] : {std::pair{VCT_VIEW_INDIRECT, double{skyRadiance}},
-                                      {VCT_VIEW_AO, 1.0},
-                                      {VCT_VIEW_CONE_SHADOW, 1.0}}) {
+    for (const auto& [view, right] : {std::pair{Output::indirectLight, double{skyRadiance}},
+                                      {Output::ambientVisibility, 1.0},
+                                      {Output::sunVisibility, 1.0}}) {
         const Spread spread = frame.spreadOf(view);
         ASSERT_GT(spread.count, 1000);
-        EXPECT_EQ(spread.min, right) << view;
-        EXPECT_EQ(spread.max, right) << view;
+        EXPECT_EQ(spread.min, right) << outputName(view);
+        EXPECT_EQ(spread.max, right) << outputName(view);
     }
 }
 
@@ -95,7 +95,7 @@ TEST_P(HalfSpace, GatherEqualsTheClosedForm) {
         }
     };
     FrameInspector frame = overVoxels(context, scene, {1, 2, 3}, lookAt({0, 3, 0.5}, {0, 0, 0}, 40), fill);
-    const Image image = frame.view(VCT_VIEW_INDIRECT);
+    const Image image = frame.view(Output::indirectLight);
     glm::dvec3 from(0.0);
     from[axis] = first;
     double largest = 0.0;

@@ -22,7 +22,7 @@ TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
                             [](const Instance& instance) { return instance.deforms; }),
               2);
     const Settings settings = smallPreset(GetParam());
-    for (const Mode mode : {Mode::gi, Mode::ao}) {
+    for (const Output mode : {Output::gi, Output::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35}) {
             stage.frameAt(seconds, mode);
@@ -44,12 +44,12 @@ TEST_P(Deforming, IsWhatTheCpuMakesOfIt) {
     settings.size = glm::ivec2(128);
     for (const double seconds : {0.0, 0.6, 1.3, 2.0}) {
         PlayingScene stage(context, scene, settings);
-        stage.frameAt(seconds, Mode::phong);
+        stage.frameAt(seconds, Output::phong);
         const Scene frozen = frozenAt(scene, seconds);
         PlayingScene expected(context, frozen, settings);
-        expected.frame(Mode::phong);
+        expected.frame(Output::phong);
         PlayingScene rest(context, scene, settings);
-        rest.frame(Mode::phong);
+        rest.frame(Output::phong);
         const auto differing = [&](Renderer& a, Renderer& b) {
             const Image x = a.radiance(), y = b.radiance();
             int count = 0;

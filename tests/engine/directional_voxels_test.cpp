@@ -211,13 +211,13 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FaceVoxelsOf, testing::Values("cornell", "court
                          [](const auto& test) { return std::string(test.param); });
 
 // Of a mode that lights no face with what it received: what is seen is what voxelization and mipmapping made.
-constexpr Mode modeWithoutReceivedLight = Mode::ao;
+constexpr Output modeWithoutReceivedLight = Output::ao;
 
 TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
     const Context context = openContext(Backend::egl);
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
-    renderer.frame(modeWithoutReceivedLight, chooseCamera(scene, ""));
+    renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
     const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
     for (std::size_t level = 1; level < levels.size(); ++level)
         EXPECT_LE(largestDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
@@ -259,7 +259,7 @@ TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelOnceAndNothingIsLeftOutside) {
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     for (int frame = 0; frame < 2; ++frame) {
-        renderer.frame(modeWithoutReceivedLight, chooseCamera(scene, ""));
+        renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
         expectListsHoldWhatIsOccupied(renderer.directional()->voxels());
     }
 }
@@ -269,8 +269,8 @@ TEST_P(FaceVoxelsOf, OccupyTheVoxelsThatPackedOnesOccupy) {
     const Scene scene = FaceVoxelsOf::scene();
     Renderer faces = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     Renderer packed = makeRenderer(context, scene, chooseLight(scene), smallSettings(directionalGrid, 16));
-    faces.frame(modeWithoutReceivedLight, chooseCamera(scene, ""));
-    packed.frame(modeWithoutReceivedLight, chooseCamera(scene, ""));
+    faces.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
+    packed.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
     ASSERT_GT(packed.activeVoxels()[0], 1000U);
     for (int level = 0; level < packed.occupancy().levels(); ++level)
         EXPECT_EQ(entriesOnCpu(readVoxels(faces.occupancy().texture(), level), directionalGrid >> level),

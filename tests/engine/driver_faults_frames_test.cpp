@@ -31,7 +31,7 @@ std::vector<gl::Call> callsOfFrames(const Context& context, const char* preset) 
     stage.frameAt(0.0);
     gl::CallLog log;
     for (const double seconds : {0.2, 0.4})
-        stage.frameAt(seconds, Mode::giConeShadow);
+        stage.frameAt(seconds, Output::giConeShadow);
     return log.calls();
 }
 

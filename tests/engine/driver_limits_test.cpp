@@ -49,10 +49,11 @@ TEST(DriverLimits, SumsOfMoreFacesThanABlockHoldsAreRefused) {
     Renderer renderer = makeRenderer(context, scene, scene.lights.front(), settings);
     driversOwn = gl::GetIntegerv;
     gl::GetIntegerv = withSmallBlocks;
-    const std::string error = errorOf([&] { renderer.frame(Mode::gi, scene.cameras.front()); });
+    const std::string error = errorOf([&] { renderer.render({{Output::gi}, scene.cameras.front()}); });
     gl::GetIntegerv = driversOwn;
     expectMentions(error, {"voxel face sums", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", "use a coarser grid"});
-    EXPECT_NO_THROW(renderer.frame(Mode::gi, scene.cameras.front())) << "and nothing is left half made";
+    EXPECT_NO_THROW(renderer.render({{Output::gi}, scene.cameras.front()}))
+        << "and nothing is left half made";
 }
 
 }  // namespace

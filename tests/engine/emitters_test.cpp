@@ -131,7 +131,7 @@ TEST(Lamps, LightAFloorByTheirFormFactor) {
         settings.size = glm::ivec2(64);
         FrameInspector inspector(context, roomWithLamp(side), noLight(), settings,
                                  lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
-        const Image picture = inspector.view(VCT_VIEW_INDIRECT);
+        const Image picture = inspector.view(Output::indirectLight);
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
             const glm::dvec3 place = inspector.pixels()[i].positionWorld;
             if (place.y > -0.99) continue;
@@ -149,7 +149,7 @@ TEST(Lamps, CastTheShadowThatRaysFind) {
     Settings settings = presetSettings("mobile");
     settings.size = glm::ivec2(96);
     FrameInspector inspector(context, scene, noLight(), settings, lookAt({0.9, -0.2, 0.9}, {0, -1, 0}, 80));
-    const Image picture = inspector.view(VCT_VIEW_INDIRECT);
+    const Image picture = inspector.view(Output::indirectLight);
     double squares = 0.0, brightest = 0.0;
     int count = 0, inUmbra = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -190,7 +190,7 @@ TEST(Lamps, ShowInAMirror) {
     Settings settings = presetSettings("mobile");
     settings.size = glm::ivec2(96);
     FrameInspector inspector(context, scene, noLight(), settings, lookAt({0, 0.6, 0.01}, {0, -1, 0}, 60));
-    const Image picture = inspector.view(VCT_MODE_GI);
+    const Image picture = inspector.view(Output::gi);
     int inside = 0, outside = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const glm::dvec3 place = inspector.pixels()[i].positionWorld;
@@ -241,7 +241,7 @@ TEST(Lamps, CostNothingWhereNothingGlows) {
         Settings settings = presetSettings("mobile");
         settings.size = glm::ivec2(16);
         Renderer renderer = makeRenderer(context, scene, lightFrom({0, 1, 0}), settings);
-        renderer.renderConverged(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 60));
+        renderer.render({{Output::gi}, lookAt({0, 0, 0.9}, {0, 0, -1}, 60), LightSteps::all});
         for (const Resource& resource : renderer.resources())
             EXPECT_NE(resource.name, "emitters") << side;
         EXPECT_EQ(renderer.directional()->received(GatherOf::light)->wordsOfFace(), 4U);

@@ -87,7 +87,7 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
             const Camera camera = lookAt(glm::dvec3(turn * glm::dvec4(0, 1.5, 0.01, 1)),
                                          glm::dvec3(turn * glm::dvec4(0, 0, 0, 1)), 20);
             FrameInspector frame(context, scene, noLight(), settings, camera);
-            const Image image = frame.view(VCT_VIEW_SPECULAR);
+            const Image image = frame.view(Output::specularLight);
             glm::dvec3 seen(0.0);
             int count = 0;
             for (std::size_t i = 0; i < image.pixels.size(); ++i)
@@ -124,7 +124,7 @@ TEST(Glossy, AWallOnTheBorderOfTheVolumeIsReflectedWhole) {
         FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 1.5, 0.01}, {0, -1, 0}, 8));
         const float right = static_cast<float>(headOnShare(copper, roughness).x);
         float least = 1e9F, most = 0.0F;
-        for (const Image image = frame.view(VCT_VIEW_SPECULAR); const glm::vec3& pixel : image.pixels) {
+        for (const Image image = frame.view(Output::specularLight); const glm::vec3& pixel : image.pixels) {
             least = std::min(least, pixel.x);
             most = std::max(most, pixel.x);
         }
@@ -145,7 +145,7 @@ TEST(Glossy, APlaneDoesNotReflectItself) {
             const Settings settings = glossyAt({48, 48});
             FrameInspector frame(context, scene, noLight(), settings,
                                  lookAt(glm::dvec3(0.3, 2, 1.5), {0, 0, 0}, 30));
-            const Spread seen = frame.spreadOf(VCT_VIEW_SPECULAR);
+            const Spread seen = frame.spreadOf(Output::specularLight);
             ASSERT_GT(seen.count, 500);
             EXPECT_LT(seen.mean, 0.02) << "roughness " << roughness << ", turned by " << turnDeg;
         }
@@ -176,7 +176,7 @@ TEST(Glossy, TheSunsReflectionIsThatOfGltf) {
         const Settings settings = glossyAt({48, 48});
         const glm::dvec3 eye(0.1, 0.7, 1.9);
         FrameInspector frame(context, scene, light, settings, lookAt(eye, {0, 0, 0}, 40));
-        const Image image = frame.view(VCT_MODE_GI);
+        const Image image = frame.view(Output::gi);
         const std::vector<SurfacePixel>& pixels = frame.pixels();
         const Reflecting of = reflecting(material);
         int count = 0;
@@ -210,7 +210,7 @@ TEST(Glossy, UnderAnEvenSkyASurfaceHasItsBrdfsAlbedo) {
             settings.skyRadiance = glm::vec3(1.0F);
             const glm::dvec3 eye = 3.0 * glm::dvec3(0.0, cosEye, std::sqrt(1.0 - cosEye * cosEye));
             FrameInspector frame(context, scene, noLight(), settings, lookAt(eye, {0, 0, 0}, 2));
-            const glm::dvec3 seen(frame.view(VCT_MODE_GI).pixels[8 * 16 + 8]);
+            const glm::dvec3 seen(frame.view(Output::gi).pixels[8 * 16 + 8]);
             const Reflecting of = reflecting(material);
             const glm::dvec3 right = gltfAlbedo(of.diffuse, of.f0, material.roughness, cosEye);
             for (int c = 0; c < 3; ++c)
@@ -222,7 +222,7 @@ Image pictureOf(const Context& context, const Scene& scene, Settings settings, S
     settings.specular = specular;
     Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
                       context.capabilities, testShaders());
-    renderer.frame(Mode::giConeShadow, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50));
+    renderer.render({{Output::giConeShadow}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50)});
     return renderer.radiance();
 }
 

@@ -34,9 +34,9 @@ HalfPictures halfPicturesOf(const gl::Capabilities& capabilities, const Scene& s
     Renderer renderer(scene, chooseLight(scene), settings, capabilities, testShaders());
     const Camera camera = chooseCamera(scene, "");
     HalfPictures pictures;
-    for (Mode mode : allModes()) {
-        renderer.frame(mode, camera);
-        pictures.images.push_back({modeName(mode), renderer.radiance(), true});
+    for (Output mode : allModes()) {
+        renderer.render({{mode}, camera});
+        pictures.images.push_back({outputName(mode), renderer.radiance(), true});
     }
     for (DebugView& part : lightParts(renderer, camera))
         pictures.images.push_back(std::move(part));

@@ -63,7 +63,7 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
         const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
         const Settings settings = mobileAt(128);
         FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
-        const Image image = frame.view(VCT_VIEW_INDIRECT);
+        const Image image = frame.view(Output::indirectLight);
         const CpuLookUp faces(frame.received(false));
         const std::vector<SurfacePixel>& pixels = frame.pixels();
         const double range = frame.radianceRange();
@@ -106,7 +106,7 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     scene.boundsWorld = boundsForVoxelsAsWorld(64);
     // From the side, between the two.
     FrameInspector frame(context, scene, noLight(), settings, lookAt({31, 50, 31.01}, {31, 16, 31}, 60));
-    const Image image = frame.view(VCT_VIEW_INDIRECT);
+    const Image image = frame.view(Output::indirectLight);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     struct Jumps {
         double sum = 0.0, largest = 0.0;
@@ -151,11 +151,11 @@ TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
             const glm::dvec3 centre = corner + 0.5 * (u + v);
             FrameInspector frame(context, scene, noLight(), settings,
                                  lookAt(centre + 30.0 * normal + glm::dvec3(1, 2, 3), centre, 60));
-            for (const int view : {VCT_VIEW_INDIRECT, VCT_VIEW_AO}) {
+            for (const Output view : {Output::indirectLight, Output::ambientVisibility}) {
                 const Spread spread = frame.spreadOf(view);
                 ASSERT_GT(spread.count, 2000);
                 EXPECT_GE(spread.min, 0.97)
-                    << "axis " << axis << ", side " << side << ", at " << at << ", view " << view;
+                    << "axis " << axis << ", side " << side << ", at " << at << ", " << outputName(view);
             }
         }
 }
@@ -173,7 +173,8 @@ TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
     Settings settings = mobileAt(260);
     settings.skyRadiance = glm::vec3(1.0F);
     FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 4}, {0, 0, 0}, 40));
-    const Image light = frame.view(VCT_VIEW_INDIRECT), ambientVisibility = frame.view(VCT_VIEW_AO);
+    const Image light = frame.view(Output::indirectLight),
+                ambientVisibility = frame.view(Output::ambientVisibility);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     int surfaces = 0, dark = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -35,25 +35,26 @@ TEST(ReceivedLight, AStaticScenesStandsStillAndCostsNoDispatch) {
     const Settings settings = mobileSettings();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = chooseCamera(scene, "");
-    for (const Mode mode : {Mode::ao, Mode::gi, Mode::giConeShadow}) {
-        const int steps = mode == Mode::giConeShadow ? 0 : settings.lightFrames;
+    for (const Output mode : {Output::ao, Output::gi, Output::giConeShadow}) {
+        const int steps = mode == Output::giConeShadow ? 0 : settings.lightFrames;
         for (int frame = 0; frame < steps; ++frame) {
             const gl::CallLog log;
-            renderer.frame(mode, camera);
-            EXPECT_EQ(groupsOf(log).count("irradiance"), 1U) << "step " << frame << " of " << modeName(mode);
+            renderer.render({{mode}, camera});
+            EXPECT_EQ(groupsOf(log).count("irradiance"), 1U)
+                << "step " << frame << " of " << outputName(mode);
         }
-        renderer.frame(mode, camera);
+        renderer.render({{mode}, camera});
         const Image first = renderer.radiance();
         for (const Camera& from : {camera, lookAt({0.3, 0.2, 1.0}, {0, 0, 0}, 70), camera}) {
             const gl::CallLog log;
-            renderer.frame(mode, from);
+            renderer.render({{mode}, from});
             const gl::CallSummary calls = gl::summaryOf(log.calls());
-            EXPECT_EQ(calls.dispatches, 0) << modeName(mode);
-            EXPECT_EQ(calls.passes, (std::set<std::string>{"G-buffer", "cone trace"})) << modeName(mode);
+            EXPECT_EQ(calls.dispatches, 0) << outputName(mode);
+            EXPECT_EQ(calls.passes, (std::set<std::string>{"G-buffer", "cone trace"})) << outputName(mode);
         }
-        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << modeName(mode);
-        renderer.renderConverged(mode, camera);
-        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << modeName(mode);
+        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << outputName(mode);
+        renderer.render({{mode}, camera, LightSteps::all});
+        EXPECT_TRUE(renderer.radiance().pixels == first.pixels) << outputName(mode);
     }
 }
 
@@ -65,9 +66,9 @@ TEST(ReceivedLight, AConvergedPictureIsThatOfAllItsFrames) {
     Renderer still = makeRenderer(context, scene, chooseLight(scene), settings);
     Renderer frames = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = chooseCamera(scene, "");
-    still.renderConverged(Mode::gi, camera);
+    still.render({{Output::gi}, camera, LightSteps::all});
     for (int i = 0; i < settings.lightFrames; ++i)
-        frames.frame(Mode::gi, camera);
+        frames.render({{Output::gi}, camera});
     EXPECT_TRUE(readReceived(still) == readReceived(frames));
     // Bricks lie in the order of the list of faces, which atomics decide: their texels' coordinates are
     // rounded differently.
@@ -86,7 +87,7 @@ TEST(ReceivedLight, OfAnyOrderOfTrianglesAndInstancesIsTheSame) {
     const auto lit = [&](const Scene& of) {
         Renderer renderer = makeRenderer(context, of, chooseLight(of), settings);
         for (int step = 0; step < 3; ++step)
-            renderer.frame(Mode::gi, camera);
+            renderer.render({{Output::gi}, camera});
         return std::make_pair(readReceived(renderer), renderer.radiance());
     };
     const auto [faces, picture] = lit(scene);
@@ -119,7 +120,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const Settings settings = mobileSettings();
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = makeRenderer(context, scene, light, settings);
-    renderer.renderConverged(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera, LightSteps::all});
     const ReceivedFaces before = readReceived(renderer);
     DirectionalLight turned = light;
     const double angle = glm::radians(30.0);
@@ -127,13 +128,13 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     turned.towardsLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
                                                     l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
-    fresh.renderConverged(Mode::gi, camera);
+    fresh.render({{Output::gi}, camera, LightSteps::all});
     const ReceivedFaces right = readReceived(fresh);
     const double change = differenceOf(before, right).rms;
     renderer.setLightDirection(turned.towardsLight);
     double last = change;
     for (int frame = 1; frame <= settings.lightFrames; ++frame) {
-        renderer.frame(Mode::gi, camera);
+        renderer.render({{Output::gi}, camera});
         const bool atPower = (frame & (frame - 1)) == 0;
         if (!atPower) continue;
         const ReceivedFaces now = readReceived(renderer);
@@ -155,7 +156,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     // left there.
     EXPECT_LE(last, 0.055 * change);
     const gl::CallLog log;
-    renderer.frame(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera});
     EXPECT_EQ(gl::summaryOf(log.calls()).dispatches, 0);
 }
 
@@ -172,8 +173,8 @@ TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
     const Context context = openContext(Backend::egl);
     const Scene scene = passingBox();
     const Settings settings = mobileSettings();
-    for (const Mode mode : {Mode::gi, Mode::ao}) {
-        const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
+    for (const Output mode : {Output::gi, Output::ao}) {
+        const GatherOf of = mode == Output::ao ? GatherOf::occlusion : GatherOf::light;
         PlayingScene stage(context, scene, settings);
         stage.convergedAt(0.0, mode);
         for (int frame = 1; frame <= 30; ++frame)
@@ -186,10 +187,10 @@ TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
         fresh.convergedAt(0.0, mode);
         const ReceivedFaces right = readReceived(fresh.renderer(), of);
         // What each face remembers by itself: pixels see it together with its block's.
-        expectAlike(moving, right, 0.6, std::string(modeName(mode)) + ", while it moves");
+        expectAlike(moving, right, 0.6, std::string(outputName(mode)) + ", while it moves");
         ASSERT_EQ(settings.lightFrames, 16);
         expectAlike(readReceived(stage.renderer(), of), right, 0.02,
-                    std::string(modeName(mode)) + ", 16 frames later");
+                    std::string(outputName(mode)) + ", 16 frames later");
     }
 }
 
@@ -200,7 +201,7 @@ TEST(ReceivedLight, StaysWhereVoxelsAreMadeAnew) {
         Settings settings = mobileSettings();
         settings.revoxelize = true;
         PlayingScene stage(context, scene, settings);
-        stage.renderer().renderConverged(Mode::gi, chooseCamera(scene, ""));
+        stage.renderer().render({{Output::gi}, chooseCamera(scene, ""), LightSteps::all});
         const ReceivedFaces before = readReceived(stage.renderer());
         for (int frame = 0; frame < 20; ++frame)
             stage.frame();
@@ -222,10 +223,10 @@ TEST(ReceivedLight, OcclusionLightsNoFace) {
     const Context context = openContext(Backend::egl);
     const Scene scene = passingBox();
     PlayingScene stage(context, scene, mobileSettings());
-    stage.frameAt(0.0, Mode::gi);
-    stage.frameAt(0.1, Mode::ao);
+    stage.frameAt(0.0, Output::gi);
+    stage.frameAt(0.1, Output::ao);
     const gl::CallLog log;
-    stage.frameAt(0.2, Mode::ao);
+    stage.frameAt(0.2, Output::ao);
     EXPECT_EQ(groupsOf(log).count("irradiance"), 1U);
     EXPECT_EQ(groupsOf(log).count("mipmap again"), 0U);
 }

@@ -34,8 +34,8 @@ TEST(Gather, ALonePlaneSeesTheSkyAndNothingElse) {
         settings.skyRadiance = glm::vec3(sky);
         FrameInspector frame(context, lonePlane(0.0), noLight(), settings,
                              lookAt({0, 3, 0.5}, {0, 0, 0}, 40));
-        const Spread light = frame.spreadOf(VCT_VIEW_INDIRECT),
-                     ambientVisibility = frame.spreadOf(VCT_VIEW_AO);
+        const Spread light = frame.spreadOf(Output::indirectLight),
+                     ambientVisibility = frame.spreadOf(Output::ambientVisibility);
         ASSERT_GT(light.count, 800);
         EXPECT_NEAR(light.min, sky, sky * std::exp2(-10));  // halves
         EXPECT_NEAR(light.max, sky, sky * std::exp2(-10));
@@ -64,7 +64,7 @@ struct Deviation {
 };
 template <class Truth>
 Deviation deviationOf(FrameInspector& frame, const Truth& truth) {
-    const Image image = frame.view(VCT_VIEW_INDIRECT);
+    const Image image = frame.view(Output::indirectLight);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     double sum = 0.0, truthSum = 0.0, squares = 0.0;
     int count = 0;
@@ -149,7 +149,7 @@ TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     scene = finished(std::move(scene));
     const Settings settings = mobileAt(pictureSide);
     FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0.2, 1.5}, {0, 0.1, 0}, 20));
-    const Image light = frame.view(VCT_VIEW_INDIRECT);
+    const Image light = frame.view(Output::indirectLight);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     Spread foot;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -171,7 +171,7 @@ TEST(Gather, WhiteFurnaceIsOne) {
         scene.materials[0].emissive = glm::vec3(1.0F);
         FrameInspector frame(context, scene, noLight(), mobileAt(pictureSide),
                              lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
-        const Spread spread = frame.spreadOf(VCT_VIEW_INDIRECT);
+        const Spread spread = frame.spreadOf(Output::indirectLight);
         const double turnedLoss = turnDeg == 0.0 ? 0.0 : 0.1;
         EXPECT_NEAR(spread.mean, 1.0, 0.075 + turnedLoss);
         EXPECT_LE(spread.max, 1.02);
@@ -196,7 +196,7 @@ TEST(Gather, WallsOnTheBorderAreWholeWhereTheyFade) {
     settings.lightFrames = 8;
     settings.gather.fadesAtBorder = true;
     FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
-    EXPECT_NEAR(frame.spreadOf(VCT_VIEW_INDIRECT).mean, 1.0, 0.03);
+    EXPECT_NEAR(frame.spreadOf(Output::indirectLight).mean, 1.0, 0.03);
 }
 
 // One lit plane in an empty volume: a surface does not light itself, so the right answer is 0. And the side
@@ -212,8 +212,8 @@ TEST(Gather, NeitherSideOfALitPlaneGetsAnything) {
             const glm::dvec3 up(scene.instances[0].worldFromObject * glm::dvec4(0, 1, 0, 0));
             FrameInspector frame(context, scene, lightFrom(darkSide ? -up : up), mobileAt(pictureSide),
                                  lookAt(3.0 * up + glm::dvec3(0.3, 0, 0), {0, 0, 0}, 40));
-            const Spread light = frame.spreadOf(VCT_VIEW_INDIRECT),
-                         ambientVisibility = frame.spreadOf(VCT_VIEW_AO);
+            const Spread light = frame.spreadOf(Output::indirectLight),
+                         ambientVisibility = frame.spreadOf(Output::ambientVisibility);
             ASSERT_GT(light.count, 1000);
             EXPECT_GE(light.min, 0.0);
             if (darkSide) {
@@ -248,7 +248,7 @@ TEST(Gather, LightStaysOnItsSideOfAThinWall) {
         const Settings settings = mobileAt(pictureSide);
         FrameInspector frame(context, scene, noLight(), settings,
                              lookAt(glm::dvec3(turn * glm::dvec4(0, 0, 4, 1)), {0, 0, 0}, 40));
-        const Image image = frame.view(VCT_VIEW_INDIRECT);
+        const Image image = frame.view(Output::indirectLight);
         const std::vector<SurfacePixel>& pixels = frame.pixels();
         Spread lit, dark;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -336,7 +336,7 @@ TEST(FaceRadiance, ARoomUnderTheSkyAloneHasBouncesInProportion) {
         settings.lightFrames = 6;
         settings.skyRadiance = glm::vec3(sky);
         FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 0.9}, {0, -0.5, 0}, 60));
-        return Lit{frame.spreadOf(VCT_VIEW_INDIRECT).mean, frame.spreadOf(VCT_MODE_GI).mean};
+        return Lit{frame.spreadOf(Output::indirectLight).mean, frame.spreadOf(Output::gi).mean};
     };
     const Lit one = lit(1.0F), ten = lit(10.0F);
     EXPECT_NEAR(ten.first, 10.0 * one.first, 0.01 * one.first);

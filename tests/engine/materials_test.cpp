@@ -46,7 +46,7 @@ Scene twoFloors() {
 }
 
 // The floors' texture coordinates: as x and z of the world, the floor being [0, 1]^2.
-void setFloorUv(Scene& scene, glm::vec2 VertexExtras::*member, bool turned = false) {
+void setFloorUv(Scene& scene, glm::vec2 VertexExtras::* member, bool turned = false) {
     for (int m = 0; m < 2; ++m) {
         Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -59,7 +59,7 @@ void setFloorUv(Scene& scene, glm::vec2 VertexExtras::*member, bool turned = fal
 
 Image drawn(const Context& context, const Scene& scene) {
     FrameInspector frame(context, scene, slantingSun, materialSettings(), overhead());
-    return frame.view(VCT_MODE_GI);
+    return frame.view(Output::gi);
 }
 
 TEST(Materials, AGlossTextureOfTwoHalvesIsTwoMaterials) {
@@ -102,7 +102,7 @@ TEST(Materials, ColoursOfVerticesAreThoseOfMaterials) {
         FrameInspector expected(context, ofMaterials, slantingSun, settings, overhead());
         FrameInspector frame(context, ofVertices, slantingSun, settings, overhead());
         // Of their light too, that the white wall receives from them.
-        for (const int view : {VCT_MODE_GI, VCT_VIEW_INDIRECT})
+        for (const Output view : {Output::gi, Output::indirectLight})
             expectSameInHalves(frame.view(view), expected.view(view));
     }
 }
@@ -114,7 +114,7 @@ TEST(Materials, AnUnlitSurfaceShowsItsBaseColourAndLightsNothing) {
     scene.materials[0].unlit = scene.materials[1].unlit = true;
     scene.materials[0].baseColor = scene.materials[1].baseColor = color;
     FrameInspector frame(context, scene, slantingSun, materialSettings(), overhead());
-    const Image image = frame.view(VCT_MODE_GI);
+    const Image image = frame.view(Output::gi);
     int count = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         if (!frame.pixels()[i].surface || frame.pixels()[i].normal.y < 0.5) continue;
@@ -127,7 +127,7 @@ TEST(Materials, AnUnlitSurfaceShowsItsBaseColourAndLightsNothing) {
     scene.materials[0].unlit = scene.materials[1].unlit = false;
     scene.materials[0].baseColor = scene.materials[1].baseColor = {0, 0, 0, 1};
     FrameInspector black(context, scene, slantingSun, materialSettings(), overhead());
-    expectSameInHalves(frame.view(VCT_VIEW_INDIRECT), black.view(VCT_VIEW_INDIRECT));
+    expectSameInHalves(frame.view(Output::indirectLight), black.view(Output::indirectLight));
 }
 
 // Direct light of a Lambert surface is albedo times the cosine, here with the normal of a map. +X is where

@@ -23,12 +23,12 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
                             [](const Instance& instance) { return instance.moves(); }),
               2);
     const Settings settings = smallPreset(GetParam());
-    for (const Mode mode : {Mode::gi, Mode::ao}) {
+    for (const Output mode : {Output::gi, Output::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
             expectFresh(stage, context, scene, settings, seconds, mode);
         EXPECT_EQ(gridOf(stage.renderer()).received,
-                  mode == Mode::gi && stage.renderer().directional() != nullptr);
+                  mode == Output::gi && stage.renderer().directional() != nullptr);
         // And back at rest, as the constructor left it.
         const Grid moved = gridOf(stage.renderer());
         stage.frameAt(0.0, mode);
@@ -41,7 +41,7 @@ TEST(MovingInstances, LeaveNoTraceInTheReceivedLight) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
     const Settings settings = mobileSettings();
-    for (const Mode mode : {Mode::gi, Mode::ao}) {
+    for (const Output mode : {Output::gi, Output::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.35, 1.7}) {
             stage.frameAt(seconds - 0.05, mode);
@@ -57,12 +57,12 @@ TEST_P(Moving, BetweenModesThatTakeTurns) {
     const Settings settings = smallPreset(GetParam());
     PlayingScene stage(context, scene, settings);
     stage.frameAt(0.1);
-    expectFresh(stage, context, scene, settings, 0.4, Mode::ao);
-    expectFresh(stage, context, scene, settings, 0.7, Mode::ao);
+    expectFresh(stage, context, scene, settings, 0.4, Output::ao);
+    expectFresh(stage, context, scene, settings, 0.7, Output::ao);
     expectFresh(stage, context, scene, settings, 0.9);
-    stage.frameAt(1.2, Mode::phong);
+    stage.frameAt(1.2, Output::phong);
     expectFresh(stage, context, scene, settings, 1.5);
-    expectFresh(stage, context, scene, settings, 1.5, Mode::ao);
+    expectFresh(stage, context, scene, settings, 1.5, Output::ao);
 }
 
 // Where two levels are made anew in part.
@@ -73,7 +73,7 @@ TEST(MovingInstances, AtAFinerGrid) {
     settings.grid = 128;
     PlayingScene stage(context, scene, settings);
     for (const double seconds : {0.0, 0.1, 1.7})
-        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+        expectFresh(stage, context, scene, settings, seconds, Output::ao);
 }
 
 // Cards between blocks: on which side their fragments fall is a matter of rounding. What moves changes the
@@ -257,7 +257,7 @@ TEST(MovingInstances, ShadowsThatComeAndGo) {
     const auto lit = [&](Renderer& renderer, const Scene& of, double seconds, const glm::dvec3& light) {
         renderer.setPose(poseAt(of.animation, seconds));
         renderer.setLightDirection(light);
-        renderer.frame(Mode::gi, chooseCamera(of, ""));
+        renderer.render({{Output::gi}, chooseCamera(of, "")});
     };
     PlayingScene stage(context, scene, settings);
     for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})

@@ -9,10 +9,10 @@
 namespace vct::test {
 namespace {
 
-Image picture(const Context& context, const Scene& scene, const DirectionalLight& light, Mode mode,
+Image picture(const Context& context, const Scene& scene, const DirectionalLight& light, Output mode,
               const Camera& camera) {
     Renderer renderer = makeRenderer(context, scene, light, smallSettings());
-    renderer.frame(mode, camera);
+    renderer.render({{mode}, camera});
     return renderer.radiance();
 }
 
@@ -30,11 +30,11 @@ TEST(Order, CoincidentSurfacesLookTheSameInAnyOrderOfInstances) {
     addQuad(scene, {-1, 0, 0}, {2, 0, 0}, {0, 1, 0}, 1);
     scene = finished(std::move(scene));
     const Camera camera = lookAt({0.4, 1.6, 2.4}, {0, 0.2, 0}, 50);
-    const Image first = picture(context, scene, lightFrom({1, 2, 3}), Mode::gi, camera);
+    const Image first = picture(context, scene, lightFrom({1, 2, 3}), Output::gi, camera);
     for (unsigned seed = 1; seed <= 6; ++seed) {
         Scene shuffled = scene;
         shuffleTriangles(shuffled, seed);
-        EXPECT_EQ(picture(context, shuffled, lightFrom({1, 2, 3}), Mode::gi, camera).pixels, first.pixels)
+        EXPECT_EQ(picture(context, shuffled, lightFrom({1, 2, 3}), Output::gi, camera).pixels, first.pixels)
             << "seed " << seed;
     }
 }
@@ -54,7 +54,7 @@ TEST(ShadowMapBias, PerpendicularLightLeavesNoAcne) {
         addQuad(scene, 20.0 * (u + v) + 13.7 * up, 4.0 * u, 4.0 * v);
         scene = finished(std::move(scene));
         const Camera camera = lookAt(40.0 * up - 5.0 * u, -5.0 * u, 40);
-        const Image image = picture(context, scene, lightFrom(up), Mode::shadowMap, camera);
+        const Image image = picture(context, scene, lightFrom(up), Output::shadowMap, camera);
         float least = 1e9F;
         float largest = 0.0F;
         for (const glm::vec3& pixel : image.pixels) {

@@ -62,7 +62,7 @@ std::vector<std::uint32_t> countsInTheRoom(const Context& context, bool revoxeli
     settings.revoxelize = revoxelize;
     const Scene scene = room();
     PlayingScene stage(context, scene, settings);
-    const auto frameAt = [&](double seconds) { stage.frameAt(seconds, Mode::ao); };
+    const auto frameAt = [&](double seconds) { stage.frameAt(seconds, Output::ao); };
     for (const double seconds : {0.0, 0.1, 0.2})
         frameAt(seconds);
     std::vector<std::uint32_t> counts(VCT_COUNTER_COUNT);

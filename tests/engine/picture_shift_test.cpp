@@ -14,10 +14,10 @@ TEST(PictureShift, ByWholePixelsMovesThePictureAndKeepsTheLight) {
     const Scene scene = loadGltf(asset("contact.glb"));
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobileAt(64));
     const Camera front = chooseCamera(scene, "");
-    renderer.renderConverged(Mode::gi, front);
+    renderer.render({{Output::gi}, front, LightSteps::all});
     const Image still = renderer.radiance();
     renderer.setPictureShift({3.0F, 2.0F});
-    renderer.frame(Mode::gi, front);
+    renderer.render({{Output::gi}, front});
     const Image moved = renderer.radiance();
     int different = 0;
     for (int y = 2; y < 64; ++y)
@@ -25,7 +25,7 @@ TEST(PictureShift, ByWholePixelsMovesThePictureAndKeepsTheLight) {
             different += glm::length(moved.at(x + 3, y - 2) - still.at(x, y)) > 2e-3F;
     EXPECT_LT(different, 20);  // Edges whose rounding differs.
     renderer.setPictureShift({0.0F, 0.0F});
-    renderer.frame(Mode::gi, front);
+    renderer.render({{Output::gi}, front});
     EXPECT_EQ(renderer.radiance().pixels, still.pixels);
 }
 

@@ -50,9 +50,10 @@ Pictures picturesOf(Backend backend, const std::string& sceneName, const std::st
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = chooseCamera(scene, "");
     Pictures pictures;
-    for (Mode mode : thesis ? allModes() : std::vector<Mode>{Mode::ao, Mode::gi, Mode::giConeShadow}) {
-        renderer.renderConverged(mode, camera);
-        pictures.emplace_back(modeName(mode), renderer.radiance());
+    for (Output mode :
+         thesis ? allModes() : std::vector<Output>{Output::ao, Output::gi, Output::giConeShadow}) {
+        renderer.render({{mode}, camera, LightSteps::all});
+        pictures.emplace_back(outputName(mode), renderer.radiance());
     }
     if (thesis)
         for (DebugView& stage : debugViews(renderer, camera))

@@ -34,7 +34,7 @@ TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
         settings.grid = 64;
         settings.size = glm::ivec2(96);
         FrameInspector inspector(context, scene, darkSun(), settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
-        for (const Picture mode : {VCT_MODE_GI, VCT_MODE_GI_CONE_SHADOW}) {
+        for (const Output mode : {Output::gi, Output::giConeShadow}) {
             const Image picture = inspector.view(mode);
             double brightest = 0.0;
             int seen = 0;
@@ -47,7 +47,7 @@ TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
                 for (int c = 0; c < 3; ++c)
                     ASSERT_NEAR(picture.pixels[i][c], right * scene.punctualLights[0].color[c],
                                 0.01 * right + 0.001)
-                        << preset << ", mode " << mode << ", pixel " << i;
+                        << preset << ", " << outputName(mode) << ", pixel " << i;
             }
             EXPECT_GT(seen, 3000) << preset;
             EXPECT_GT(brightest, 0.2) << preset;
@@ -58,10 +58,7 @@ TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
 INSTANTIATE_TEST_SUITE_P(
     Lights, PunctualLightsOnAPlane,
     testing::Values(
-        Row{"Point",
-            [] {
-                return punctualLightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0});
-            }},
+        Row{"Point", [] { return punctualLightAt(PunctualLight::Type::point, {0.3, 0.8, -0.2}, {0, 0, 0}); }},
         Row{"PointWithARange",
             [] {
                 PunctualLight light =
@@ -138,7 +135,7 @@ TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
         settings.size = glm::ivec2(256);
         FrameInspector inspector(context, scene, darkSun(), settings,
                                  lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
-        const Image picture = inspector.view(VCT_MODE_SHADOW_MAP);
+        const Image picture = inspector.view(Output::shadowMap);
         const glm::dvec3 place(light.worldFromLight[3]);
         int wrong = 0, judged = 0, litInTheDark = 0;
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -173,8 +170,8 @@ TEST(PunctualLights, WithASizeShineIntoNoCornerAndShadeNoWall) {
         settings.lightRadius = static_cast<float>(radius);
         FrameInspector inspector(context, scene, darkSun(), settings,
                                  lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
-        const Image picture = inspector.view(VCT_MODE_GI_CONE_SHADOW);
-        const Image indirect = inspector.view(VCT_VIEW_INDIRECT);
+        const Image picture = inspector.view(Output::giConeShadow);
+        const Image indirect = inspector.view(Output::indirectLight);
         double squares = 0.0;
         int judged = 0, shaded = 0, lit = 0;
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -220,15 +217,15 @@ TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
         settings.size = glm::ivec2(96);
         Renderer renderer = makeRenderer(context, both, none, settings);
         for (int i = 0; i < settings.lightFrames; ++i)
-            renderer.frame(Mode::gi, camera);
+            renderer.render({{Output::gi}, camera});
         const Image before = renderer.radiance();
         renderer.setLightOn(1, false);
         for (int i = 0; i < settings.lightFrames; ++i)
-            renderer.frame(Mode::gi, camera);
+            renderer.render({{Output::gi}, camera});
         const Image after = renderer.radiance();
         Renderer fresh = makeRenderer(context, both, none, settings);
         fresh.setLightOn(1, false);
-        fresh.renderConverged(Mode::gi, camera);
+        fresh.render({{Output::gi}, camera, LightSteps::all});
         const Image right = fresh.radiance();
         // Noise of the cones aside: their sum.
         double difference = 0.0, sum = 0.0, change = 0.0;
@@ -252,10 +249,10 @@ TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
     settings.lightFrames = 1;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
     const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
-    renderer.frame(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera});
     const Image first = renderer.radiance();
     renderer.timer().startRecording(Clocks::cpu);
-    renderer.frame(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera});
     const StepTimes times = renderer.timer().stopRecording();
     for (const Step step : {Step::shadowMap, Step::voxelize, Step::mipmap})
         EXPECT_EQ(times.stepMs[static_cast<std::size_t>(step)].at(0), 0.0) << stepName(step);
@@ -285,7 +282,7 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
         const Settings settings = mobileAt(64);
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.3, 0.5, 1.6})
-            expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+            expectFresh(stage, context, scene, settings, seconds, Output::ao);
     }
 }
 
@@ -307,7 +304,7 @@ TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
     const Settings settings = mobileAt(64);
     PlayingScene stage(context, scene, settings);
     for (const double seconds : {0.0, 0.5, 0.5, 1.6})
-        expectFresh(stage, context, scene, settings, seconds, Mode::ao);
+        expectFresh(stage, context, scene, settings, seconds, Output::ao);
 }
 
 TEST(PunctualLights, MoreThanThereIsRoomForIsAnError) {

@@ -26,13 +26,13 @@ class Relight : public testing::Test {
     Renderer rendererOf(const Scene& scene, const glm::dvec3& towardsLight) const {
         return makeRenderer(context_, scene, lightFrom(towardsLight), settings_);
     }
-    void expectFresh(Renderer& renderer, const Scene& scene, const glm::dvec3& towardsLight, Mode mode,
+    void expectFresh(Renderer& renderer, const Scene& scene, const glm::dvec3& towardsLight, Output mode,
                      const std::string& what) const {
         const Camera camera = chooseCamera(scene, "");
         renderer.setLightDirection(glm::normalize(towardsLight));
-        renderer.frame(mode, camera);
+        renderer.render({{mode}, camera});
         Renderer fresh = rendererOf(scene, towardsLight);
-        fresh.frame(mode, camera);
+        fresh.render({{mode}, camera});
         // The shadow map's mode has none.
         if (fresh.directional() != nullptr) expectSameGrid(gridOf(renderer), gridOf(fresh), what);
     }
@@ -46,18 +46,18 @@ class Relight : public testing::Test {
 // (irradiance_steps_test.cpp).
 TEST_F(Relight, EveryLightLeavesTheVoxelsOfAFreshRenderer) {
     const Scene scene = loadGltf(asset("courtyard.glb"));
-    for (const Mode mode : {Mode::gi, Mode::ao}) {
+    for (const Output mode : {Output::gi, Output::ao}) {
         Renderer renderer = rendererOf(scene, sun);
-        renderer.frame(mode, chooseCamera(scene, ""));
+        renderer.render({{mode}, chooseCamera(scene, "")});
         const Grid before = gridOf(renderer);
-        EXPECT_EQ(before.received, mode == Mode::gi);
+        EXPECT_EQ(before.received, mode == Output::gi);
         const std::size_t bytesBefore = bytesOf(renderer.resources());
         for (std::size_t i = 0; i < lights.size(); ++i)
             expectFresh(renderer, scene, lights[i], mode, "light " + std::to_string(i));
         expectSameGrid(before, gridOf(renderer), "back again");
         EXPECT_EQ(bytesOf(renderer.resources()), bytesBefore);
         renderer.setLightDirection(lights[0]);
-        renderer.frame(mode, chooseCamera(scene, ""));
+        renderer.render({{mode}, chooseCamera(scene, "")});
         EXPECT_FALSE(gridOf(renderer).sums == before.sums) << "the light changes nothing";
     }
 }
@@ -71,12 +71,12 @@ TEST_F(Relight, AfterOtherModesAndPosesToo) {
     const Scene frozen = frozenAt(scene, 0.5);
     Renderer renderer = rendererOf(scene, sun);
     const Camera camera = chooseCamera(scene, "");
-    renderer.frame(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera});
     renderer.setPose(poseAt(scene.animation, 0.5));
-    renderer.frame(Mode::gi, camera);
+    renderer.render({{Output::gi}, camera});
     std::size_t light = 0;
-    for (const Mode mode : {Mode::gi, Mode::ao, Mode::gi, Mode::shadowMap, Mode::giConeShadow}) {
-        expectFresh(renderer, frozen, lights[light], mode, modeName(mode) + (" " + std::to_string(light)));
+    for (const Output mode : {Output::gi, Output::ao, Output::gi, Output::shadowMap, Output::giConeShadow}) {
+        expectFresh(renderer, frozen, lights[light], mode, outputName(mode) + (" " + std::to_string(light)));
         ++light;
     }
 }
@@ -92,12 +92,12 @@ TEST_F(Relight, ItsProgramsAreMadeWhenTheLightMoves) {
             return std::string(call.name) == "ObjectLabel" && call.text == "directional/clear_radiance";
         });
     };
-    renderer.frame(Mode::gi, camera);
-    renderer.frame(Mode::gi, lookAt({0, 2, 3}, {0, 0, 0}, 40));
+    renderer.render({{Output::gi}, camera});
+    renderer.render({{Output::gi}, lookAt({0, 2, 3}, {0, 0, 0}, 40)});
     EXPECT_EQ(made(), 0);
     for (const glm::dvec3& light : {lights[0], lights[1]}) {
         renderer.setLightDirection(light);
-        renderer.frame(Mode::gi, camera);
+        renderer.render({{Output::gi}, camera});
         EXPECT_EQ(made(), 1);
     }
 }

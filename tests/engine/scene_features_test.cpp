@@ -86,14 +86,14 @@ Settings featureSettings(const std::string& preset) {
 
 const Camera viewOfFloor = lookAt({0, 2, 3}, {0, 0, 0}, 40);
 
-Asked askedBy(const Scene& scene, const std::string& preset, Mode mode = Mode::giConeShadow) {
+Asked askedBy(const Scene& scene, const std::string& preset, Output mode = Output::giConeShadow) {
     const Context context = openContext(Backend::egl);
     gl::CallLog log;
     Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 1}), featureSettings(preset));
     int frames = 0;
     const auto frame = [&] {
         if (!scene.animation.channels.empty()) renderer.setPose(poseAt(scene.animation, 0.1 * frames++));
-        renderer.frame(mode, viewOfFloor);
+        renderer.render({{mode}, viewOfFloor});
     };
     frame();
     frame();
@@ -240,18 +240,18 @@ TEST(SceneFeatures, AnAnimationCostsNothingButWhereItMovesAnObject) {
 
 TEST(SceneFeatures, AModeBuildsTheProgramsThatItAsksFor) {
     const Scene scene = sceneWith(nullptr, false);
-    const auto builds = [&](Mode mode, const std::string& program) {
+    const auto builds = [&](Output mode, const std::string& program) {
         const std::vector<std::string> programs = askedBy(scene, "mobile", mode).programs;
         return std::count(programs.begin(), programs.end(), program) > 0;
     };
-    EXPECT_FALSE(builds(Mode::phong, "shadow_map"));
-    EXPECT_TRUE(builds(Mode::shadowMap, "shadow_map"));
-    EXPECT_FALSE(builds(Mode::shadowMap, "directional/voxelizer"));
-    EXPECT_TRUE(builds(Mode::ao, "directional/voxelizer"));
-    EXPECT_FALSE(builds(Mode::ao, "light_shine"));
-    EXPECT_FALSE(builds(Mode::ao, "irradiance"));
-    EXPECT_TRUE(builds(Mode::gi, "light_shine"));
-    EXPECT_FALSE(builds(Mode::gi, "irradiance, occlusion"));
+    EXPECT_FALSE(builds(Output::phong, "shadow_map"));
+    EXPECT_TRUE(builds(Output::shadowMap, "shadow_map"));
+    EXPECT_FALSE(builds(Output::shadowMap, "directional/voxelizer"));
+    EXPECT_TRUE(builds(Output::ao, "directional/voxelizer"));
+    EXPECT_FALSE(builds(Output::ao, "light_shine"));
+    EXPECT_FALSE(builds(Output::ao, "irradiance"));
+    EXPECT_TRUE(builds(Output::gi, "light_shine"));
+    EXPECT_FALSE(builds(Output::gi, "irradiance, occlusion"));
 }
 
 TEST(SceneFeatures, OnlyWhatIsPlacedAndSeenCounts) {

@@ -31,7 +31,7 @@ Settings settingsUnder(const std::string& preset, std::shared_ptr<const Environm
 }
 
 // The mean over the surfaces of a view.
-glm::dvec3 meanOf(FrameInspector& frame, Picture view) {
+glm::dvec3 meanOf(FrameInspector& frame, Output view) {
     const Image image = frame.view(view);
     glm::dvec3 sum(0.0);
     int count = 0;
@@ -62,7 +62,7 @@ glm::dvec3 receivedByPlane(const Context& context, const std::string& preset, co
     addQuad(scene, -u - v, 2.0 * u, 2.0 * v);
     FrameInspector frame(context, finished(std::move(scene)), noLight(), settingsUnder(preset, sky),
                          lookAt(3.0 * normal + 0.01 * u, {0, 0, 0}, 30));
-    return meanOf(frame, VCT_VIEW_INDIRECT);
+    return meanOf(frame, Output::indirectLight);
 }
 
 class Sky : public testing::TestWithParam<std::string> {};
@@ -146,7 +146,7 @@ TEST_P(Sky, AConvexBodyReceivesAConstantSky) {
         settingsUnder(GetParam(), skyOf([](const glm::dvec3&) { return glm::dvec3(0.8); }));
     FrameInspector frame(context, finished(std::move(scene)), noLight(), settings,
                          lookAt({1, 2, 3}, {0, 0, 0}, 30));
-    expectReceived("convex body", GetParam(), meanOf(frame, VCT_MODE_GI) / 0.7, glm::dvec3(0.8));
+    expectReceived("convex body", GetParam(), meanOf(frame, Output::gi) / 0.7, glm::dvec3(0.8));
 }
 
 // A room without a ceiling: its floor, under black walls, sees the share of the sky that its form factor
@@ -192,7 +192,7 @@ TEST_P(Sky, AFloorBetweenBlackWallsReceivesTheFormFactorOfTheOpening) {
     const Settings settings = settingsUnder(
         GetParam(), skyOf([](const glm::dvec3& d) { return glm::dvec3(d.y > -0.5 ? 1.0 : 0.0); }), 96);
     FrameInspector frame(context, room.scene, noLight(), settings, room.camera);
-    const Image image = frame.view(VCT_VIEW_INDIRECT);
+    const Image image = frame.view(Output::indirectLight);
     double sum = 0.0, right = 0.0, squares = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -221,7 +221,7 @@ TEST_P(Sky, AWhiteOpenRoomShinesAsTheSky) {
     const Settings settings =
         settingsUnder(GetParam(), skyOf([](const glm::dvec3&) { return glm::dvec3(1.0); }));
     FrameInspector frame(context, room.scene, noLight(), settings, room.camera);
-    const glm::dvec3 found = meanOf(frame, VCT_MODE_GI);
+    const glm::dvec3 found = meanOf(frame, Output::gi);
     std::printf("white open room, %s: %.4f (right: 1)\n", GetParam().c_str(), found.r);
     if (GetParam() != "thesis") {
         EXPECT_NEAR(found.r, 1.0, presetsBar);
@@ -239,7 +239,7 @@ TEST_P(Sky, MirrorsAndTheBackgroundShowIt) {
     const glm::dvec3 eye(above.worldFromCamera[3]);
     Settings settings = settingsUnder(GetParam(), skyOf(skyAlongAxes), 64);
     FrameInspector frame(context, finished(std::move(scene)), noLight(), settings, above);
-    const Image image = frame.view(VCT_MODE_GI);
+    const Image image = frame.view(Output::gi);
     const double tanHalf = std::tan(30.0 * pi / 180.0);
     int mirrored = 0, background = 0;
     for (int y = 0; y < 64; ++y)

@@ -86,7 +86,7 @@ TEST_P(LampsWithASize, LeavePenumbraeAsRaysSay) {
     settings.lightRadius = static_cast<float>(lamp.radius);
     settings.shadowConeAngleDeg = secondSunDeg;
     FrameInspector frame(context, scene, darkSun(), settings, lookAt({0, 6, 0.001}, {0, 0, 0}, 30));
-    const Image picture = frame.view(VCT_MODE_GI_CONE_SHADOW);
+    const Image picture = frame.view(Output::giConeShadow);
 
     const double size =
         lamp.light.type == Type::directional ? std::tan(glm::radians(0.5 * secondSunDeg)) : lamp.radius;
@@ -139,16 +139,16 @@ TEST_P(LampsWithASize, LeavePenumbraeAsRaysSay) {
 TEST(SoftLights, AreCompiledWhereTheyAreAskedForOnly) {
     Settings settings = presetSettings("mobile");
     const ExtraTargets none{};
-    const auto before = [&](Picture mode, const LightSources& sources) {
+    const auto before = [&](Output mode, const LightFeatures& sources) {
         return shadeProgram(mode, none, sources, presetSettings("mobile")).defines;
     };
     settings.lightRadius = 0.1F;
-    for (const Picture mode : {VCT_MODE_PHONG, VCT_MODE_GI, VCT_MODE_GI_CONE_SHADOW, VCT_VIEW_CONE_SHADOW})
+    for (const Output mode : {Output::phong, Output::gi, Output::giConeShadow, Output::sunVisibility})
         for (const bool otherLights : {false, true}) {
-            LightSources sources;
+            LightFeatures sources;
             sources.punctual = otherLights;
             const bool differs = shadeProgram(mode, none, sources, settings).defines != before(mode, sources);
-            EXPECT_EQ(differs, mode == VCT_MODE_GI_CONE_SHADOW && otherLights) << mode;
+            EXPECT_EQ(differs, mode == Output::giConeShadow && otherLights) << outputName(mode);
         }
 }
 

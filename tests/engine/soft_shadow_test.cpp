@@ -259,9 +259,9 @@ TEST(SoftShadow, IsAllThatDimsTheSunInMode5) {
     const Settings settings = softMap(5, 96);
     const DirectionalLight light = lightFrom({0, 1, 0});
     FrameInspector frame(context, scene, light, settings, lookAt({0, 3, 0.001}, {0, 0, 0}, 36));
-    const Image shadow = frame.view(VCT_VIEW_CONE_SHADOW);
-    const Image indirect = frame.view(VCT_VIEW_INDIRECT);
-    const Image all = frame.view(VCT_MODE_GI_CONE_SHADOW);
+    const Image shadow = frame.view(Output::sunVisibility);
+    const Image indirect = frame.view(Output::indirectLight);
+    const Image all = frame.view(Output::giConeShadow);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
     int dark = 0, bright = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -34,7 +34,7 @@ Grid voxelized(const Scene& scene, const gl::Capabilities& capabilities) {
     Renderer renderer(scene, lightFrom({1, 2, 3}), settingsFor("thesis", 128), capabilities, testShaders());
     for (const double seconds : {0.0, 0.4}) {
         renderer.setPose(poseAt(scene.animation, seconds));
-        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
+        renderer.render({{Output::gi}, lookAt({0, 0, 0.9}, {0, 0, -1}, 90)});
     }
     return gridOf(renderer);
 }

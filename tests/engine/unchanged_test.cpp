@@ -35,9 +35,9 @@ GltfBuilder slidingBox() {
 }
 
 // The steps of a frame by their debug groups, but for those of every frame.
-std::string madeBy(Renderer& renderer, Mode mode, const Camera& camera) {
+std::string madeBy(Renderer& renderer, Output mode, const Camera& camera) {
     const gl::CallLog log;
-    renderer.frame(mode, camera);
+    renderer.render({{mode}, camera});
     std::set<std::string> groups;
     for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
         groups.insert(group);
@@ -62,14 +62,14 @@ class Unchanged : public testing::TestWithParam<const char*> {
           settings_(unchangedSettings(GetParam())),
           renderer_(makeRenderer(context_, scene_, light_, settings_)) {}
 
-    void frame(Mode mode = Mode::gi, const char* camera = "") {
-        renderer_.frame(mode, cameraFromText(camera, scene_));
+    void frame(Output mode = Output::gi, const char* camera = "") {
+        renderer_.render({{mode}, cameraFromText(camera, scene_)});
     }
     void pose(double seconds) { renderer_.setPose(poseAt(scene_.animation, seconds)); }
 
     // What the next frame makes besides G-buffer and picture: all of it, all that light changes, nothing, or
     // steps by name.
-    std::string made(Mode mode = Mode::gi, const char* camera = "") {
+    std::string made(Output mode = Output::gi, const char* camera = "") {
         const std::string groups = madeBy(renderer_, mode, cameraFromText(camera, scene_));
         if (groups == everything()) return "everything";
         return groups == "shadow map, relight, mipmap, irradiance" ? "its light" : groups;
@@ -93,11 +93,11 @@ INSTANTIATE_TEST_SUITE_P(Presets, Unchanged, testing::Values("thesis", "mobile")
 TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
     EXPECT_EQ(made(), "everything");
     EXPECT_EQ(made(), "nothing");
-    EXPECT_EQ(made(Mode::gi, "eye=1,2,3,target=0,0,0,fov=40"), "nothing");
-    EXPECT_EQ(made(Mode::giConeShadow), packed() ? "nothing" : "shadow map's moments");
-    EXPECT_EQ(made(Mode::giConeShadow), "nothing");
+    EXPECT_EQ(made(Output::gi, "eye=1,2,3,target=0,0,0,fov=40"), "nothing");
+    EXPECT_EQ(made(Output::giConeShadow), packed() ? "nothing" : "shadow map's moments");
+    EXPECT_EQ(made(Output::giConeShadow), "nothing");
     renderer_.setShadowConeAngle(10.0F);
-    EXPECT_EQ(made(Mode::giConeShadow), "nothing");
+    EXPECT_EQ(made(Output::giConeShadow), "nothing");
 }
 
 TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
@@ -123,37 +123,37 @@ TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
     EXPECT_EQ(made(), "everything");
     // Both at once, in a frame of a mode that needs neither.
     pose(0.5);
-    EXPECT_EQ(made(Mode::phong), "nothing");
-    EXPECT_EQ(made(Mode::shadowMap), "shadow map");
-    EXPECT_EQ(made(Mode::shadowMap), "nothing");
+    EXPECT_EQ(made(Output::phong), "nothing");
+    EXPECT_EQ(made(Output::shadowMap), "shadow map");
+    EXPECT_EQ(made(Output::shadowMap), "nothing");
     EXPECT_EQ(made(), everything().substr(std::string("shadow map, ").size()));
-    EXPECT_EQ(made(Mode::phong), "nothing");
+    EXPECT_EQ(made(Output::phong), "nothing");
     EXPECT_EQ(made(), "nothing");
     // The soft shadow's levels are those of the map that there is.
     const std::string levels = packed() ? "nothing" : "shadow map's moments";
-    EXPECT_EQ(made(Mode::giConeShadow), levels);
+    EXPECT_EQ(made(Output::giConeShadow), levels);
     renderer_.setLightDirection(glm::dvec3(-0.2, 1.0, 0.1));
     EXPECT_EQ(made(), itsLight());
-    EXPECT_EQ(made(Mode::giConeShadow), levels);
-    EXPECT_EQ(made(Mode::giConeShadow), "nothing");
+    EXPECT_EQ(made(Output::giConeShadow), levels);
+    EXPECT_EQ(made(Output::giConeShadow), "nothing");
 }
 
 // What is open is received like light, beside it; the light parts show the first bounce alone.
 TEST_P(Unchanged, LightAndOcclusionAreReceivedEachOnItsOwn) {
     frame();
     const std::string received = packed() ? "nothing" : "irradiance";
-    EXPECT_EQ(made(Mode::ao), received);
-    EXPECT_EQ(made(Mode::ao), "nothing");
-    EXPECT_EQ(made(Mode::gi), "nothing");
+    EXPECT_EQ(made(Output::ao), received);
+    EXPECT_EQ(made(Output::ao), "nothing");
+    EXPECT_EQ(made(Output::gi), "nothing");
     pose(0.3);
-    EXPECT_NE(made(Mode::ao), "nothing");
-    EXPECT_EQ(made(Mode::gi), received);
-    EXPECT_EQ(made(Mode::ao), "nothing");
-    EXPECT_EQ(made(Mode::gi), "nothing");
+    EXPECT_NE(made(Output::ao), "nothing");
+    EXPECT_EQ(made(Output::gi), received);
+    EXPECT_EQ(made(Output::ao), "nothing");
+    EXPECT_EQ(made(Output::gi), "nothing");
     lightParts(renderer_, chooseCamera(scene_, ""));
-    EXPECT_EQ(made(Mode::gi), received);
-    EXPECT_EQ(made(Mode::ao), "nothing");
-    EXPECT_EQ(made(Mode::gi), "nothing");
+    EXPECT_EQ(made(Output::gi), received);
+    EXPECT_EQ(made(Output::ao), "nothing");
+    EXPECT_EQ(made(Output::gi), "nothing");
 }
 
 TEST_P(Unchanged, AfterAnErrorEverythingIsMade) {
@@ -172,31 +172,31 @@ TEST_P(Unchanged, AfterAnErrorEverythingIsMade) {
 TEST_P(Unchanged, RevoxelizeMakesEverythingInEveryFrameAndTheSamePictures) {
     settings_.revoxelize = true;
     Renderer always = makeRenderer(context_, scene_, light_, settings_);
-    const auto expectSamePicture = [&](Mode mode, const char* camera, const std::string& what) {
+    const auto expectSamePicture = [&](Output mode, const char* camera, const std::string& what) {
         frame(mode, camera);
-        always.frame(mode, cameraFromText(camera, scene_));
-        if (packed() || mode < Mode::ao) {
+        always.render({{mode}, cameraFromText(camera, scene_)});
+        if (packed() || !reads(mode).voxels) {
             EXPECT_TRUE(renderer_.radiance().pixels == always.radiance().pixels) << what;
         } else {
             expectSameGrid(gridOf(renderer_), gridOf(always), what);
         }
         EXPECT_EQ(renderer_.activeVoxels(), always.activeVoxels()) << what;
     };
-    for (Mode mode : allModes()) {
-        expectSamePicture(mode, "", modeName(mode));
-        expectSamePicture(mode, "", modeName(mode));
-        expectSamePicture(mode, "eye=1,2,3,target=0,0,0,fov=40", modeName(mode));
+    for (Output mode : allModes()) {
+        expectSamePicture(mode, "", outputName(mode));
+        expectSamePicture(mode, "", outputName(mode));
+        expectSamePicture(mode, "eye=1,2,3,target=0,0,0,fov=40", outputName(mode));
     }
-    frame(Mode::giConeShadow);
+    frame(Output::giConeShadow);
     const Image before = renderer_.radiance();
     for (Renderer* renderer : {&renderer_, &always}) {
         renderer->setPose(poseAt(scene_.animation, 1.2));
         renderer->setLightDirection(glm::dvec3(0.5, 1.0, 0.0));
     }
-    expectSamePicture(Mode::giConeShadow, "", "moved");
+    expectSamePicture(Output::giConeShadow, "", "moved");
     EXPECT_FALSE(renderer_.radiance().pixels == before.pixels);
-    expectSamePicture(Mode::giConeShadow, "", "moved before");
-    EXPECT_EQ(madeBy(always, Mode::gi, chooseCamera(scene_, "")), everything());
+    expectSamePicture(Output::giConeShadow, "", "moved before");
+    EXPECT_EQ(madeBy(always, Output::gi, chooseCamera(scene_, "")), everything());
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST_P(VoxelHash, IsThatOfEveryRenderer) {
     settings.lightFrames = 1;  // voxels do not depend on what they receive
     const auto hashes = [&] {
         Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-        renderer.frame(Mode::gi, chooseCamera(scene, ""));
+        renderer.render({{Output::gi}, chooseCamera(scene, "")});
         const Grid grid = gridOf(renderer);
         EXPECT_GT(grid.lists.at(0).size(), 1000U);
         Hash where, what;

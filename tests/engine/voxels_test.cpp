@@ -27,7 +27,7 @@ std::vector<Words> voxelsOf(const std::string& name, int grid, unsigned seed = 0
     Scene scene = loadGltf(asset(name + ".glb"));
     shuffleTriangles(scene, seed);
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), smallSettings(grid));
-    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    renderer.render({{Output::gi}, chooseCamera(scene, "")});
     return readPyramid(renderer);
 }
 
@@ -73,11 +73,11 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
     Settings settings = smallSettings();
     settings.revoxelize = true;
     Renderer roomy = makeRenderer(context, scene, chooseLight(scene), settings);
-    roomy.frame(Mode::gi, chooseCamera(scene, ""));
+    roomy.render({{Output::gi}, chooseCamera(scene, "")});
     const std::string needed = std::to_string(roomy.activeVoxels()[0]);
     settings.activeVoxelLimit = 1000;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    renderer.render({{Output::gi}, chooseCamera(scene, "")});
     const auto expectReport = [&] {
         expectMentions(errorOf([&] { renderer.activeVoxels(); }), {"active voxels", "room for " + needed});
     };
@@ -95,7 +95,7 @@ TEST(VoxelList, OverflowIsReportedAndNeverWrittenPast) {
     pyramid.activeVoxels().bind(GL_COPY_WRITE_BUFFER);
     gl::BufferSubData(GL_COPY_WRITE_BUFFER, (1000 + 900) * sizeof(std::uint32_t), 100 * sizeof(std::uint32_t),
                       untouched.data());
-    renderer.frame(Mode::gi, chooseCamera(scene, ""));
+    renderer.render({{Output::gi}, chooseCamera(scene, "")});
     expectReport();
     EXPECT_EQ(readVoxels(renderer.packed()->occupancy().texture(), 0), first);
     const std::vector<std::uint32_t> level1 = readEntries(pyramid, 1, 1000);
@@ -107,7 +107,7 @@ TEST(VoxelizerHardCases, DegenerateAndEdgeOnTrianglesMakeNoNaNAndNoExtraVoxel) {
     Scene scene = closedBox(0.0);
     const auto before = [&] {
         Renderer renderer = makeRenderer(context, scene, lightFrom({1, 2, 3}), smallSettings());
-        renderer.frame(Mode::gi, lookAt({0, 0, 0.9}, {0, 0, -1}, 90));
+        renderer.render({{Output::gi}, lookAt({0, 0, 0.9}, {0, 0, -1}, 90)});
         for (const glm::vec3& pixel : renderer.radiance().pixels)
             for (int c = 0; c < 3; ++c)
                 EXPECT_TRUE(std::isfinite(pixel[c]));

@@ -41,7 +41,7 @@ Counted counted(const Scene& scene, const Camera& camera, Settings settings) {
     settings.countInvocations = true;
     settings.revoxelize = true;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-    return {countInvocations(renderer, Mode::giConeShadow, camera), renderer.activeVoxels()};
+    return {countInvocations(renderer, Output::giConeShadow, camera), renderer.activeVoxels()};
 }
 
 Counted countedOfCornell(const Settings& settings) {

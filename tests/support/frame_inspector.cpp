@@ -105,16 +105,19 @@ void FrameInspector::setLight(const glm::dvec3& towardsLight) {
     renderer_.setLightDirection(light_.towardsLight);
 }
 
-Image FrameInspector::view(Picture picture) {
-    renderer_.renderPart(picture, camera_, picture != VCT_VIEW_INDIRECT);
+Image FrameInspector::view(Output output) {
+    return view(output, output != Output::indirectLight);
+}
+
+Image FrameInspector::view(Output output, bool allBounces) {
+    renderer_.render({{output}, camera_, LightSteps::all, nullptr, allBounces});
     return readImage(renderer_.output());
 }
 
 std::vector<float> FrameInspector::hardShadow() {
     pixels();
-    const Image all = view(VCT_MODE_GI);
-    renderer_.renderPart(VCT_VIEW_INDIRECT, camera_, true);
-    const Image indirect = readImage(renderer_.output());
+    const Image all = view(Output::gi);
+    const Image indirect = view(Output::indirectLight, true);
     std::vector<float> light(all.pixels.size());
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (!pixels_[i].surface) continue;
@@ -126,22 +129,22 @@ std::vector<float> FrameInspector::hardShadow() {
 
 std::vector<float> FrameInspector::softShadow() {
     std::vector<float> light;
-    for (const Image image = view(VCT_VIEW_CONE_SHADOW); const glm::vec3& pixel : image.pixels)
+    for (const Image image = view(Output::sunVisibility); const glm::vec3& pixel : image.pixels)
         light.push_back(pixel.x);
     return light;
 }
 
 const std::vector<SurfacePixel>& FrameInspector::pixels() {
     if (pixels_.empty()) {
-        renderer_.frame(Mode::phong, camera_);
+        renderer_.render({{Output::phong}, camera_});
         pixels_ = readSurface(
             renderer_, frameUniforms(camera_, light_, scene_.boundsWorld, renderer_.volume(), settings_));
     }
     return pixels_;
 }
 
-Spread FrameInspector::spreadOf(Picture picture) {
-    const Image image = view(picture);
+Spread FrameInspector::spreadOf(Output output) {
+    const Image image = view(output);
     Spread spread;
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         if (pixels()[i].surface) spread.add(image.pixels[i].x);
@@ -153,7 +156,7 @@ double FrameInspector::radianceRange() const {
 }
 
 Words FrameInspector::packedVoxels() {
-    view(VCT_MODE_GI);
+    view(Output::gi);
     return readVoxels(renderer_.occupancy().texture(), 0);
 }
 
@@ -162,12 +165,12 @@ void FrameInspector::replacePackedVoxels(const Words& base) {
 }
 
 std::vector<FaceLevel> FrameInspector::faceLevels() {
-    view(VCT_VIEW_CONE_SHADOW);
+    view(Output::sunVisibility);
     return readFaces(renderer_.directional()->voxels());
 }
 
 ReceivedFaces FrameInspector::received(bool allBounces) {
-    renderer_.renderPart(VCT_VIEW_INDIRECT, camera_, allBounces);
+    view(Output::indirectLight, allBounces);
     return readReceived(renderer_);
 }
 

@@ -38,17 +38,17 @@ class FrameInspector {
     Renderer& renderer() { return renderer_; }
     void setLight(const glm::dvec3& towardsLight);
 
-    // One of VCT_MODE_* and VCT_VIEW_*, converged, relative to E/pi. The view of indirect light shows one
-    // bounce.
-    Image view(Picture picture);
+    // A converged output, relative to E/pi. That of indirect light shows one bounce unless all are asked for.
+    Image view(Output output);
+    Image view(Output output, bool allBounces);
     // Share of the sun that each pixel sees, row by row from the top, by the compared map of mode 4 or by the
     // soft shadow of mode 5. The compared map's is 0 where the surface faces away.
     std::vector<float> hardShadow();
     std::vector<float> softShadow();
     // Row by row from the top, as in an Image.
     const std::vector<SurfacePixel>& pixels();
-    // A view's red channel over the surfaces.
-    Spread spreadOf(Picture view);
+    // An output's red channel over the surfaces.
+    Spread spreadOf(Output output);
 
     double radianceRange() const;  // of the light that faces store as 1
 

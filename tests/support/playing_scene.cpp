@@ -14,17 +14,17 @@ Camera PlayingScene::moveTo(double seconds) {
     return posed(chooseCamera(scene_, ""), pose);
 }
 
-void PlayingScene::frameAt(double seconds, Mode mode) {
-    renderer_.frame(mode, moveTo(seconds));
+void PlayingScene::frameAt(double seconds, Output mode) {
+    renderer_.render({{mode}, moveTo(seconds)});
 }
 
-void PlayingScene::convergedAt(double seconds, Mode mode) {
-    renderer_.renderConverged(mode, moveTo(seconds));
+void PlayingScene::convergedAt(double seconds, Output mode) {
+    renderer_.render({{mode}, moveTo(seconds), LightSteps::all});
 }
 
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
-                 double seconds, Mode mode) {
-    const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
+                 double seconds, Output mode) {
+    const std::string what = std::to_string(seconds) + " s, " + outputName(mode);
     stage.frameAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
@@ -37,13 +37,13 @@ void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene
 }
 
 void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& scene,
-                      const Settings& settings, double seconds, Mode mode) {
-    const std::string what = std::to_string(seconds) + " s, " + modeName(mode);
+                      const Settings& settings, double seconds, Output mode) {
+    const std::string what = std::to_string(seconds) + " s, " + outputName(mode);
     stage.convergedAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
     fresh.convergedAt(0.0, mode);
-    const GatherOf of = mode == Mode::ao ? GatherOf::occlusion : GatherOf::light;
+    const GatherOf of = mode == Output::ao ? GatherOf::occlusion : GatherOf::light;
     const ReceivedFaces now = readReceived(stage.renderer(), of), right = readReceived(fresh.renderer(), of);
     ASSERT_EQ(now.size(), right.size()) << what;
     const ReceivedDifference d = differenceOf(now, right);

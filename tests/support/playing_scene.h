@@ -15,10 +15,10 @@ class PlayingScene {
     PlayingScene(const Context& context, const Scene& scene, const Settings& settings)
         : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
 
-    void frameAt(double seconds, Mode mode = Mode::gi);
+    void frameAt(double seconds, Output mode = Output::gi);
     // Draws a frame in which the received light is converged.
-    void convergedAt(double seconds, Mode mode = Mode::gi);
-    void frame(Mode mode = Mode::gi) { renderer_.frame(mode, chooseCamera(scene_, "")); }
+    void convergedAt(double seconds, Output mode = Output::gi);
+    void frame(Output mode = Output::gi) { renderer_.render({{mode}, chooseCamera(scene_, "")}); }
     Renderer& renderer() { return renderer_; }
 
   private:
@@ -30,11 +30,11 @@ class PlayingScene {
 // Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its
 // picture, where that does not show what faces received: they remember earlier poses.
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
-                 double seconds, Mode mode = Mode::gi);
+                 double seconds, Output mode = Output::gi);
 
 // Expects the same of the converged light that faces received: the difference of the two is noise of the last
 // round of directions and of 8 bits, not a trace of where things were.
 void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& scene,
-                      const Settings& settings, double seconds, Mode mode = Mode::gi);
+                      const Settings& settings, double seconds, Output mode = Output::gi);
 
 }  // namespace vct::test

@@ -7,7 +7,7 @@ namespace vct {
 
 DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                                      const Settings& settings, const Volume& volume,
-                                     const Bounds& boundsWorld, const LightSources& sources)
+                                     const Bounds& boundsWorld, const LightFeatures& sources)
     : shaders_(shaders),
       settings_(settings),
       sources_(sources),
@@ -20,13 +20,13 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
 
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const std::optional<SceneState> before = std::exchange(made_, {});
-    if (inputs.remake || before != inputs.now) makeVoxels(inputs, before, timer);
+    if (inputs.forceRebuild || before != inputs.now) makeVoxels(inputs, before, timer);
     made_ = inputs.now;
 
     VoxelLight light;
     light.faces = &voxels_.faces();
-    const bool occlusion = showsAmbientVisibility(inputs.picture);
-    if (!occlusion && !showsIndirectLight(inputs.picture)) return light;
+    const bool occlusion = reads(inputs.output).ambientVisibility;
+    if (!occlusion && !reads(inputs.output).indirectLight) return light;
     Irradiance& received = irradiance(occlusion ? GatherOf::occlusion : GatherOf::light, inputs.scene);
     if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) received.forget();
     if (!received.settled())
@@ -42,7 +42,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
 void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<SceneState>& before,
                                    StepTimer& timer) {
     Irradiance::Change change{std::nullopt, before != inputs.now};
-    if (before && before->placements == inputs.now.placements && !inputs.remake) {
+    if (before && before->placements == inputs.now.placements && !inputs.forceRebuild) {
         if (!relighter_) relighter_.emplace(shaders_, inputs.scene, settings_.grid, Voxelization::sortedAxes);
         timer.time(Step::voxelize, [&] { relighter_->run(inputs.scene, inputs.light, voxels_); });
         timer.time(Step::mipmap, [&] { mipmapper_.update(voxels_, 0); });
@@ -69,7 +69,7 @@ void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<Sce
 std::optional<BlockMask> DirectionalVolume::dirtySince(const std::optional<SceneState>& before,
                                                        const Inputs& inputs) const {
     const SceneState& now = inputs.now;
-    if (inputs.remake || !before || !before->sameLight(now)) return {};
+    if (inputs.forceRebuild || !before || !before->sameLight(now)) return {};
     // The filter reads three texels to each side of a point at most, and compares them with the surface's
     // plane where they are, which may rise by 64 times as much (shaders/shared/shadow.glsl).
     const double above = 3.0 * 64.0 * shadowTexel_;
@@ -99,7 +99,7 @@ Irradiance& DirectionalVolume::irradiance(GatherOf of, const GpuScene& scene) {
     std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
     if (!pass)
         pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, scene.moves(), sourcesOf(of, sources_));
+                     settings_.lightFrames, scene.moves(), featuresFor(of, sources_));
     return *pass;
 }
 

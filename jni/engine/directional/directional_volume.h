@@ -15,12 +15,12 @@ class DirectionalVolume final : public VoxelVolume {
   public:
     // `boundsWorld`: around the scene, as the shadow map is fitted to them. `sources`: all that shine.
     DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
-                      const Volume& volume, const Bounds& boundsWorld, const LightSources& sources);
+                      const Volume& volume, const Bounds& boundsWorld, const LightFeatures& sources);
 
     // Of another light the voxels are lit anew; of another pose, only the blocks that what moves, or its
     // shadow, can have changed are made anew; of both, all.
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
-    void forget() override { made_.reset(); }
+    void invalidate() override { made_.reset(); }
 
     const VoxelPyramid& occupancy() const override { return voxels_.index(); }
     Resources resources() const override;
@@ -36,7 +36,7 @@ class DirectionalVolume final : public VoxelVolume {
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
-    LightSources sources_;
+    LightFeatures sources_;
     double shadowTexel_;  // the longest side of a texel of the shadow map, in volume units
     DirectionalVoxels voxels_;
     DirectionalVoxelizer voxelizer_;

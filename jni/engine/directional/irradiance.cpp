@@ -51,12 +51,12 @@ void dispatchOver(const glm::ivec3& texels) {
 
 }  // namespace
 
-gl::ProgramDescription lightProgram(const std::string& name, const LightSources& sources) {
-    return {name, {"directional/" + name + ".comp"}, sourceDefines(sources)};
+gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources) {
+    return {name, {"directional/" + name + ".comp"}, lightDefines(sources)};
 }
 
-LightSources sourcesOf(GatherOf of, const LightSources& sources) {
-    return of == GatherOf::light ? sources : LightSources();
+LightFeatures featuresFor(GatherOf of, const LightFeatures& sources) {
+    return of == GatherOf::light ? sources : LightFeatures();
 }
 
 gl::ProgramDescription emittersProgram(const GatherSettings& settings) {
@@ -66,12 +66,12 @@ gl::ProgramDescription emittersProgram(const GatherSettings& settings) {
 }
 
 gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of,
-                                         const LightSources& sources) {
+                                         const LightFeatures& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
     defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
                                                    : "VCT_GATHER_OCCLUSION false");
-    for (const std::string& define : sourceDefines(sources))
+    for (const std::string& define : lightDefines(sources))
         defines.push_back(define);
     return {of == GatherOf::occlusion ? "irradiance, occlusion" : "irradiance",
             {"directional/irradiance.comp"},
@@ -79,7 +79,7 @@ gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherO
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
-                       int lightFrames, bool voxelsChange, const LightSources& sources)
+                       int lightFrames, bool voxelsChange, const LightFeatures& sources)
     : settings_(settings),
       lightFrames_(lightFrames),
       voxelsChange_(voxelsChange),

@@ -15,19 +15,19 @@ namespace vct {
 float largestBounceShare(const Scene& scene);
 
 // `name`: light_inherit, light_clear, light_bricks, light_blocks or light_shine.
-gl::ProgramDescription lightProgram(const std::string& name, const LightSources& sources);
+gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
 gl::ProgramDescription irradianceProgram(const GatherSettings& settings, GatherOf of,
-                                         const LightSources& sources);
+                                         const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const GatherSettings& settings);
 // How open the surroundings are depends on no light.
-LightSources sourcesOf(GatherOf of, const LightSources& sources);
+LightFeatures featuresFor(GatherOf of, const LightFeatures& sources);
 
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light stands still. `voxelsChange`: others are occupied
     // from frame to frame.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool voxelsChange, const LightSources& sources);
+               bool voxelsChange, const LightFeatures& sources);
 
     // What happened to the voxels since the last step:
     struct Change {

@@ -1,7 +1,5 @@
 #include "engine/packed/packed_volume.h"
 
-#include <utility>
-
 namespace vct {
 
 PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
@@ -11,12 +9,11 @@ PackedVolume::PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& sce
       mipmapper_(shaders) {}
 
 VoxelLight PackedVolume::update(const Inputs& inputs, StepTimer& timer) {
-    const std::optional<SceneState> before = std::exchange(made_, {});
-    if (inputs.remake || before != inputs.now) {
+    if (inputs.forceRebuild || cachedFor_ != inputs.now) {
         timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.light, pyramid_); });
         timer.time(Step::mipmap, [&] { mipmapper_.run(pyramid_); });
+        cachedFor_ = inputs.now;
     }
-    made_ = inputs.now;
     VoxelLight light;
     light.packed = &pyramid_.texture();
     return light;

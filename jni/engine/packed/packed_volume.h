@@ -14,9 +14,9 @@ class PackedVolume final : public VoxelVolume {
     PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
                  Voxelization voxelization);
 
-    // Voxels of another pose or light are made anew as a whole, as in the thesis.
+    // Another pose or light rebuilds all voxels, as in the thesis.
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
-    void forget() override { made_.reset(); }
+    void invalidate() override { cachedFor_.reset(); }
 
     const VoxelPyramid& occupancy() const override { return pyramid_; }
     Resources resources() const override;
@@ -25,7 +25,7 @@ class PackedVolume final : public VoxelVolume {
     VoxelPyramid pyramid_;
     PackedVoxelizer voxelizer_;
     PackedMipmapper mipmapper_;
-    std::optional<SceneState> made_;  // of what the voxels were made; nothing where they were not
+    std::optional<SceneState> cachedFor_;  // that the voxels were made for; empty where they are out of date
 };
 
 }  // namespace vct

@@ -1,39 +1,40 @@
 #include "engine/passes/shade.h"
 
 #include "gl/debug.h"
-#include "shared/layout.h"
 
 namespace vct {
 
-gl::ProgramDescription shadeProgram(Picture mode, ExtraTargets targets, const LightSources& sources,
+gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const LightFeatures& lights,
                                     const Settings& settings) {
-    std::vector<std::string> defines{"VCT_MODE " + std::to_string(mode)};
-    if (targets.emissive) defines.emplace_back("VCT_EMISSIVE_TARGET");
+    const OutputReads& read = reads(output);
+    const std::string number = std::to_string(static_cast<int>(output));
+    std::vector<std::string> defines{"VCT_MODE " + number,
+                                     booleanDefine("VCT_SHOWS_HARD_SHADOW", read.hardShadow),
+                                     booleanDefine("VCT_SHOWS_SOFT_SHADOW", read.softShadow),
+                                     booleanDefine("VCT_SHOWS_AMBIENT_VISIBILITY", read.ambientVisibility),
+                                     booleanDefine("VCT_SHOWS_INDIRECT_LIGHT", read.indirectLight)};
+    const auto append = [&](const std::vector<std::string>& more) {
+        defines.insert(defines.end(), more.begin(), more.end());
+    };
+    if (targets.emissive && read.emission) defines.emplace_back("VCT_EMISSIVE_TARGET");
     if (targets.mappedNormals) defines.emplace_back("VCT_MAPPED_NORMALS");
-    const bool reflects = mode == VCT_MODE_GI || mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_SPECULAR;
-    if (targets.gloss && reflects) defines.emplace_back("VCT_GLOSS_TARGET");
-    if (sources.punctual && mode <= VCT_MODE_GI_CONE_SHADOW) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
-    if (sources.punctual && mode == VCT_MODE_GI_CONE_SHADOW && settings.lightRadius > 0.0F)
-        defines.emplace_back("VCT_SOFT_LIGHTS");
-    const bool softShadow = mode == VCT_MODE_GI_CONE_SHADOW || mode == VCT_VIEW_CONE_SHADOW;
-    if (softShadow && settings.shadow == Shadow::softMap) {
-        defines.emplace_back("VCT_SOFT_SHADOW");
-        defines.push_back("VCT_FILTER_TAPS " + std::to_string(settings.filterTaps));
-    }
-    // Only reflections meet lamps here: what faces received has their light already.
-    for (const std::string& define :
-         sourceDefines({false, sources.environment, sources.emitters && targets.gloss && reflects}))
-        defines.push_back(define);
-    const bool gathers = mode >= VCT_MODE_AO && mode != VCT_VIEW_CONE_SHADOW;
+    const bool reflects = targets.gloss && read.reflections;
+    if (reflects) defines.emplace_back("VCT_GLOSS_TARGET");
+    const bool punctual = lights.punctual && read.punctualLights;
+    if (punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
+    if (punctual && read.softShadow && settings.lightRadius > 0.0F) defines.emplace_back("VCT_SOFT_LIGHTS");
+    if (read.softShadow && settings.shadow == Shadow::softMap)
+        append({"VCT_SOFT_SHADOW", "VCT_FILTER_TAPS " + std::to_string(settings.filterTaps)});
+    // Only reflections meet emitters here: face irradiance has their light already.
+    append(lightDefines({false, lights.environment, lights.emitters && reflects}));
+    const bool gathers = read.ambientVisibility || read.indirectLight;
     if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
-    if (targets.gloss && reflects)
-        for (const std::string& define : gatherDefines(settings.gather))
-            defines.push_back(define);
-    return {"shade " + std::to_string(mode), {"passes/full_screen.vert", "passes/shade.frag"}, defines};
+    if (reflects) append(gatherDefines(settings.gather));
+    return {"shade " + number, {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }
 
-Shade::Shade(gl::ShaderLibrary shaders, const LightSources& sources, const Settings& settings)
-    : shaders_(std::move(shaders)), sources_(sources), settings_(settings) {
+Shade::Shade(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings)
+    : shaders_(std::move(shaders)), lights_(lights), settings_(settings) {
     resize(settings.size);
 }
 
@@ -42,21 +43,21 @@ void Shade::resize(glm::ivec2 size) {
     framebuffer_ = gl::Framebuffer("radiance", {&radiance_}, nullptr);
 }
 
-const gl::Program& Shade::program(Picture picture, const GBuffer::Targets& surface) {
+const gl::Program& Shade::program(Output output, const GBuffer::Targets& surface) {
     const ExtraTargets targets{surface.emissive != nullptr, surface.gloss != nullptr, surface.mappedNormals};
-    const auto key = std::make_tuple(picture, targets.emissive, targets.gloss, targets.mappedNormals);
+    const auto key = std::make_tuple(output, targets.emissive, targets.gloss, targets.mappedNormals);
     auto found = programs_.find(key);
     if (found == programs_.end())
         found =
-            programs_.emplace(key, gl::Program(shaders_, shadeProgram(picture, targets, sources_, settings_)))
+            programs_.emplace(key, gl::Program(shaders_, shadeProgram(output, targets, lights_, settings_)))
                 .first;
     return found->second;
 }
 
-const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface, const DirectLight& direct,
+const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, const DirectLight& direct,
                                const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
-    program(picture, surface).use();
+    program(output, surface).use();
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::Disable(GL_CULL_FACE);

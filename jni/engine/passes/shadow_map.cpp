@@ -58,7 +58,7 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
                                     std::vector<const gl::Texture*>{&*moments_}, nullptr, level);
 }
 
-ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
+ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
                                  StepTimer& timer) {
     if (remake || drawn_ != now) {
         drawn_.reset();
@@ -66,7 +66,7 @@ ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, P
         momentsAreDrawn_ = false;
         drawn_ = now;
     }
-    if (showsSoftShadow(picture) && moments_ && !std::exchange(momentsAreDrawn_, true))
+    if (reads(output).softShadow && moments_ && !std::exchange(momentsAreDrawn_, true))
         timer.time(Step::shadowMap, [&] { drawMoments(); });
     return {&depth_, moments()};
 }

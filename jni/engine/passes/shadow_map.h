@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/gpu_scene.h"
-#include "engine/picture.h"
+#include "engine/output.h"
 #include "engine/scene_state.h"
 #include "engine/settings.h"
 #include "engine/step_timer.h"
@@ -27,8 +27,8 @@ class ShadowMap {
     ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false);
 
     // Draws the map where pose or sun have changed since it was drawn, or where `remake` asks for it, and the
-    // moments where `picture` shows a soft shadow.
-    ShadowTextures update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
+    // moments where `output` reads a soft shadow.
+    ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
                           StepTimer& timer);
     // What there is may be wrong, as a frame failed: the next update draws it anew.
     void forget() { drawn_.reset(); }
