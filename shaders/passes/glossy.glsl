@@ -22,7 +22,7 @@ vec3 schlick(vec3 f0, float cosine) {
 }
 
 // Towards the eye, of a light without a size of which a surface that faces it receives the irradiance 1; before its shadow.
-vec3 leaving(Brdf brdf, vec3 normal, vec3 toLight) {
+vec3 evaluateBrdf(Brdf brdf, vec3 normal, vec3 toLight) {
     float cosLight = dot(normal, toLight);
     if (cosLight <= 0.0) return vec3(0.0);
     if (brdf.roughness >= 1.0) return brdf.diffuse * cosLight;
@@ -38,7 +38,7 @@ vec3 leaving(Brdf brdf, vec3 normal, vec3 toLight) {
 }
 
 // The mean of Schlick's term over the hemisphere, weighted by the cosine, is .028 (1 - cosEye)^3 where f0 is 0, within .001.
-mediump vec3 diffuseShareOfAll(Brdf brdf, vec3 normal) {
+mediump vec3 diffuseAlbedoScale(Brdf brdf, vec3 normal) {
     if (brdf.roughness >= 1.0) return vec3(1.0);
     mediump float grazing = 1.0 - clamp(dot(normal, brdf.toEye), 0.0, 1.0);
     return (1.0 - brdf.f0) * (1.0 - 0.028 * grazing * grazing * grazing);
@@ -164,10 +164,10 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
     return radiance * frame.radianceRange + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
-// What a surface at `position` (volume space) reflects specularly, but of lights without a size, relative to E/pi. `gathered`: the
-// mean of its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its
+// The light that a surface at `position` (volume space) reflects specularly, but for lights without a size, relative to E/pi.
+// `gathered`: the mean of its hemisphere. The cone's half angle has the tangent alpha: the median angle between the surface and its
 // microfacets (Walter et al. 2007, eq. 35 at one half).
-mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
+mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
     if (brdf.roughness >= 1.0) return vec3(0.0);
     mediump vec3 share = specularShare(brdf.f0, brdf.roughness, clamp(dot(normal, brdf.toEye), 0.0, 1.0));
     if (brdf.roughness >= roughTo) return share * gathered;

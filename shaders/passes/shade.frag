@@ -25,7 +25,7 @@ struct Gather {
     mediump float ambientVisibility;  // 1 - ambient occlusion
 };
 
-// What a surface gathers: by its pixel's own cones, or, with directional voxels, what its faces have received.
+// The light that a surface gathers, by its pixel's own cones or, with directional voxels, by its faces.
 #ifdef VCT_RECEIVED
 #include "directional/irradiance.glsl"
 const bool received = true;
@@ -63,7 +63,7 @@ mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
 }
 #endif
 
-// What the mode shows of the sun, of 1.
+// The share of the sun's light that the output shows, of 1.
 mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normal, cosTheta);
     if (!VCT_SHOWS_HARD_SHADOW) return 1.0;
@@ -71,7 +71,7 @@ mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     return shadowMapLight(position, cosTheta);
 }
 
-// What leaves the surface towards the eye: a Lambert one, or, where the scene has any, a glossy one.
+// The surface's reflection towards the eye: a Lambert one, or, where the scene has any, a glossy one.
 #ifdef VCT_GLOSS_TARGET
 #include "passes/glossy.glsl"
 layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
@@ -88,13 +88,13 @@ struct Brdf {
 Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
     return Brdf(albedo);
 }
-mediump vec3 leaving(Brdf brdf, vec3 normal, vec3 toLight) {
+mediump vec3 evaluateBrdf(Brdf brdf, vec3 normal, vec3 toLight) {
     return brdf.diffuse * max(dot(normal, toLight), 0.0);
 }
-mediump vec3 diffuseShareOfAll(Brdf brdf, vec3 normal) {
+mediump vec3 diffuseAlbedoScale(Brdf brdf, vec3 normal) {
     return vec3(1.0);
 }
-mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
+mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
     return vec3(0.0);
 }
 #endif
@@ -102,21 +102,21 @@ mediump vec3 mirrored(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gather
 // Lights besides the sun.
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
-// What leaves of all of them, relative to the sun's E/pi.
-mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometry) {
-    float slackShare = shadowSlack(ofGeometry);  // before any branch: derivatives need the whole quad
+// Their light that the surface reflects towards the eye, relative to the sun's E/pi.
+mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geometricNormal) {
+    float slackShare = shadowSlack(geometricNormal);  // before any branch: derivatives need the whole quad
     vec3 sum = vec3(0.0);
+    const bool shadows = VCT_SHOWS_HARD_SHADOW || VCT_SHOWS_SOFT_SHADOW;
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
-        vec3 left = leaving(brdf, normal, light.towards) * light.irradiance;
+        vec3 left = evaluateBrdf(brdf, normal, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        bool shadows = VCT_SHOWS_HARD_SHADOW || VCT_SHOWS_SOFT_SHADOW;
-        sum += shadows ? left * punctualVisibility(i, position, ofGeometry, light.towards, slackShare) : left;
+        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare) : left;
     }
     return min(sum, 6e4);
 }
 #else
-mediump vec3 ofOtherLights(Brdf brdf, vec3 position, vec3 normal, vec3 ofGeometry) {
+mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geometricNormal) {
     return vec3(0.0);
 }
 #endif
@@ -134,22 +134,23 @@ mediump vec3 emitted(ivec2 pixel) {
 
 mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
-    vec3 mirrored = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
-    return cosTheta > 0.0 ? pow(max(dot(mirrored, toEye), 0.0), specularExponent) : 0.0;
+    vec3 reflection = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
+    return cosTheta > 0.0 ? pow(max(dot(reflection, toEye), 0.0), specularExponent) : 0.0;
 }
 
-// Light of the sun and of what is around that leaves the surface, or the part of it that a view shows.
+// The sun's and the indirect light that the surface reflects towards the eye, or the part of it that the output shows.
 // `light`: directLight().
-mediump vec3 ofSunAndSurroundings(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light, Gather gather) {
+mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light, Gather gather) {
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
     if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
-    if (mode == VCT_VIEW_SPECULAR) return mirrored(brdf, position, normal, gather.radiance);
+    if (mode == VCT_VIEW_SPECULAR) return indirectSpecular(brdf, position, normal, gather.radiance);
     // Occlusion is in the received light already; it takes nothing from the sun.
     if (VCT_SHOWS_INDIRECT_LIGHT && received)
-        return light * leaving(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
-               brdf.diffuse * diffuseShareOfAll(brdf, normal) * gather.radiance + mirrored(brdf, position, normal, gather.radiance);
+        return light * evaluateBrdf(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
+               brdf.diffuse * diffuseAlbedoScale(brdf, normal) * gather.radiance +
+               indirectSpecular(brdf, position, normal, gather.radiance);
     // What the sun's disc shows is the direct light; nothing else dims or lifts it. Else eq. 4.9.
     mediump float total = light;
     if (!softShadowIsAll)
@@ -171,13 +172,13 @@ void main() {
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
-    vec3 ofGeometry = geometryNormal(pixel, normal);
+    vec3 geometricNormal = geometryNormal(pixel, normal);
     float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
     // First what takes the most registers: a Mali has few.
-    Gather gather = indirectDiffuse(position, ofGeometry);
-    mediump float light = directLight(position, ofGeometry, max(dot(ofGeometry, frame.towardsLight.xyz), 0.0));
+    Gather gather = indirectDiffuse(position, geometricNormal);
+    mediump float light = directLight(position, geometricNormal, max(dot(geometricNormal, frame.towardsLight.xyz), 0.0));
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
-    mediump vec3 radiance = ofSunAndSurroundings(brdf, position, normal, cosTheta, light, gather);
-    outRadiance = vec4(radiance + ofOtherLights(brdf, position, normal, ofGeometry) + emitted(pixel), 1.0);
+    mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normal, cosTheta, light, gather);
+    outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
 }
