@@ -26,6 +26,9 @@ sun         direct, of a sun of 5 degrees full opening and the same irradiance E
             other lights as they are
 shadow      share of that sun's disc that the surface sees; 0 where n.l <= 0
 
+A node whose `extras.opening` holds two vectors is a parallelogram from its origin through which a room gets its light: paths
+of `indirect` and `full` are sent there more often, which lessens the noise and leaves the mean.
+
 n is the interpolated vertex normal; nothing arrives from behind a triangle. ao, shadow and coverage count the sky's
 part of a pixel as 0. Surfaces with an alpha mask have holes for every ray. A single-sided back is black, stops light,
 and is not there for the camera.
@@ -57,6 +60,8 @@ SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glos
            "sun": 256, "shadow": 512}
 # So many times as many: what glows in a sky is met by chance alone.
 UNDER_A_SKY = {"full": 4, "glossy": 4}
+# Light that comes through an opening is weak and noisy, also where paths are sent there on purpose.
+THROUGH_AN_OPENING = {"full": 4}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # of scenes with glossy materials
 INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to each light",
@@ -80,6 +85,12 @@ def reference_folder(scene: pathlib.Path, root: pathlib.Path = ROOT / "reference
     return root / SAME_PICTURE.get(scene.stem, scene.stem)
 
 
+def factor_of(scene, kind: str) -> int:
+    """Returns the factor by which the scene needs more samples than SAMPLES says."""
+    sky = UNDER_A_SKY.get(kind, 1) if scene.sky is not None else 1
+    return sky * (THROUGH_AN_OPENING.get(kind, 1) if len(scene.openings) else 1)
+
+
 def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | None) -> dict:
     """Kind -> (Drawn, samples). One-bounce brings direct and indirect with it."""
     from truth.drawing import Drawn, draw, make_world  # after the arguments are checked: loading takes a while
@@ -87,7 +98,7 @@ def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | No
     wanted = set(kinds) | ({"direct", "indirect"} if "one-bounce" in kinds else set())
     for kind in SAMPLES:
         if kind in wanted:
-            count = samples or SAMPLES[kind] * (UNDER_A_SKY.get(kind, 1) if scene.sky is not None else 1)
+            count = samples or SAMPLES[kind] * factor_of(scene, kind)
             print(f"{scene.path.name} {kind}: {count} samples, ", end="", flush=True)
             start = time.monotonic()
             drawn[kind] = draw(world, scene, kind, size, count, SEED), count
@@ -101,7 +112,8 @@ def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | No
 
 def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
     from truth import engine
-    brightest = drawn.get("one-bounce") or drawn.get("full") or next(iter(drawn.values()))
+    lit = [drawn[kind] for kind in ("one-bounce", "full") if kind in drawn and drawn[kind][0].image.max() > 0]
+    brightest = (lit or list(drawn.values()))[0]
     return {
         "scene": scene.path.name,
         "scene_sha256": scene.sha256,

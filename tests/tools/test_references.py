@@ -6,7 +6,9 @@ import numpy as np
 import PIL.Image
 import pytest
 
+from metrics import noise_of_halves
 from scenes import radiance, shapes
+from truth.drawing import draw, make_world
 from truth.scene import triangle_corners
 
 DOWN = (0, -1, 0)
@@ -213,3 +215,24 @@ def test_a_mirrored_and_stretched_ball_is_lit_as_its_ellipsoid(maker):
     n = np.stack([x, 2 * np.sqrt(1 - x * x)])  # gradient of x^2 + 4 y^2
     expected = (n / np.linalg.norm(n, axis=0)).T @ np.array([0.6, 0.8])
     np.testing.assert_allclose(row, expected, atol=0.02)
+
+
+def test_paths_sent_to_an_opening_leave_the_mean_and_lessen_the_noise(maker):
+    """A floor under a ceiling with a hole, above which a lamp is: with and without the hole's name."""
+    grey = maker.grey(0.5)
+    floor(maker, grey, 1.0)
+    for origin, u, v in (((-1, 1, -1), (0.8, 0, 0), (0, 0, 2)), ((0.2, 1, -1), (0.8, 0, 0), (0, 0, 2)),
+                         ((-0.2, 1, -1), (0.4, 0, 0), (0, 0, 0.8)), ((-0.2, 1, 0.2), (0.4, 0, 0), (0, 0, 0.8))):
+        maker.quad(origin, u, v, grey)  # faces down
+    maker.quad((-1, 2, -1), (2, 0, 0), (0, 0, 2), grey)  # what is seen through the hole, lit from below
+    lamp = maker.grey(0.0, emissive=((1, 0.5, 0.25), 20.0, None))
+    maker.quad((0.5, 1.2, 0.3), (0.3, 0, 0), (0, 0, -0.3), lamp)  # faces up
+    look_down(maker, height=0.9, degrees=30)
+    scene = maker.load()
+    plain = draw(make_world(scene), scene, "full", (16, 16), 8192, 0)
+    maker.glb.node("hole", translation=[-0.2, 1, -0.2], extras={"opening": [[0.4, 0, 0], [0, 0, 0.4]]})
+    scene = maker.load()
+    assert len(scene.openings) == 1
+    sent = draw(make_world(scene), scene, "full", (16, 16), 8192, 0)
+    assert sent.image.mean() == pytest.approx(plain.image.mean(), rel=0.01)
+    assert noise_of_halves(*sent.halves) < 0.5 * noise_of_halves(*plain.halves)

@@ -10,6 +10,7 @@ import math
 from .engine import dr, mi
 from .glossy import brdf_of, reflected_punctual, reflected_sun
 from .lights import Emitters, Sun, leave, tangent_frame
+from .openings import Openings
 from .punctual import Punctual
 from .scene import AO_DISTANCE, Scene
 from .sky import Sky
@@ -24,6 +25,7 @@ class World:
         self.emitters = Emitters(scene, self.surfaces)
         self.sky = Sky(scene.sky)
         self.punctual = Punctual(scene)
+        self.openings = Openings(scene)
 
     def direct(self, surface: Surface, active):
         """What a Lambert surface reflects of all lights without a size."""
@@ -45,6 +47,23 @@ def cosine_direction(surface: Surface, a, b):
     return direction, height / math.pi, dr.dot(surface.facing, direction) > 0
 
 
+def bounce_direction(world, surface: Surface, a, b, random):
+    """Returns what cosine_direction returns, and two weights of the light from there. The first is 1 where the direction
+    crosses an opening, the second where it crosses none; in a scene without openings both are."""
+    direction, pdf, leaves = cosine_direction(surface, a, b)
+    if not world.openings:
+        return direction, pdf, leaves, mi.Float(1), mi.Float(1)
+    direction, pdf, weight, crosses = world.openings.redirect(surface, direction, pdf, random.next_float32(),
+                                                              random.next_float32(), random.next_float32())
+    leaves = dr.dot(surface.facing, direction) > 0
+    return direction, pdf, leaves, dr.select(crosses, 1, weight), dr.select(crosses, weight, 1)
+
+
+def weighted(world, light, weight):
+    """Returns `light` times `weight`; without openings every weight is 1 and the product is left out."""
+    return light * weight if world.openings else light
+
+
 def coverage(world, surface, numbers, random, active):
     return dr.select(active, mi.Color3f(1), 0)
 
@@ -58,12 +77,13 @@ def direct(world, surface, numbers, random, active):
 
 
 def indirect(world, surface, numbers, random, active):
-    direction, pdf, leaves = cosine_direction(surface, numbers[2], numbers[3])
+    direction, pdf, leaves, inside, crossing = bounce_direction(world, surface, numbers[2], numbers[3], random)
     hit = world.surfaces.meet(leave(surface), direction, active & leaves)
     there = world.surfaces.surface(hit, direction)
     weight = world.emitters.weight_of_hit(world.surfaces, there, hit, surface.position, pdf)
     gathered = dr.select(hit.valid, there.emission * weight + world.direct(there, hit.valid), 0)
     gathered += world.sky.radiance(direction, active & leaves & ~hit.valid)
+    gathered = weighted(world, gathered, inside * crossing)
     gathered += world.emitters.light(world.surfaces, surface, numbers[4], mi.Point2f(numbers[5], numbers[6]), active)
     return surface.albedo * gathered
 
@@ -72,6 +92,8 @@ def indirect(world, surface, numbers, random, active):
 def lambert_full(world, surface, numbers, random, active):
     result = mi.Color3f(surface.emission)
     throughput = mi.Color3f(surface.albedo)
+    # The weight of the openings that the path crossed. It is kept apart: roulette by it would end most of these paths.
+    crossed = mi.Float(1)
     position, facing = mi.Point3f(surface.position), mi.Normal3f(surface.facing)
     normal = mi.Normal3f(surface.normal)
     a, b, choice, e1, e2 = [mi.Float(x) for x in numbers[2:7]]
@@ -80,19 +102,22 @@ def lambert_full(world, surface, numbers, random, active):
     while active:
         here = Surface(position, facing, normal, throughput, mi.Color3f(0))
         lit = world.direct(here, active)  # throughput stands in albedo's place
-        result += lit + throughput * world.emitters.light(world.surfaces, here, choice, mi.Point2f(e1, e2), active)
+        emitted = throughput * world.emitters.light(world.surfaces, here, choice, mi.Point2f(e1, e2), active)
+        result += weighted(world, lit + emitted, crossed)
 
         survival = dr.minimum(dr.max(throughput), LARGEST_SURVIVAL)
         roulette = bounce >= FIRST_ROULETTE
         throughput[roulette] = throughput / dr.maximum(survival, 1e-6)
         active &= ~roulette | (random.next_float32() < survival)
 
-        direction, pdf, leaves = cosine_direction(here, a, b)
+        direction, pdf, leaves, inside, crossing = bounce_direction(world, here, a, b, random)
+        throughput = weighted(world, throughput, inside)
+        crossed *= crossing
         hit = world.surfaces.meet(leave(here), direction, active & leaves)
         there = world.surfaces.surface(hit, direction)
         weight = world.emitters.weight_of_hit(world.surfaces, there, hit, here.position, pdf)
-        result += dr.select(hit.valid, throughput * there.emission * weight, 0)
-        result += throughput * world.sky.radiance(direction, active & leaves & ~hit.valid)
+        result += weighted(world, dr.select(hit.valid, throughput * there.emission * weight, 0), crossed)
+        result += weighted(world, throughput * world.sky.radiance(direction, active & leaves & ~hit.valid), crossed)
         throughput *= there.albedo
         position, facing, normal = there.position, there.facing, there.normal
         bounce += 1

@@ -69,6 +69,7 @@ class Scene:
     sun: Sun
     punctual: list[PunctualLight]
     sky: np.ndarray | None  # (height, width, 3), radiance; None: black
+    openings: np.ndarray  # (openings, 3, 3): corner and two sides of each, trace space
 
     @property
     def ao_distance_world(self) -> float:
@@ -229,6 +230,14 @@ def cone_falloff(spot: dict) -> tuple[float, float]:
     return scale, -outer * scale
 
 
+def find_openings(placed: list, centre: np.ndarray, side: float) -> np.ndarray:
+    """Nodes with `extras.opening`, two vectors: a parallelogram from the node's origin, through which light enters a room
+    (openings.py)."""
+    found = [[(world[:3, 3] - centre) / side, *(world[:3, :3] @ np.array(node["extras"]["opening"], np.float64).T / side).T]
+             for node, world in placed if isinstance(node.get("extras"), dict) and "opening" in node["extras"]]
+    return np.array(found).reshape(-1, 3, 3)
+
+
 def sky_file(path: pathlib.Path) -> pathlib.Path | None:
     """The picture of the sky that a scene lies under: the .hdr of its name beside it."""
     sky = path.with_suffix(".hdr")
@@ -287,4 +296,5 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
                  load_textures(file, materials), Camera(name, axes, eye, (eye - centre) / side, fov),
-                 *find_lights(document, placed, centre, side, glows or sky is not None), sky)
+                 *find_lights(document, placed, centre, side, glows or sky is not None), sky,
+                 find_openings(placed, centre, side))
