@@ -61,7 +61,7 @@ SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glos
 # So many times as many: what glows in a sky is met by chance alone.
 UNDER_A_SKY = {"full": 4, "glossy": 4}
 # Light that comes through an opening is weak and noisy, also where paths are sent there on purpose.
-THROUGH_AN_OPENING = {"full": 4}
+THROUGH_AN_OPENING = {"full": 8}
 KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # of scenes with glossy materials
 INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to each light",

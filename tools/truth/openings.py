@@ -12,16 +12,20 @@ from .engine import dr, mi
 from .scene import Scene
 from .surfaces import Surface
 
-SHARE = 0.4  # of the directions, of surfaces in front of all openings
+SHARE = 0.3  # of the directions, of surfaces in front of all openings
+# Rays start a little off their surface, so some whose direction just misses an opening pass it. An opening counts as larger
+# by this share of its sides, as such a ray would have a large weight.
+MARGIN = 0.01
 
 
 class Openings:
     """The parallelograms of one scene. Surfaces on the side to which a parallelogram's normal points get light through it."""
 
     def __init__(self, scene: Scene):
+        larger = [(p - MARGIN * (u + v), (1 + 2 * MARGIN) * u, (1 + 2 * MARGIN) * v) for p, u, v in scene.openings]
         self._corners = [(mi.Point3f(p.tolist()), mi.Vector3f(u.tolist()), mi.Vector3f(v.tolist()),
                           mi.Vector3f(np.cross(u, v).tolist()), float(np.linalg.norm(np.cross(u, v)) ** 2))
-                         for p, u, v in scene.openings]
+                         for p, u, v in larger]
 
     def __bool__(self) -> bool:
         return bool(self._corners)
