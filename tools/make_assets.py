@@ -9,8 +9,8 @@ import sys
 
 sys.dont_write_bytecode = True  # a test runs this inside the source tree
 
-from scenes import (contact, cornell, corridor, courtyard, furnace, glossy, lamp, lone_plane, moving,  # noqa: E402
-                    night, patio, thin_wall, walker)
+from scenes import (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane,  # noqa: E402
+                    moving, night, patio, thin_wall, walker)
 
 SCENES = {
     "contact": contact.build,
@@ -19,6 +19,7 @@ SCENES = {
     "cornell_1mm": lambda: cornell.build(0.0005),
     "corridor": corridor.build,
     "courtyard": courtyard.build,
+    "dim_room": dim_room.build,
     "furnace": furnace.build,
     "glossy": glossy.build,
     "lamp": lamp.build,

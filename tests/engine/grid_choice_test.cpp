@@ -107,7 +107,7 @@ TEST(GridChoice, OfTheScenes) {
     for (const char* name : {"courtyard", "corridor"})
         EXPECT_EQ(choose(loadGltf(asset(std::string(name) + ".glb")), "mobile").grid, 128) << name;
     for (const char* name : {"cornell", "cornell_1mm", "cornell_10km", "contact", "glossy", "thin_wall",
-                             "furnace", "lamp", "lone_plane"})
+                             "dim_room", "furnace", "lamp", "lone_plane"})
         EXPECT_EQ(choose(loadGltf(asset(std::string(name) + ".glb")), "mobile").grid, 64) << name;
 }
 
