@@ -52,11 +52,11 @@ void Renderer::draw(const std::vector<Picture>& pictures, const Camera& camera, 
 
     // Depth as the sun sees it (thesis 4.2), and as other lights do, for the direct light of pixels and of
     // voxels. Where a picture shows the sun's soft shadow its map has moments too.
-    DirectLight direct{{}, others_ ? &*others_ : nullptr};
+    DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Picture picture : pictures)
         if (readsShadowMap(picture))
             direct.sun = shadowMap().update(scene_, now, picture, settings_.revoxelize, timer_);
-    if (others_) others_->update(scene_, now, settings_.revoxelize, timer_);
+    if (punctualLights_) punctualLights_->update(scene_, now, settings_.revoxelize, timer_);
 
     // Albedo, normal and depth of what the camera sees (thesis 4.3, "render data").
     const GBuffer::Targets surface =

@@ -56,8 +56,8 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
-        others_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
-                        glm::pi<double>() * radianceUnit(light), lightSize(settings));
+        punctualLights_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
+                                glm::pi<double>() * radianceUnit(light), lightSize(settings));
     shades_.emplace_back(shaders_, sources(), settings_);
     gl::checkErrors("setting up the renderer");
 }
@@ -77,7 +77,7 @@ void Renderer::setShadowConeAngle(float degrees) {
     changed.shadowConeAngleDeg = degrees;
     validate(changed);
     settings_ = changed;
-    if (others_ && settings_.lightRadius > 0.0F) others_->setSize(lightSize(settings_));
+    if (punctualLights_ && settings_.lightRadius > 0.0F) punctualLights_->setSize(lightSize(settings_));
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
@@ -99,24 +99,24 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
 }
 
 void Renderer::forgetWhatWasMade() {
-    if (shadowMap_) shadowMap_->forget();
-    if (others_) others_->forget();
+    if (shadowMap_) shadowMap_->invalidate();
+    if (punctualLights_) punctualLights_->invalidate();
     if (voxels_) voxels_->forget();
 }
 
 void Renderer::setPoseNow(const Pose& pose) {
     scene_.setPose(pose);
-    if (others_) others_->setPose(pose);
+    if (punctualLights_) punctualLights_->setPose(pose);
     if (emitters_) emitters_->setPose(pose);
 }
 
 SceneState Renderer::state() const {
     return {scene_.placements(), light_.towardsLight,
-            others_ ? others_->states() : std::vector<PunctualLightState>()};
+            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>()};
 }
 
 LightSources Renderer::sources() const {
-    return {others_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
+    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -165,7 +165,7 @@ Resources Renderer::resources() const {
     if (emitters_) add(resources, emitters_->uniforms());
     if (shadowMap_) add(resources, shadowMap_->texture());
     if (shadowMap_ && shadowMap_->moments() != nullptr) add(resources, *shadowMap_->moments());
-    if (others_) add(resources, others_->resources());
+    if (punctualLights_) add(resources, punctualLights_->resources());
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
     for (const Shade& shade : shades_)

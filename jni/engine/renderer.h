@@ -60,7 +60,7 @@ class Renderer {
     // Turns the light, in frames to come. Its strength stays, as emission is stored relative to it.
     void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
     // Switches one of Scene::punctualLights on or off, in frames to come.
-    void setLightOn(std::size_t light, bool on) { others_.value().setOn(light, on); }
+    void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
     // Gives the sun another size, in frames to come; full opening angle. Throws vct::Error where it is out of
     // range.
     void setShadowConeAngle(float degrees);
@@ -127,7 +127,7 @@ class Renderer {
     gl::Buffer frameUniforms_;
     std::optional<GBuffer> gBuffer_;
     std::optional<ShadowMap> shadowMap_;
-    std::optional<PunctualLights> others_;  // the lights besides the sun, where the scene has any
+    std::optional<PunctualLights> punctualLights_;  // the lights besides the sun, where the scene has any
     std::unique_ptr<VoxelVolume> voxels_;
     std::vector<Shade> shades_;  // of the pictures of one frame
     StepTimer timer_;

@@ -22,8 +22,7 @@ void PackedVoxelizer::run(const GpuScene& scene, const DirectLight& light, Voxel
     framebuffer_.bind();
     gl::Disable(GL_DEPTH_TEST);
     gl::DepthMask(GL_FALSE);
-    light.sun.depth->bind(VCT_TEX_SHADOW_MAP);
-    light.bindOthers();
+    light.bind();
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLists();
     scene.drawForVoxels(programs_, {}, {0, 0, grid, grid});

@@ -96,9 +96,9 @@ std::vector<glm::dvec4> PunctualLights::places() const {
     return places;
 }
 
-void PunctualLights::forget() {
+void PunctualLights::invalidate() {
     for (Light& light : lights_)
-        light.drawn.reset();
+        light.cachedFor.reset();
     uploaded_.clear();
 }
 
@@ -108,11 +108,11 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool r
         Light& light = lights_[i];
         if (!states_[i].on) continue;
         std::vector<Placement> placements = inReach(light, states_[i], now.placements);
-        if (!remake && light.drawn == states_[i] && light.drawnPlacements == placements) continue;
-        light.drawn.reset();
+        if (!remake && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
+        light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
-        light.drawn = states_[i];
-        light.drawnPlacements = std::move(placements);
+        light.cachedFor = states_[i];
+        light.cachedPlacements = std::move(placements);
     }
 }
 

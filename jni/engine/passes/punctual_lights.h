@@ -46,8 +46,8 @@ class PunctualLights {
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
-    // What there is may be wrong, as a frame failed: the next update draws all maps anew.
-    void forget();
+    // The next update draws all maps: a frame failed, so they may be wrong.
+    void invalidate();
     // For shaders that include shared/punctual_lights.glsl.
     void bind() const;
 
@@ -58,9 +58,9 @@ class PunctualLights {
         PunctualLight asGiven;
         bool usesCube;
         int firstMap;
-        // What its maps show: where it was, and what could have moved in its reach.
-        std::optional<PunctualLightState> drawn;
-        std::vector<Placement> drawnPlacements;
+        // The state that its maps show, and the placements in its reach.
+        std::optional<PunctualLightState> cachedFor;
+        std::vector<Placement> cachedPlacements;
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
@@ -85,14 +85,20 @@ class PunctualLights {
     gl::Framebuffer framebuffer_;
 };
 
-// What lights surfaces without a detour, and what stands in its way.
+// The light that reaches surfaces straight from its sources, with the maps for its shadows.
 struct DirectLight {
-    ShadowTextures sun;                      // null where the picture does not read them
-    const PunctualLights* others = nullptr;  // null where the sun is the only light
+    ShadowTextures sun;                      // null if the picture does not read them
+    const PunctualLights* others = nullptr;  // null if the sun is the only light
 
-    void bindOthers() const {
+    // Binds all of it for the shaders that read it.
+    void bind() const {
+        sun.bind();
+        bindPunctualLights();
+    }
+    void bindPunctualLights() const {
         if (others != nullptr) others->bind();
     }
+    void bindOthers() const { bindPunctualLights(); }  // the name that jni/engine/directional still uses
 };
 
 }  // namespace vct

@@ -65,13 +65,7 @@ const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface,
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
     if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
-    if (direct.sun.depth != nullptr) {
-        direct.sun.depth->bind(VCT_TEX_SHADOW_MAP);
-        direct.sun.depth->bind(VCT_TEX_SHADOW_DEPTH);
-        plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
-    }
-    if (direct.sun.moments != nullptr) direct.sun.moments->bind(VCT_TEX_SHADOW_MOMENTS);
-    direct.bindOthers();
+    direct.bind();
     if (indirect.packed != nullptr) indirect.packed->bind(VCT_TEX_VOXELS);
     if (indirect.irradiance != nullptr) {
         indirect.irradiance->bind(VCT_TEX_IRRADIANCE);

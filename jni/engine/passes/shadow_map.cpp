@@ -38,6 +38,15 @@ int momentLevels(int mapSize) {
 
 }  // namespace
 
+void ShadowTextures::bind() const {
+    if (depth != nullptr) {
+        depth->bind(VCT_TEX_SHADOW_MAP);
+        depth->bind(VCT_TEX_SHADOW_DEPTH);
+        plainDepth->bind(VCT_TEX_SHADOW_DEPTH);
+    }
+    if (moments != nullptr) moments->bind(VCT_TEX_SHADOW_MOMENTS);
+}
+
 ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft)
     : shaders_(shaders),
       programs_(shaders, scene, shadowMapProgram),
@@ -60,15 +69,15 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Picture picture, bool remake,
                                  StepTimer& timer) {
-    if (remake || drawn_ != now) {
-        drawn_.reset();
+    if (remake || cachedFor_ != now) {
+        cachedFor_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
         momentsAreDrawn_ = false;
-        drawn_ = now;
+        cachedFor_ = now;
     }
     if (showsSoftShadow(picture) && moments_ && !std::exchange(momentsAreDrawn_, true))
         timer.time(Step::shadowMap, [&] { drawMoments(); });
-    return {&depth_, moments()};
+    return {&depth_, moments(), &plainDepth_};
 }
 
 const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
