@@ -1,6 +1,7 @@
 #include "engine/passes/shade.h"
 
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -57,9 +58,7 @@ const gl::Texture& Shade::draw(Picture picture, const GBuffer::Targets& surface,
                                const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
     program(picture, surface).use();
-    framebuffer_.bind();
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
+    const gl::RenderPass pass(framebuffer_, gl::Load::invalidate);
     surface.albedo->bind(VCT_TEX_G_ALBEDO);
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);

@@ -6,6 +6,7 @@
 
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -82,12 +83,7 @@ ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, P
 
 const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
     const gl::DebugGroup group("shadow map");
-    framebuffer_.bind();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_LESS);
-    gl::DepthMask(GL_TRUE);
-    const float far = 1.0F;
-    gl::ClearBufferfv(GL_DEPTH, 0, &far);
+    const gl::RenderPass pass(framebuffer_);
     // Single-sided surfaces cast shadows from both sides, as they do in a path tracer.
     scene.draw(GpuScene::Culling::none, programs_);
     return depth_;
@@ -99,8 +95,6 @@ void ShadowMap::drawMoments() {
         momentsProgram_.emplace(shaders_, shadowMomentsProgram());
         nextMomentsProgram_.emplace(shaders_, nextShadowMomentsProgram());
     }
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
     depth_.bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     moments_->bind(VCT_TEX_SHADOW_MOMENTS);
@@ -111,7 +105,7 @@ void ShadowMap::drawMoments() {
         // What is drawn to must be out of the shader's reach.
         for (const GLenum limit : {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL})
             moments_->setParameter(limit, std::max(level - 1, 0));
-        momentTargets_[static_cast<std::size_t>(level)].bind();
+        const gl::RenderPass pass(momentTargets_[static_cast<std::size_t>(level)], gl::Load::invalidate);
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
     }
     moments_->setParameter(GL_TEXTURE_BASE_LEVEL, 0);
