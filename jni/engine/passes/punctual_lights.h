@@ -1,4 +1,4 @@
-// Lights besides the sun, and their shadow maps: tiles of one texture, six for a point, one for a spot or a
+// Lights besides the sun, and their shadow maps: layers of one texture, six for a point, one for a spot or a
 // directional light. shaders/shared/punctual_lights.glsl reads them.
 #pragma once
 
@@ -41,8 +41,8 @@ class PunctualLights {
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Where each is, in volume space; for a directional one the direction towards it, and w 0.
     std::vector<glm::dvec4> places() const;
-    // The half width of a tile, in radians, that a texel of it and the filter around it take.
-    double filterAngle() const { return 12.0 / tile_; }
+    // The angle in radians that a texel and the filter around it cover, as seen from the light.
+    double filterAngle() const { return 12.0 / mapSize_; }
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
@@ -64,8 +64,6 @@ class PunctualLights {
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    glm::ivec4 tile(int map) const;  // x, y, width, height in texels
-    glm::dmat4 textureFromTile(int map) const;
     std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
                                    const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
@@ -77,12 +75,13 @@ class PunctualLights {
     Bounds boundsWorld_;
     double unitLux_;
     LightSize size_;
-    int maps_ = 0, perRow_ = 1, tile_ = 0;
+    int maps_ = 0;
+    int mapSize_ = 0;  // texels along a side of each
     MaterialPrograms programs_;
     shared::PunctualLightBlock values_{};
     gl::Buffer uniforms_;
-    gl::Texture depth_;
-    gl::Framebuffer framebuffer_;
+    gl::Texture depth_;  // a layer for each map
+    std::vector<gl::Framebuffer> framebuffers_;
 };
 
 // The light that reaches surfaces straight from its sources, with the maps for its shadows.
