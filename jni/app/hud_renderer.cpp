@@ -45,8 +45,6 @@ HudRenderer::HudRenderer(const gl::ShaderLibrary& shaders)
 
 void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
     const gl::DebugGroup group("head-up display");
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
     gl::Enable(GL_BLEND);
     gl::BlendEquation(GL_FUNC_ADD);
     gl::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -15,8 +15,8 @@ class HudRenderer {
     // Uploads the font atlas of the current ImGui context.
     explicit HudRenderer(const gl::ShaderLibrary& shaders);
 
-    // Into the framebuffer that is bound, `window` pixels in size. Blending and the scissor test are off
-    // before and after.
+    // Draws into the window's render pass (windowPass() in app/presenter.h), `window` pixels in size.
+    // Blending and the scissor test are off before and after.
     void draw(const ImDrawData& data, glm::ivec2 window) const;
 
   private:

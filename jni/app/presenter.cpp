@@ -43,10 +43,7 @@ void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window
     const bool same = rectangle.z == frame.width() && rectangle.w == frame.height();
     const GLenum filter = same ? GL_NEAREST : GL_LINEAR;
     frame.setFilter(filter, filter);
-    clearWindow(window, glm::vec3(0.0F));
     gl::Viewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
     program_.use();
     frame.bind(radianceUnit);
     const glm::vec4 r(rectangle);
@@ -56,12 +53,9 @@ void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void clearWindow(glm::ivec2 window, const glm::vec3& color) {
-    gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::Viewport(0, 0, window.x, window.y);
-    gl::ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const GLfloat value[4] = {color.r, color.g, color.b, 1.0F};
-    gl::ClearBufferfv(GL_COLOR, 0, value);
+gl::RenderPass windowPass(glm::ivec2 window, const glm::vec3& color) {
+    return gl::RenderPass(gl::Framebuffer::ofWindow(window.x, window.y), gl::Load::clear, gl::Store::colors,
+                          {color.r, color.g, color.b, 1.0F});
 }
 
 }  // namespace vct::app

@@ -3,6 +3,7 @@
 
 #include "engine/renderer.h"
 #include "gl/program.h"
+#include "gl/render_pass.h"
 
 namespace vct::app {
 
@@ -24,9 +25,9 @@ class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
 
-    // Scales the renderer's last frame to the window that is current, `window` pixels, multiplies it by the
-    // exposure, and maps and encodes it for the screen: the picture that a PNG of it holds. A frame of
-    // another shape keeps it, with black beside it.
+    // Scales the renderer's last frame to the window of the current pass, `window` pixels, multiplies it by
+    // the exposure, and maps and encodes it for the screen: the picture that a PNG of it holds. A frame of
+    // another shape keeps it and leaves the rest of the window alone.
     void draw(const Renderer& renderer, float exposure, glm::ivec2 window) const;
 
   private:
@@ -34,7 +35,7 @@ class Presenter {
     gl::VertexArray noVertices_;
 };
 
-// All of the window that is current in one sRGB-encoded colour.
-void clearWindow(glm::ivec2 window, const glm::vec3& color);
+// The pass that draws the current window. It starts with one sRGB-encoded colour.
+gl::RenderPass windowPass(glm::ivec2 window, const glm::vec3& color);
 
 }  // namespace vct::app

@@ -13,7 +13,7 @@ namespace vct::app {
 namespace {
 
 constexpr const char* firstScene = "cornell.glb";
-const glm::vec3 background(0.08F);
+const glm::vec3 black(0.0F), background(0.08F);
 
 }  // namespace
 
@@ -53,18 +53,18 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     else
         drawScene(window);
     const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
-    if (renderer != nullptr)
-        gl_->presenter().draw(*renderer, exposure(), window);
-    else
-        clearWindow(window, background);
-    drawHud(window, free, passedS);
+    {
+        const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
+        if (renderer != nullptr) gl_->presenter().draw(*renderer, exposure(), window);
+        drawHud(window, free, passedS);
+    }
     if (renderer != nullptr && !measuring && scaleFollowsTime(choices_)) followTime(window, now);
 }
 
 // On a driver that lacks something.
 void Viewer::drawMessage(glm::ivec2 window, const glm::ivec4& free) {
     if (request_) endMeasuring(gl_->missing());
-    clearWindow(window, background);
+    const gl::RenderPass pass = windowPass(window, background);
     hud_.buildMessage("This device cannot run voxel cone tracing.", gl_->missing(), window, free);
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("message");

@@ -101,8 +101,8 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
 }
 
 void Renderer::invalidateCaches() {
-    if (shadowMap_) shadowMap_->forget();
-    if (punctualLights_) punctualLights_->forget();
+    if (shadowMap_) shadowMap_->invalidate();
+    if (punctualLights_) punctualLights_->invalidate();
     if (voxels_) voxels_->invalidate();
 }
 

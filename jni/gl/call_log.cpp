@@ -10,6 +10,14 @@ namespace {
 
 CallLog* current = nullptr;
 
+bool is(const Call& call, const char* name) {
+    return std::strcmp(call.name, name) == 0;
+}
+
+bool startsWith(const Call& call, const char* start) {
+    return std::strncmp(call.name, start, std::strlen(start)) == 0;
+}
+
 template <typename T>
 void keep(Call& call, T argument) {
     if constexpr (std::is_pointer_v<T>)
@@ -21,6 +29,11 @@ void keep(Call& call, T argument) {
     }
     // Of ShaderSource, one text without its length.
     if constexpr (std::is_same_v<T, const GLchar* const*>) call.text = argument[0];
+    // The argument before such an array is its length.
+    if constexpr (std::is_same_v<T, const GLuint*>) {
+        if (startsWith(call, "Delete") || is(call, "InvalidateFramebuffer"))
+            call.names.assign(argument, argument + *(call.arguments.end() - 2));
+    }
 }
 
 // The function that takes the place of an entry point, and the driver's own. Entry points that the driver
@@ -49,14 +62,6 @@ struct Hook<entry> {
     }
     static void remove() { *entry = driver; }
 };
-
-bool is(const Call& call, const char* name) {
-    return std::strcmp(call.name, name) == 0;
-}
-
-bool startsWith(const Call& call, const char* start) {
-    return std::strncmp(call.name, start, std::strlen(start)) == 0;
-}
 
 std::string bufferName(std::int64_t target) {
     if (target == GL_UNIFORM_BUFFER) return "uniform buffer ";

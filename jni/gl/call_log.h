@@ -16,6 +16,8 @@ struct Call {
     const char* name;                     // as in api.h, "DrawElements"
     std::vector<std::int64_t> arguments;  // numbers and names of objects; addresses for pointers
     std::string text;                     // of the last argument that is text
+    // The objects that Delete... names, and the attachments that InvalidateFramebuffer names.
+    std::vector<GLuint> names = {};
 };
 
 // Records all calls from its constructor to its destructor. One at a time; load() must have run.

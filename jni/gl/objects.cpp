@@ -35,6 +35,10 @@ std::size_t texelBytes(GLenum format) {
     }
 }
 
+bool isInteger(GLenum format) {
+    return format == GL_R32UI || format == GL_RG16UI || format == GL_RGBA16UI;
+}
+
 // The driver itself would only say that a value is invalid.
 void throwIfTooLarge(const std::string& label, GLenum target, int width, int height, int depth) {
     GLint most = 0;
@@ -93,7 +97,7 @@ Texture Texture::create(const std::string& label, GLenum target, GLenum format, 
         (target == GL_TEXTURE_CUBE_MAP ? 6 : 1) * textureBytes(format, width, height, depth, levels);
     texture.label_ = label;
     texture.bind(scratchTextureUnit);
-    if (target == GL_TEXTURE_3D)
+    if (target == GL_TEXTURE_3D || target == GL_TEXTURE_2D_ARRAY)
         TexStorage3D(target, levels, format, width, height, depth);
     else
         TexStorage2D(target, levels, format, width, height);
@@ -114,6 +118,12 @@ Texture Texture::make3d(const std::string& label, GLenum format, int width, int 
                         int levels) {
     Texture texture = create(label, GL_TEXTURE_3D, format, width, height, depth, levels);
     texture.setFilter(levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST, GL_NEAREST);
+    return texture;
+}
+
+Texture Texture::make2dArray(const std::string& label, GLenum format, int width, int height, int layers) {
+    Texture texture = create(label, GL_TEXTURE_2D_ARRAY, format, width, height, layers, 1);
+    texture.setFilter(GL_NEAREST, GL_NEAREST);
     return texture;
 }
 
@@ -202,6 +212,11 @@ Framebuffer::Framebuffer(const std::string& label, const std::vector<const Textu
             FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), level);
     };
     attach();
+    using Kind = Attachment::Kind;
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        attachments_.push_back(
+            {drawBuffers[i], isInteger(colors[i]->format()) ? Kind::integers : Kind::color});
+    if (depth != nullptr) attachments_.push_back({GL_DEPTH_ATTACHMENT, Kind::depth});
     if (drawBuffers.empty()) drawBuffers.push_back(GL_NONE);
     DrawBuffers(static_cast<GLsizei>(drawBuffers.size()), drawBuffers.data());
     const Texture& any = depth != nullptr ? *depth : *colors.front();
@@ -231,6 +246,26 @@ Framebuffer::Framebuffer(const std::string& label, int width, int height) : widt
     check(label);
 }
 
+Framebuffer::Framebuffer(const std::string& label, const Texture& depths, GLint layer)
+    : attachments_{{GL_DEPTH_ATTACHMENT, Attachment::Kind::depth}},
+      width_(depths.width()),
+      height_(depths.height()) {
+    create(label);
+    FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths.name(), 0, layer);
+    const GLenum none = GL_NONE;
+    DrawBuffers(1, &none);
+    check(label);
+}
+
+Framebuffer Framebuffer::ofWindow(int width, int height) {
+    using Kind = Attachment::Kind;
+    Framebuffer window;
+    window.attachments_ = {{GL_COLOR, Kind::color}, {GL_DEPTH, Kind::unused}, {GL_STENCIL, Kind::unused}};
+    window.width_ = width;
+    window.height_ = height;
+    return window;
+}
+
 void Framebuffer::bind() const {
     BindFramebuffer(GL_FRAMEBUFFER, handle_.get());
     Viewport(0, 0, width_, height_);
@@ -249,7 +284,7 @@ void zeroTexture3d(const Texture& texture, int depth) {
         for (int level = 0; level < texture.levels(); ++level)
             for (int slice = 0; slice < std::max(depth >> level, 1); ++slice) {
                 FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture.name(), level, slice);
-                if (texture.format() == GL_R32UI)
+                if (isInteger(texture.format()))
                     ClearBufferuiv(GL_COLOR, 0, integers);
                 else
                     ClearBufferfv(GL_COLOR, 0, floats);

@@ -55,6 +55,7 @@ class Texture {
     static Texture make2d(const std::string& label, GLenum format, int width, int height, int levels = 1);
     static Texture make3d(const std::string& label, GLenum format, int width, int height, int depth,
                           int levels);
+    static Texture make2dArray(const std::string& label, GLenum format, int width, int height, int layers);
     // Six squares.
     static Texture makeCube(const std::string& label, GLenum format, int side, int levels);
 
@@ -136,23 +137,37 @@ class VertexArray {
 
 // A framebuffer with the colour targets in order and a depth target (or null), one level of each.
 // Without targets, `width` and `height` give its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH).
+// RenderPass (gl/render_pass.h) draws into it.
 class Framebuffer {
   public:
+    struct Attachment {
+        GLenum name;  // as in glInvalidateFramebuffer
+        // A window may have depth and stencil: nothing is drawn with them.
+        enum class Kind { color, integers, depth, unused } kind;
+    };
+
     Framebuffer() = default;
     Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
                 int level = 0);
     Framebuffer(const std::string& label, int width, int height);
+    // Depth alone, in one layer of an array.
+    Framebuffer(const std::string& label, const Texture& depths, GLint layer);
+    // The default framebuffer of the current context.
+    static Framebuffer ofWindow(int width, int height);
     ~Framebuffer();
     Framebuffer(Framebuffer&&) = default;
     Framebuffer& operator=(Framebuffer&&) = default;
 
     // Binds it for drawing and reading and sets the viewport to all of it.
     void bind() const;
+    // Colours come first, in the order of the draw buffers.
+    const std::vector<Attachment>& attachments() const { return attachments_; }
 
   private:
     void create(const std::string& label);
     void check(const std::string& label) const;
     Handle<&DeleteFramebuffers> handle_;
+    std::vector<Attachment> attachments_;
     int width_ = 0, height_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "gl/debug.h"
 #include "gl/objects.h"
 #include "gl/read_back.h"
+#include "gl/render_pass.h"
 #include "lab/voxel_view.h"
 
 namespace vct {
@@ -21,12 +22,12 @@ Image draw(const gl::ShaderLibrary& shaders, int view, glm::ivec2 size) {
     const gl::Texture color = gl::Texture::make2d("debug view", GL_RGBA16F, size.x, size.y);
     const gl::Framebuffer framebuffer("debug view", {&color}, nullptr);
     const gl::VertexArray noVertices;
-    framebuffer.bind();
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
-    program.use();
-    noVertices.bind();
-    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    {
+        const gl::RenderPass pass(framebuffer, gl::Load::invalidate);
+        program.use();
+        noVertices.bind();
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    }
     return readImage(color);
 }
 

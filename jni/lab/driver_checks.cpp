@@ -6,6 +6,7 @@
 
 #include "gl/debug.h"
 #include "gl/objects.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -109,9 +110,7 @@ class Checks {
 
     void draw(const gl::ProgramDescription& description) const {
         const gl::Program program(shaders_, description);
-        framebuffer_.bind();
-        gl::Disable(GL_DEPTH_TEST);
-        gl::Disable(GL_CULL_FACE);
+        const gl::RenderPass pass(framebuffer_);
         program.use();
         noVertices_.bind();
         gl::DrawArrays(GL_TRIANGLES, 0, 3);

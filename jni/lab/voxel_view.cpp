@@ -5,6 +5,7 @@
 
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -29,16 +30,7 @@ VoxelView::VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size)
 
 const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     const gl::DebugGroup group("voxel view");
-    framebuffer_.bind();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_LESS);
-    gl::DepthMask(GL_TRUE);
-    gl::Disable(GL_CULL_FACE);
-    const float black[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-    const float far = 1.0F;
-    gl::ClearBufferfv(GL_COLOR, 0, black);
-    gl::ClearBufferfv(GL_DEPTH, 0, &far);
-
+    const gl::RenderPass pass(framebuffer_, gl::Load::clear, gl::Store::colors);
     program_.use();
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
     voxels.texture().bind(VCT_TEX_VOXELS);

@@ -1,4 +1,4 @@
-// Depth from a light besides the sun, into its tile of the texture that all share.
+// Depth from a light besides the sun, into its layer of the texture that all share.
 #include "shared/draw.glsl"
 #include "shared/layout.h"
 #include "shared/texture_coordinates.glsl"

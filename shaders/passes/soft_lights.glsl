@@ -15,7 +15,7 @@ const mat2 sourceTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
 // A place beside the receiver as the light's map has it.
 struct Beside {
-    vec2 inMap;           // texture coordinates
+    vec3 inMap;           // texture coordinates and layer
     float depth;          // in the map, of the receiver's plane there
     float perDepth;       // nearness over depth in the map
     vec2 fromReceiver;    // scale and offset that make nearness to the receiver of nearness to its plane there
@@ -31,12 +31,10 @@ Beside besideReceiver(int i, vec3 position, vec3 normal, vec3 aside) {
     float cosine = max(-dot(normal, away) / distance, 0.02);
     float along = clamp(dot(normal, aside) / (cosine * distance), -0.9, 8.0);
     ivec4 maps = punctual.light[i].maps;
-    LightMap map = punctual.map[maps.x + (maps.y > 1 ? cubeFace(away) : 0)];
+    int layer = maps.x + (maps.y > 1 ? cubeFace(away) : 0);
+    LightMap map = punctual.map[layer];
     vec4 projected = map.mapFromVolume * vec4(beside + away * along, 1.0);
     vec3 inMap = projected.xyz / projected.w;
-    // What is past the border of a map is what is at it.
-    vec2 texel = 1.0 / vec2(textureSize(lightMaps, 0));
-    inMap.xy = clamp(inMap.xy, map.depth.zw + 1.5 * texel, map.depth.zw + (float(punctual.count.y) - 1.5) * texel);
     // Half a texel to where a texel's depth is of, and one to the filter's others.
     const float roundedPosition = 1e-4;  // in sides of the volume, as for the hard shadow
     const float roundedDepth = 1e-6;
@@ -45,7 +43,7 @@ Beside besideReceiver(int i, vec3 position, vec3 normal, vec3 aside) {
     float least = 4.0 * map.depth.x / map.depth.y * (1.5 * rising + 0.5) + roundedPosition * (1.0 + rising) / distance +
                   roundedDepth * perDepth;
     float scale = 1.0 / (1.0 + along * place.w);
-    return Beside(inMap.xy, inMap.z, perDepth, vec2(scale, -along * scale), least);
+    return Beside(vec3(inMap.xy, layer), inMap.z, perDepth, vec2(scale, -along * scale), least);
 }
 
 // Share of a light with a size that a surface sees. `hard`: the answer of the map's texels around it
@@ -89,16 +87,16 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.
     const float ofCone = 0.5;
-    vec2 mapSize = vec2(textureSize(lightMaps, 0));
+    vec2 mapSize = vec2(textureSize(lightMaps, 0).xy);
     float seen = 0.0;
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
         COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
         Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
-        vec2 place = there.inMap * mapSize - 0.5;
+        vec2 place = there.inMap.xy * mapSize - 0.5;
         vec2 corner = floor(place);
         vec2 f = place - corner;
-        vec4 nearness = (there.depth - textureGather(lightMaps, (corner + 1.0) / mapSize)) * there.perDepth;
+        vec4 nearness = (there.depth - textureGather(lightMaps, vec3((corner + 1.0) / mapSize, there.inMap.z))) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(ofCone * radius)));
         seen += 1.0 - mix(mix(blocked.w, blocked.z, f.x), mix(blocked.x, blocked.y, f.x), f.y);

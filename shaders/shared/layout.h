@@ -245,15 +245,15 @@ struct PunctualLightUniforms {
                      // z: radius, in sides of the volume; of a directional light the tangent of half its angle
     ivec4 maps;      // x: the first of its shadow maps, y: how many, 1 or the 6 of a cube
 };
-// A shadow map of one of them: a tile of the texture that all share.
+// A shadow map of one of them: the layer with its index in the texture that all share.
 struct LightMap {
-    mat4 mapFromVolume;  // projective: coordinates in the texture, and depth, all in [0, 1]
+    mat4 mapFromVolume;  // projective: coordinates in the layer, and depth, all in [0, 1]
     // At the distance w = 1: x: depth that is a quarter of a texel wide; there it falls with 1 / w. y: depth that the
-    // volume's side has; it falls with 1 / w^2. zw: the tile's corner in the texture.
+    // volume's side has; it falls with 1 / w^2.
     vec4 depth;
 };
 struct PunctualLightBlock {
-    ivec4 count;  // x: of the lights that shine; y: texels along a tile's side
+    ivec4 count;  // x: of the lights that are on
     PunctualLightUniforms light[VCT_MAX_PUNCTUAL_LIGHTS];
     LightMap map[VCT_MAX_LIGHT_MAPS];
 };

@@ -1,12 +1,12 @@
 // Lights besides the sun: directional, point and spot (glTF's KHR_lights_punctual). Each has a shadow map, points six of them,
-// in tiles of one texture; an edge of a shadow is as sharp as the map, or, with VCT_SOFT_LIGHTS, as the light's size leaves it.
+// in layers of one texture; an edge of a shadow is as sharp as the map, or, with VCT_SOFT_LIGHTS, as the light's size leaves it.
 #include "shared/shadow.glsl"
 #include "shared/orthonormal.glsl"
 
 layout(std140, binding = VCT_UBO_PUNCTUAL_LIGHTS) uniform PunctualLightsBlock {
     PunctualLightBlock punctual;
 };
-layout(binding = VCT_TEX_LIGHT_MAPS) uniform highp sampler2D lightMaps;
+layout(binding = VCT_TEX_LIGHT_MAPS) uniform highp sampler2DArray lightMaps;
 
 struct LightAt {
     vec3 towards;     // unit length
@@ -37,11 +37,23 @@ int cubeFace(vec3 direction) {
 #include "passes/soft_lights.glsl"
 #endif
 
+// The overload in shared/shadow.glsl, in a layer of the maps.
+float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack, float contact) {
+    vec2 size = vec2(textureSize(maps, 0).xy);
+    ShadowFootprint four =
+        shadowFootprint(textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
+    float light = footprintLight(four, slack, contact);
+    if (light != footprintAtEdge) return light;
+    vec2 next = nextOfFootprint(four, slope);
+    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope, slack, contact);
+}
+
 // 0 where something is between the light and a surface, 1 where it is seen; between them at the shadow's edge, a texel wide.
 // As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: shadowSlack() of the normal.
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
     ivec4 maps = punctual.light[i].maps;
-    LightMap map = punctual.map[maps.x + (maps.y > 1 ? cubeFace(-towards) : 0)];
+    int layer = maps.x + (maps.y > 1 ? cubeFace(-towards) : 0);
+    LightMap map = punctual.map[layer];
     vec4 projected = map.mapFromVolume * vec4(position, 1.0);
     float perW = 1.0 / projected.w;
     vec3 receiver = projected.xyz * perW;
@@ -55,12 +67,12 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     vec2 slope = vec2(a.z * b.y - b.z * a.y, b.z * a.x - a.z * b.x) / (abs(area) > 1e-20 ? area : 1e-20);
     // As steep as a surface that the light meets at less than a degree.
     float texel = map.depth.x * perW;
-    slope = clamp(slope / vec2(textureSize(lightMaps, 0)), -256.0 * texel, 256.0 * texel);
+    slope = clamp(slope / vec2(textureSize(lightMaps, 0).xy), -256.0 * texel, 256.0 * texel);
     const float roundedPosition = 1e-4;  // in sides of the volume: one from a G-buffer, of a near wall in a map
     const float roundedDepth = 1e-6;
     float rounding = roundedPosition * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
-    float hard = max(shadowFootprintLight(lightMaps, receiver, slope, slack, 2.0), 0.0);
+    float hard = max(shadowFootprintLight(lightMaps, layer, receiver, slope, slack, 2.0), 0.0);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
     return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w, nearest);

@@ -48,33 +48,68 @@ float shadowSlack(vec3 normal) {
     return most > 2e-4 && most < 0.8 ? curvedSlack : flatSlack;
 }
 
-// Of a receiver in a map: texture coordinates and depth. `slope`: what its plane gains in depth per texel; `slack`: by how much
-// a texel's depth may be off that plane and still be the surface itself. -1: no part of a sun is seen, as it is in a crease or
-// what blocks all of the footprint is no farther than `contact` (depth).
-float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack, float contact) {
-    vec2 size = vec2(textureSize(map, 0));
+// The four texels of a filter's footprint in a map, beside the receiver's plane. Vectors of four begin at (0, 1) and go
+// counter-clockwise, as textureGather() orders its texels.
+struct ShadowFootprint {
+    vec2 texel;     // the receiver in the map, in texels
+    vec2 corner;    // the first of the four
+    vec4 above;     // depth of the map over that of the plane
+    vec4 blocked;   // 1: nearer to the light than the surface
+    float blockers;
+    float closest;  // the least of `above`
+};
+
+// Texture coordinates for textureGather(): at the corner that the four texels share no rounding chooses others.
+vec2 footprintCorner(vec2 receiver, vec2 size) {
+    return (floor(receiver * size - 0.5) + 1.0) / size;
+}
+
+ShadowFootprint shadowFootprint(vec4 depths, vec3 receiver, vec2 size, vec2 slope, float slack) {
     vec2 texel = receiver.xy * size - 0.5;
     vec2 corner = floor(texel);
     vec2 f = texel - corner;
-    // Beginning at (0, 1), counter-clockwise, as textureGather() has them. At the corner that the four share no rounding
-    // chooses others.
-    vec4 above = textureGather(map, (corner + 1.0) / size) - receiver.z - slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) -
-                 slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
-    if (all(lessThan(abs(above), vec4(slack)))) return 1.0;
+    vec4 above =
+        depths - receiver.z - slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) - slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
     vec4 blocked = vec4(lessThan(above, vec4(-slack)));
-    float blockers = dot(blocked, vec4(1.0));
-    float closest = min(min(above.x, above.y), min(above.z, above.w));
-    if (blockers == 4.0) return closest > -contact ? -1.0 : 0.0;
+    return ShadowFootprint(texel, corner, above, blocked, dot(blocked, vec4(1.0)),
+                           min(min(above.x, above.y), min(above.z, above.w)));
+}
 
-    // A shadow's edge or the surface's. In a crease both are one: beyond the shadow there is no surface, and down the
-    // surface from its border there is no light. One texel more tells.
-    vec2 aside = blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope;
-    aside = sign(aside);
-    vec2 next = mix(floor(texel + 0.5), corner + 0.5 + 1.5 * aside, abs(aside));
-    float nextAbove = textureLod(map, (next + 0.5) / size, 0.0).r - receiver.z - dot(slope, next - texel);
-    bool crease = blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
-    if (crease && min(closest, nextAbove) > -contact) return -1.0;
-    return 1.0 - mix(mix(blocked.w, blocked.z, f.x), mix(blocked.x, blocked.y, f.x), f.y);
+// The footprint's light if all four texels agree. At an edge of the shadow or of the surface they do not.
+const float footprintAtEdge = 2.0;
+float footprintLight(ShadowFootprint four, float slack, float contact) {
+    if (all(lessThan(abs(four.above), vec4(slack)))) return 1.0;
+    if (four.blockers == 4.0) return four.closest > -contact ? -1.0 : 0.0;
+    return footprintAtEdge;
+}
+
+// In a crease the edges of the shadow and of the surface are one: beyond the shadow there is no surface, and down the surface
+// from its border there is no light. One texel more tells: this one.
+vec2 nextOfFootprint(ShadowFootprint four, vec2 slope) {
+    vec4 blocked = four.blocked;
+    vec2 aside = sign(four.blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope);
+    return mix(floor(four.texel + 0.5), four.corner + 0.5 + 1.5 * aside, abs(aside));
+}
+
+float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack, float contact) {
+    float nextAbove = nextDepth - receiver.z - dot(slope, next - four.texel);
+    bool crease = four.blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
+    if (crease && min(four.closest, nextAbove) > -contact) return -1.0;
+    vec2 f = four.texel - four.corner;
+    return 1.0 - mix(mix(four.blocked.w, four.blocked.z, f.x), mix(four.blocked.x, four.blocked.y, f.x), f.y);
+}
+
+// The light of a receiver in a map: texture coordinates and depth. `slope`: the depth that its plane gains per texel; `slack`:
+// how far a texel's depth may be off that plane and still be the surface itself. -1: no part of a sun is seen, because the
+// receiver is in a crease or the blockers of all of the footprint are no farther than `contact` (depth).
+float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack, float contact) {
+    vec2 size = vec2(textureSize(map, 0));
+    ShadowFootprint four =
+        shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
+    float light = footprintLight(four, slack, contact);
+    if (light != footprintAtEdge) return light;
+    vec2 next = nextOfFootprint(four, slope);
+    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack, contact);
 }
 
 float shadowMapLightOn(vec3 positionVolume, vec3 normal) {

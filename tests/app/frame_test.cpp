@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 #include "cli/program_run.h"
@@ -10,6 +11,7 @@
 #include "stand_in/stand_in.h"
 #include "support/errors.h"
 #include "support/moving_scenes.h"
+#include "support/render_passes.h"
 #include "support/temporary_folder.h"
 
 namespace vct::test {
@@ -56,6 +58,25 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
                           "/assets/courtyard.glb --preset thesis --grid 64 --size 120x90 --out out --mode " +
                           mode);
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
+}
+
+TEST(Frame, ReadsNothingOfTheWindowAndLeavesNoDepthInIt) {
+    StandIn android;
+    android.intentExtra = "show scene=courtyard.glb preset=thesis grid=64 pixels=1 mode=phong";
+    android.startUntilSceneShown(96, 72);
+    std::optional<gl::CallLog> log;
+    std::vector<gl::Call> calls;
+    android.then([&] { log.emplace(); });
+    android.frames(2);
+    android.then([&] {
+        calls = log->calls();
+        log.reset();
+    });
+    android.run();
+    const RenderPasses passes = renderPassesOf(calls);
+    EXPECT_EQ(passes.count, 2);
+    EXPECT_EQ(passes.loaded, std::set<std::string>{});
+    EXPECT_EQ(passes.unread, std::set<std::string>{});
 }
 
 TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {

@@ -3,6 +3,7 @@
 #include "engine/packed/packed_voxelizer.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -40,10 +41,8 @@ int FaceProjection::sideFor(int grid) {
 }
 
 void FaceProjection::use() const {
-    framebuffer_.bind();
+    const gl::RenderPass pass(framebuffer_);  // it has no attachments, so the pass is its state alone
     gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
-    gl::Disable(GL_DEPTH_TEST);
-    gl::DepthMask(GL_FALSE);
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,

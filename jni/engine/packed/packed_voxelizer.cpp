@@ -2,6 +2,7 @@
 
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -19,11 +20,8 @@ void PackedVoxelizer::run(const GpuScene& scene, const DirectLight& light, Voxel
     const gl::DebugGroup group("voxelize");
     voxels.clear();
     const int grid = voxels.grid();
-    framebuffer_.bind();
-    gl::Disable(GL_DEPTH_TEST);
-    gl::DepthMask(GL_FALSE);
-    light.sun.depth->bind(VCT_TEX_SHADOW_MAP);
-    light.bindOthers();
+    const gl::RenderPass pass(framebuffer_);
+    light.bind();
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLists();
     scene.drawForVoxels(programs_, {}, {0, 0, grid, grid});

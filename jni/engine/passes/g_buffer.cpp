@@ -2,6 +2,7 @@
 #include "engine/programs.h"
 
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -45,18 +46,7 @@ void GBuffer::resize(glm::ivec2 size) {
 
 GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
     const gl::DebugGroup group("G-buffer");
-    framebuffer_.bind();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_LESS);
-    gl::DepthMask(GL_TRUE);
-    const float black[4] = {0.0F, 0.0F, 0.0F, 0.0F};
-    const GLuint zero[4] = {0, 0, 0, 0};
-    const float far = 1.0F;
-    gl::ClearBufferfv(GL_COLOR, 0, black);
-    gl::ClearBufferuiv(GL_COLOR, 1, zero);
-    if (emissive_) gl::ClearBufferfv(GL_COLOR, 2, black);
-    if (gloss_) gl::ClearBufferfv(GL_COLOR, emissive_ ? 3 : 2, black);
-    gl::ClearBufferfv(GL_DEPTH, 0, &far);
+    const gl::RenderPass pass(framebuffer_);
     scene.draw(GpuScene::Culling::backFaces, programs_);
     return targets();
 }

@@ -9,6 +9,7 @@
 #include "engine/passes/shadow_map.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 #include "scene/camera.h"
 
 namespace vct {
@@ -17,9 +18,9 @@ namespace {
 
 using Type = PunctualLight::Type;
 
-// The texture's side: what every driver of ES 3.1 has, and 16 MB.
-constexpr int largestSide = 2048;
-constexpr int largestTile = 512;
+// In texels along a side: all maps together take no more memory than one map of 2048, 16 MB.
+constexpr int maxMapSize = 512;
+constexpr int maxTotalSize = 2048;
 // Texels around what a map must show, for the filter.
 constexpr int margin = 2;
 // A spot as wide as that has a cube like a point: one map would spread its border over most of its texels.
@@ -69,11 +70,10 @@ PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene&
         states_.push_back({light.worldFromLight, true});
         maps_ += usesCube ? 6 : 1;
     }
-    perRow_ = static_cast<int>(std::ceil(std::sqrt(maps_)));
-    tile_ = std::min(largestTile, largestSide / perRow_);
-    const int rows = (maps_ + perRow_ - 1) / perRow_;
-    depth_ = gl::Texture::make2d("light maps", GL_DEPTH_COMPONENT24, perRow_ * tile_, rows * tile_);
-    framebuffer_ = gl::Framebuffer("light maps", {}, &depth_);
+    mapSize_ = std::min(maxMapSize, maxTotalSize / static_cast<int>(std::ceil(std::sqrt(maps_))));
+    depth_ = gl::Texture::make2dArray("light maps", GL_DEPTH_COMPONENT24, mapSize_, mapSize_, maps_);
+    for (int map = 0; map < maps_; ++map)
+        framebuffers_.emplace_back("light map " + std::to_string(map), depth_, map);
 }
 
 void PunctualLights::setSize(const LightSize& size) {
@@ -96,9 +96,9 @@ std::vector<glm::dvec4> PunctualLights::places() const {
     return places;
 }
 
-void PunctualLights::forget() {
+void PunctualLights::invalidate() {
     for (Light& light : lights_)
-        light.drawn.reset();
+        light.cachedFor.reset();
     uploaded_.clear();
 }
 
@@ -108,17 +108,17 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool r
         Light& light = lights_[i];
         if (!states_[i].on) continue;
         std::vector<Placement> placements = inReach(light, states_[i], now.placements);
-        if (!remake && light.drawn == states_[i] && light.drawnPlacements == placements) continue;
-        light.drawn.reset();
+        if (!remake && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
+        light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
-        light.drawn = states_[i];
-        light.drawnPlacements = std::move(placements);
+        light.cachedFor = states_[i];
+        light.cachedPlacements = std::move(placements);
     }
 }
 
 // Lights that are off are left out.
 void PunctualLights::upload() {
-    values_.count = {0, tile_, 0, 0};
+    values_.count = glm::ivec4(0);
     const std::vector<glm::dvec4> places = this->places();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
@@ -152,17 +152,16 @@ void PunctualLights::upload() {
 
 void PunctualLights::placeMaps(const Light& light, const PunctualLightState& state) {
     const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
-    const auto set = [&](int map, const glm::dmat4& tileFromVolume, double quarterTexel, double depthOfSide) {
-        values_.map[map].mapFromVolume = glm::mat4(textureFromTile(map) * tileFromVolume);
-        values_.map[map].depth = glm::vec4(quarterTexel, depthOfSide, glm::dvec2(textureFromTile(map)[3]));
+    const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
+        values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
     };
     if (light.asGiven.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
-        const glm::dmat4 tileFromVolume =
-            shadowFromWorld(sun, boundsWorld_, tile_ - 2 * margin) * glm::inverse(volumeFromWorld);
+        const glm::dmat4 mapFromVolume =
+            shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
         // The depth range is no shorter than the map is wide.
-        set(light.firstMap, tileFromVolume, 0.25 / tile_,
-            glm::length(glm::transpose(glm::dmat3(tileFromVolume))[2]));
+        set(light.firstMap, mapFromVolume, 0.25 / mapSize_,
+            glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
         return;
     }
     const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
@@ -173,31 +172,20 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const double far = 1.001 * std::min(farthest, light.asGiven.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
-        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * tile_ / (tile_ - 2 * margin);
-    const glm::dmat4 tileFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
-                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
-                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
+        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
+    const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
+                                   glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
+                                   glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
     // Depth is a - b / w.
     const double b = far * near / (far - near);
-    const double quarterTexel = 0.5 * tanHalf / tile_ * b;
+    const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
         const glm::dmat4 view = light.usesCube
                                     ? viewOfCube(i, place)
                                     : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
-        set(light.firstMap + i, tileFromView * view, quarterTexel, b);
+        set(light.firstMap + i, mapFromView * view, quarterTexel, b);
     }
-}
-
-glm::ivec4 PunctualLights::tile(int map) const {
-    return {map % perRow_ * tile_, map / perRow_ * tile_, tile_, tile_};
-}
-
-glm::dmat4 PunctualLights::textureFromTile(int map) const {
-    const glm::dvec2 size(depth_.width(), depth_.height());
-    const glm::dvec2 corner(tile(map).x, tile(map).y);
-    return glm::translate(glm::dmat4(1.0), glm::dvec3(corner / size, 0.0)) *
-           glm::scale(glm::dmat4(1.0), glm::dvec3(double(tile_) / size, 1.0));
 }
 
 std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
@@ -214,21 +202,12 @@ std::vector<Placement> PunctualLights::inReach(const Light& light, const Punctua
 
 void PunctualLights::drawMaps(const GpuScene& scene, const Light& light) {
     const gl::DebugGroup group("light maps");
-    framebuffer_.bind();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_LESS);
-    gl::DepthMask(GL_TRUE);
-    gl::Enable(GL_SCISSOR_TEST);
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_PUNCTUAL_LIGHTS);
     for (int map = light.firstMap; map < light.firstMap + (light.usesCube ? 6 : 1); ++map) {
-        const glm::ivec4 texels = tile(map);
-        gl::Scissor(texels.x, texels.y, texels.z, texels.w);
-        const float far = 1.0F;
-        gl::ClearBufferfv(GL_DEPTH, 0, &far);
+        const gl::RenderPass pass(framebuffers_[static_cast<std::size_t>(map)]);
         programs_.setUniform(VCT_UNIFORM_LIGHT_MAP, static_cast<GLuint>(map));
         scene.draw(GpuScene::Culling::none, programs_);
     }
-    gl::Disable(GL_SCISSOR_TEST);
 }
 
 void PunctualLights::bind() const {

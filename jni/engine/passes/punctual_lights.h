@@ -1,4 +1,4 @@
-// Lights besides the sun, and their shadow maps: tiles of one texture, six for a point, one for a spot or a
+// Lights besides the sun, and their shadow maps: layers of one texture, six for a point, one for a spot or a
 // directional light. shaders/shared/punctual_lights.glsl reads them.
 #pragma once
 
@@ -41,13 +41,13 @@ class PunctualLights {
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Where each is, in volume space; for a directional one the direction towards it, and w 0.
     std::vector<glm::dvec4> places() const;
-    // The half width of a tile, in radians, that a texel of it and the filter around it take.
-    double filterAngle() const { return 12.0 / tile_; }
+    // The angle in radians that a texel and the filter around it cover, as seen from the light.
+    double filterAngle() const { return 12.0 / mapSize_; }
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
-    // What there is may be wrong, as a frame failed: the next update draws all maps anew.
-    void forget();
+    // The next update draws all maps: a frame failed, so they may be wrong.
+    void invalidate();
     // For shaders that include shared/punctual_lights.glsl.
     void bind() const;
 
@@ -58,14 +58,12 @@ class PunctualLights {
         PunctualLight asGiven;
         bool usesCube;
         int firstMap;
-        // What its maps show: where it was, and what could have moved in its reach.
-        std::optional<PunctualLightState> drawn;
-        std::vector<Placement> drawnPlacements;
+        // The state that its maps show, and the placements in its reach.
+        std::optional<PunctualLightState> cachedFor;
+        std::vector<Placement> cachedPlacements;
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    glm::ivec4 tile(int map) const;  // x, y, width, height in texels
-    glm::dmat4 textureFromTile(int map) const;
     std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
                                    const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
@@ -77,22 +75,29 @@ class PunctualLights {
     Bounds boundsWorld_;
     double unitLux_;
     LightSize size_;
-    int maps_ = 0, perRow_ = 1, tile_ = 0;
+    int maps_ = 0;
+    int mapSize_ = 0;  // texels along a side of each
     MaterialPrograms programs_;
     shared::PunctualLightBlock values_{};
     gl::Buffer uniforms_;
-    gl::Texture depth_;
-    gl::Framebuffer framebuffer_;
+    gl::Texture depth_;  // a layer for each map
+    std::vector<gl::Framebuffer> framebuffers_;
 };
 
-// What lights surfaces without a detour, and what stands in its way.
+// The light that reaches surfaces straight from its sources, with the maps for its shadows.
 struct DirectLight {
-    ShadowTextures sun;                      // null where the picture does not read them
-    const PunctualLights* others = nullptr;  // null where the sun is the only light
+    ShadowTextures sun;                      // null if the picture does not read them
+    const PunctualLights* others = nullptr;  // null if the sun is the only light
 
-    void bindOthers() const {
+    // Binds all of it for the shaders that read it.
+    void bind() const {
+        sun.bind();
+        bindPunctualLights();
+    }
+    void bindPunctualLights() const {
         if (others != nullptr) others->bind();
     }
+    void bindOthers() const { bindPunctualLights(); }  // the name that jni/engine/directional still uses
 };
 
 }  // namespace vct

@@ -1,6 +1,7 @@
 #include "engine/passes/shade.h"
 
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 
 namespace vct {
 
@@ -58,21 +59,13 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
                                const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
     program(output, surface).use();
-    framebuffer_.bind();
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
+    const gl::RenderPass pass(framebuffer_, gl::Load::invalidate);
     surface.albedo->bind(VCT_TEX_G_ALBEDO);
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     if (surface.emissive != nullptr) surface.emissive->bind(VCT_TEX_G_EMISSIVE);
     if (surface.gloss != nullptr) surface.gloss->bind(VCT_TEX_G_GLOSS);
-    if (direct.sun.depth != nullptr) {
-        direct.sun.depth->bind(VCT_TEX_SHADOW_MAP);
-        direct.sun.depth->bind(VCT_TEX_SHADOW_DEPTH);
-        plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
-    }
-    if (direct.sun.moments != nullptr) direct.sun.moments->bind(VCT_TEX_SHADOW_MOMENTS);
-    direct.bindOthers();
+    direct.bind();
     if (indirect.packed != nullptr) indirect.packed->bind(VCT_TEX_VOXELS);
     if (indirect.irradiance != nullptr) {
         indirect.irradiance->bind(VCT_TEX_IRRADIANCE);

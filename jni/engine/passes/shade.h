@@ -39,7 +39,6 @@ class Shade {
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;
-    gl::PlainSampler plainDepth_;  // the shadow map for shared/shadow.glsl
 };
 
 }  // namespace vct

@@ -6,6 +6,7 @@
 
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/render_pass.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -38,6 +39,15 @@ int momentLevels(int mapSize) {
 
 }  // namespace
 
+void ShadowTextures::bind() const {
+    if (depth != nullptr) {
+        depth->bind(VCT_TEX_SHADOW_MAP);
+        depth->bind(VCT_TEX_SHADOW_DEPTH);
+        plainDepth->bind(VCT_TEX_SHADOW_DEPTH);
+    }
+    if (moments != nullptr) moments->bind(VCT_TEX_SHADOW_MOMENTS);
+}
+
 ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft)
     : shaders_(shaders),
       programs_(shaders, scene, shadowMapProgram),
@@ -60,25 +70,20 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
                                  StepTimer& timer) {
-    if (remake || drawn_ != now) {
-        drawn_.reset();
+    if (remake || cachedFor_ != now) {
+        cachedFor_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
         momentsAreDrawn_ = false;
-        drawn_ = now;
+        cachedFor_ = now;
     }
     if (reads(output).softShadow && moments_ && !std::exchange(momentsAreDrawn_, true))
         timer.time(Step::shadowMap, [&] { drawMoments(); });
-    return {&depth_, moments()};
+    return {&depth_, moments(), &plainDepth_};
 }
 
 const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
     const gl::DebugGroup group("shadow map");
-    framebuffer_.bind();
-    gl::Enable(GL_DEPTH_TEST);
-    gl::DepthFunc(GL_LESS);
-    gl::DepthMask(GL_TRUE);
-    const float far = 1.0F;
-    gl::ClearBufferfv(GL_DEPTH, 0, &far);
+    const gl::RenderPass pass(framebuffer_);
     // Single-sided surfaces cast shadows from both sides, as they do in a path tracer.
     scene.draw(GpuScene::Culling::none, programs_);
     return depth_;
@@ -90,8 +95,6 @@ void ShadowMap::drawMoments() {
         momentsProgram_.emplace(shaders_, shadowMomentsProgram());
         nextMomentsProgram_.emplace(shaders_, nextShadowMomentsProgram());
     }
-    gl::Disable(GL_DEPTH_TEST);
-    gl::Disable(GL_CULL_FACE);
     depth_.bind(VCT_TEX_SHADOW_DEPTH);
     plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
     moments_->bind(VCT_TEX_SHADOW_MOMENTS);
@@ -102,7 +105,7 @@ void ShadowMap::drawMoments() {
         // What is drawn to must be out of the shader's reach.
         for (const GLenum limit : {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL})
             moments_->setParameter(limit, std::max(level - 1, 0));
-        momentTargets_[static_cast<std::size_t>(level)].bind();
+        const gl::RenderPass pass(momentTargets_[static_cast<std::size_t>(level)], gl::Load::invalidate);
         gl::DrawArrays(GL_TRIANGLES, 0, 3);
     }
     moments_->setParameter(GL_TEXTURE_BASE_LEVEL, 0);

@@ -20,6 +20,10 @@ gl::ProgramDescription nextShadowMomentsProgram();
 struct ShadowTextures {
     const gl::Texture* depth = nullptr;    // compare function LEQUAL, hardware filter, ready to be sampled
     const gl::Texture* moments = nullptr;  // shaders/shared/moments.glsl; null without a soft shadow
+    const gl::PlainSampler* plainDepth = nullptr;  // reads `depth` without comparison
+
+    // Binds the textures that are not null.
+    void bind() const;
 };
 
 class ShadowMap {
@@ -30,8 +34,8 @@ class ShadowMap {
     // moments where `output` reads a soft shadow.
     ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
                           StepTimer& timer);
-    // What there is may be wrong, as a frame failed: the next update draws it anew.
-    void forget() { drawn_.reset(); }
+    // The next update draws the map: a frame failed, so it may be wrong.
+    void invalidate() { cachedFor_.reset(); }
 
     // Returns the depth texture: compare function LEQUAL, hardware filter, ready to be sampled.
     const gl::Texture& draw(const GpuScene& scene);
@@ -51,7 +55,7 @@ class ShadowMap {
     std::optional<gl::Program> momentsProgram_, nextMomentsProgram_;
     gl::PlainSampler plainDepth_;
     gl::VertexArray noVertices_;
-    std::optional<SceneState> drawn_;  // of what the map is; nothing where it was not drawn
+    std::optional<SceneState> cachedFor_;  // the state that the map shows, if it is valid
     bool momentsAreDrawn_ = false;
 };
 

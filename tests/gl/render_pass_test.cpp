@@ -1,0 +1,102 @@
+#include "gl/render_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "gl/call_log.h"
+#include "gl/debug.h"
+#include "platform/platform.h"
+
+namespace vct::test {
+namespace {
+
+std::vector<gl::Call> callsOf(const char* name, const gl::CallLog& log) {
+    std::vector<gl::Call> calls;
+    for (const gl::Call& call : log.calls())
+        if (std::strcmp(call.name, name) == 0) calls.push_back(call);
+    return calls;
+}
+
+class RenderPass : public testing::Test {
+  protected:
+    Context context_ = openContext(Backend::egl);
+    gl::Texture color_ = gl::Texture::make2d("color", GL_RGBA8, 4, 4);
+    gl::Texture codes_ = gl::Texture::make2d("codes", GL_RG16UI, 4, 4);
+    gl::Texture depth_ = gl::Texture::make2d("depth", GL_DEPTH_COMPONENT24, 4, 4);
+    gl::Framebuffer framebuffer_{"f", {&color_, &codes_}, &depth_};
+};
+
+TEST_F(RenderPass, ClearsEveryAttachmentAsItsFormatDemands) {
+    const std::array<GLfloat, 4> orange{1.0F, 0.4F, 0.0F, 1.0F};
+    {
+        const gl::RenderPass pass(framebuffer_, gl::Load::clear, gl::Store::all, orange);
+    }
+    std::array<std::uint8_t, 4> texel{};
+    gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl::ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+    EXPECT_EQ(texel, (std::array<std::uint8_t, 4>{255, 102, 0, 255}));
+    std::array<GLuint, 4> codes{9, 9, 9, 9};
+    gl::ReadBuffer(GL_COLOR_ATTACHMENT1);
+    gl::ReadPixels(3, 3, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, codes.data());
+    EXPECT_EQ(codes[0] + codes[1], 0U);
+    EXPECT_NO_THROW(gl::checkErrors("pass"));
+}
+
+TEST_F(RenderPass, InvalidatesWhatItIsTold) {
+    gl::CallLog log;
+    {
+        const gl::RenderPass pass(framebuffer_, gl::Load::invalidate, gl::Store::colors);
+    }
+    const std::vector<gl::Call> calls = callsOf("InvalidateFramebuffer", log);
+    ASSERT_EQ(calls.size(), 2U);
+    EXPECT_EQ(calls[0].names,
+              (std::vector<GLuint>{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_DEPTH_ATTACHMENT}));
+    EXPECT_EQ(calls[1].names, std::vector<GLuint>{GL_DEPTH_ATTACHMENT});
+    EXPECT_NO_THROW(gl::checkErrors("pass"));
+}
+
+TEST_F(RenderPass, SetsTheStateThatDrawsNeed) {
+    gl::Enable(GL_CULL_FACE);
+    gl::Viewport(1, 1, 1, 1);
+    gl::DepthMask(GL_FALSE);
+    const auto state = [](GLenum name) {
+        GLint values[4] = {};
+        gl::GetIntegerv(name, values);
+        return name == GL_VIEWPORT ? values[2] : values[0];
+    };
+    {
+        const gl::RenderPass pass(framebuffer_);
+    }
+    EXPECT_EQ(state(GL_DEPTH_TEST), 1);
+    EXPECT_EQ(state(GL_DEPTH_FUNC), GL_LESS);
+    EXPECT_EQ(state(GL_DEPTH_WRITEMASK), 1);
+    EXPECT_EQ(state(GL_CULL_FACE), 0);
+    EXPECT_EQ(state(GL_VIEWPORT), 4);
+
+    const gl::Framebuffer none("no attachments", 8, 8);
+    gl::CallLog log;
+    {
+        const gl::RenderPass pass(none);
+    }
+    EXPECT_EQ(state(GL_DEPTH_TEST), 0);
+    EXPECT_EQ(state(GL_VIEWPORT), 8);
+    EXPECT_EQ(callsOf("InvalidateFramebuffer", log).size(), 0U);
+}
+
+TEST_F(RenderPass, ClearsOneLayerAndLeavesTheOthers) {
+    const gl::Texture maps = gl::Texture::make2dArray("maps", GL_DEPTH_COMPONENT24, 4, 4, 3);
+    EXPECT_EQ(maps.bytes(), 4U * 4U * 3U * 4U);
+    const gl::Framebuffer layer("layer", maps, 2);
+    gl::CallLog log;
+    {
+        const gl::RenderPass pass(layer);
+    }
+    const std::vector<gl::Call> calls = callsOf("ClearBufferfv", log);
+    ASSERT_EQ(calls.size(), 1U);
+    EXPECT_EQ(calls[0].arguments[0], GL_DEPTH);
+    EXPECT_NO_THROW(gl::checkErrors("pass"));
+}
+
+}  // namespace
+}  // namespace vct::test
