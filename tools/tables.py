@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 # A frame's, as timings.json and people name them.
 STEPS = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-         "irradiance": "irradiance", "trace": "trace", "total": "frame"}
+         "inject": "inject", "irradiance": "irradiance", "trace": "trace", "total": "frame"}
 
 
 def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

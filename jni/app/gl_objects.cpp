@@ -32,12 +32,12 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     gl::checkErrors("setting up the display");
 }
 
-std::vector<int> GlObjects::possibleGrids(const Settings& settings, bool moves) const {
+std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {
     std::size_t bytes = availableMemory();
     if (renderer_)
         for (const Resource& resource : renderer_->resources())
             bytes += resource.bytes;
-    return vct::possibleGrids(settings, moves, capabilities_, bytes);
+    return vct::possibleGrids(settings, capabilities_, bytes);
 }
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,

@@ -27,7 +27,7 @@ class GlObjects {
     // The renderer for a scene and its settings, with the preset and the lamps of `choices`; the last one
     // where these need no other. Throws vct::Error, and then there is none.
     // For a renderer in place of the present one, which goes before another comes.
-    std::vector<int> possibleGrids(const Settings& settings, bool moves) const;
+    std::vector<int> possibleGrids(const Settings& settings) const;
     Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
                           const Settings& settings, const Choices& choices);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }

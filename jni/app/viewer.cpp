@@ -86,8 +86,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.renderSize = sizeIn(window);
     if (scaleFollowsTime(choices_)) content.divisor = scale_.divisor();
     content.possibleGrids = [&] {
-        return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()),
-                                  scene_ && featuresOf(*scene_).movingObjects);
+        return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()));
     };
     content.animated = scene_ && !scene_->animation.channels.empty();
     if (scene_)

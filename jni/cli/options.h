@@ -18,7 +18,8 @@ namespace vct::cli {
 std::string finite(const std::string& text);
 std::string positive(const std::string& text);  // and above 0
 
-// Reads shaders of the folder VCT_SHADER_DIR from the environment, or of the source tree that built the program.
+// Reads shaders of the folder VCT_SHADER_DIR from the environment, or of the source tree that built the
+// program.
 gl::ReadShader shaders();
 
 struct BackendOption {

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/number_text.h"
+#include "engine/directional/gather_schedule.h"
 #include "engine/renderer.h"
 #include "lab/debug_view.h"
 #include "lab/options.h"
@@ -207,8 +208,11 @@ void render(const RenderOptions& options) {
     Renderer renderer(scene, light, settings, context.capabilities, shaders());
 
     if (settings.voxels == Voxels::directional)
-        say("received light: it stands still after " + std::to_string(settings.lightFrames) +
-            " frames (--light-frames)");
+        say("indirect light settles in " + std::to_string(settings.lightFrames) +
+            " frames (--light-frames), and is refined in " +
+            std::to_string(GatherSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
+                           settings.lightFrames) +
+            " more; pictures show the refined light");
     TimingsReport report;
     const Placed placed{options, scene, camera, light, renderer};
     if (!exposure) {
@@ -289,10 +293,10 @@ void addRender(CLI::App& app, int&) {
         "--specular", options->specular,
         "What materials with a roughness below 1 reflect besides diffuse light: none, or cone "
         "(the sun, and one cone along the mirror direction); default: the preset's");
-    command->add_option(
-        "--light-frames", options->lightFrames,
-        "Frames after a change, until what surfaces receive stands still, as a still picture shows "
-        "it (default: the preset's)");
+    command->add_option("--light-frames", options->lightFrames,
+                        "Frames after a change until indirect light has settled (default: the preset's). "
+                        "Still pictures also wait "
+                        "for its refinement, which follows if these frames hold two rounds of directions");
     command
         ->add_option("--time", options->timeS,
                      "The moment of the scene's animation, in seconds; before its first key and after its "

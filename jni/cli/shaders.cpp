@@ -12,7 +12,6 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "engine/programs.h"
-#include "lab/options.h"
 #include "lab/program_list.h"
 #include "lab/shader_counters.h"
 #include "lab/timings.h"

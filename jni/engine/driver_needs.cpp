@@ -8,8 +8,7 @@
 
 namespace vct {
 
-std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
-                                     const gl::Capabilities& capabilities) {
+std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabilities& capabilities) {
     const gl::Limits& limits = capabilities.limits;
     const bool faces = settings.voxels == Voxels::directional;
     const std::string cubed = std::to_string(settings.grid) + "^3";
@@ -36,15 +35,12 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
     needs.push_back({"derivatives in fragment shaders", derivatives.empty() ? "no fault known" : derivatives,
                      "voxels with faces, whose coverage is made of them: use the preset thesis", true,
                      derivatives.empty()});
-    if (moves)
-        atLeast("GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", limits.combinedOutputs, 6,
-                "moving objects in voxels with faces: use the preset thesis");
     return needs;
 }
 
-void requireNeeds(const Settings& settings, bool moves, const gl::Capabilities& capabilities) {
+void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities) {
     std::string missing;
-    for (const gl::Requirement& need : needsOf(settings, moves, capabilities))
+    for (const gl::Requirement& need : needsOf(settings, capabilities))
         if (!need.met) missing += "\n  " + need.name + " (found: " + need.found + "): " + need.neededBy;
     if (!missing.empty())
         throw Error("the GL driver (" + capabilities.renderer + ", " + capabilities.version +
@@ -56,13 +52,13 @@ std::size_t voxelBytes(const Settings& settings, int grid) {
                                              : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
 }
 
-std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::Capabilities& capabilities,
+std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities& capabilities,
                                std::size_t bytes) {
     std::vector<int> grids;
     for (const int grid : allGrids()) {
         Settings there = settings;
         there.grid = grid;
-        const std::vector<gl::Requirement> needs = needsOf(there, moves, capabilities);
+        const std::vector<gl::Requirement> needs = needsOf(there, capabilities);
         const auto isMet = [](const gl::Requirement& need) { return need.met; };
         if (voxelBytes(there, grid) <= bytes && std::all_of(needs.begin(), needs.end(), isMet))
             grids.push_back(grid);

@@ -9,18 +9,17 @@
 
 namespace vct {
 
-// Met or not. `moves`: something in the scene does.
-std::vector<gl::Requirement> needsOf(const Settings& settings, bool moves,
-                                     const gl::Capabilities& capabilities);
+// Met or not.
+std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabilities& capabilities);
 
 // Throws one vct::Error that names every one that is not met.
-void requireNeeds(const Settings& settings, bool moves, const gl::Capabilities& capabilities);
+void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities);
 
 // Memory of the voxels' textures and lists at a grid, without sums and light, which follow from the scene.
 std::size_t voxelBytes(const Settings& settings, int grid);
 
 // Returns those of allGrids() that the driver can do, and for which `bytes` are enough.
-std::vector<int> possibleGrids(const Settings& settings, bool moves, const gl::Capabilities& capabilities,
+std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities& capabilities,
                                std::size_t bytes);
 
 }  // namespace vct

@@ -5,6 +5,10 @@
 // voxels follow from the scene's state alone, never from the camera: each is made when an output reads it for
 // the first time, keeps the state that it was made for, and is not rebuilt while the state is the same
 // (unless Settings::revoxelize asks for it, to measure that).
+#include <algorithm>
+#include <limits>
+#include <string>
+
 #include "engine/renderer.h"
 #include "gl/debug.h"
 
@@ -21,6 +25,9 @@ void Renderer::render(const RenderRequest& request) {
     nextPose_.reset();
     const SceneState now = state();
     uploadFrameUniforms(request.camera);
+    if (std::any_of(request.outputs.begin(), request.outputs.end(),
+                    [](Output output) { return reads(output).voxels; }))
+        voxels().prepare(scene_);
 
     // Depth as the sun sees it (thesis 4.2), and as other lights do, for the direct light of pixels and of
     // voxels. The sun's soft shadow also reads moments of its map.
@@ -35,7 +42,7 @@ void Renderer::render(const RenderRequest& request) {
         request.surface != nullptr ? *request.surface
                                    : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_); });
 
-    const int lightSteps = request.lightSteps == LightSteps::all ? settings_.lightFrames : 1;
+    const int lightSteps = request.lightSteps == LightSteps::all ? std::numeric_limits<int>::max() : 1;
     bool indirectTookSteps = false;
     for (std::size_t i = 0; i < request.outputs.size(); ++i) {
         const Output output = request.outputs[i];

@@ -6,11 +6,9 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 #include "engine/axis_sort.h"
-#include "engine/directional/block_scissor.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -118,7 +116,6 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
         static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
                                                [](const Instance& instance) { return !instance.moves(); }));
     std::map<int, std::size_t> movingMeshes;
-    staticBox_ = boundsOf({}, volumeFromWorld_);
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
@@ -150,11 +147,6 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
                 draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
                 first += static_cast<std::size_t>(sorted.indexCounts[axis]);
             }
-        }
-        if (features_.movingObjects && !instance.moves()) {
-            draw.box = grown(boundsOf(positionsOf(mesh), volumeFromWorld_ * instance.worldFromObject),
-                             snappingReach(1.0 / volume.grid));
-            staticBox_ = united(staticBox_, draw.box);
         }
         draws_.push_back(draw);
     }
@@ -370,22 +362,13 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     }
 }
 
-bool GpuScene::isIn(const Draw& draw, const ScenePart& part) const {
-    if (part.of == ScenePart::Of::all) return true;
-    if ((draw.moving >= 0) != (part.of == ScenePart::Of::moving)) return false;
-    return part.touched == nullptr || part.touched->touches(draw.box);
-}
-
-void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
-                             const glm::ivec4& viewport) const {
+void GpuScene::drawForVoxels(const MaterialPrograms& programs, ScenePart part) const {
     bindGeometry();
     gl::Disable(GL_CULL_FACE);
-    std::optional<BlockScissor> scissor;
-    if (part.touched != nullptr) scissor.emplace(*part.touched, viewport);
-    if (scissor) scissor->alongAnyAxis();
     const gl::Program* current = nullptr;
     for (const Draw& draw : draws_) {
-        if (!isIn(draw, part)) continue;
+        const bool isDynamic = draw.moving >= 0;
+        if (part != ScenePart::all && isDynamic != (part == ScenePart::dynamicOnly)) continue;
         bindDraw(draw, current, programs);
         if (voxelization_ == Voxelization::geometryShader) {
             drawTriangles(draw.triangles.first, draw.triangles.count);
@@ -395,7 +378,6 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, const ScenePart& 
             const IndexRange& range = draw.trianglesAlong[axis];
             if (range.count == 0) continue;
             gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
-            if (scissor) scissor->along(axis);
             drawTriangles(range.first, range.count);
         }
     }

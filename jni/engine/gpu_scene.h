@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/deformer.h"
-#include "engine/directional/dirty_blocks.h"
 #include "engine/material_programs.h"
+#include "engine/placement.h"
 #include "engine/resource.h"
 #include "engine/volume.h"
 #include "engine/voxelization.h"
@@ -19,11 +19,8 @@
 
 namespace vct {
 
-// Which instances: all, those that can move, or those that cannot and touch some blocks.
-struct ScenePart {
-    enum class Of { all, moving, staticOnly } of = Of::all;
-    const BlockMask* touched = nullptr;  // null: wherever they are
-};
+// A part of the scene: all instances, those that can move, or those that cannot.
+enum class ScenePart { all, dynamicOnly, staticOnly };
 
 class GpuScene {
   public:
@@ -39,8 +36,6 @@ class GpuScene {
     bool moves() const { return !moving_.empty(); }
     // Returns where all that can move is.
     std::vector<Placement> placements() const;
-    // Returns the box around all that cannot move, in volume space; inverted where there is nothing.
-    const Bounds& staticBox() const { return staticBox_; }
     // Returns the box around `boundsWorld` and all that moves, in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
 
@@ -50,11 +45,9 @@ class GpuScene {
     // materials are skipped with Culling::backFaces. Of two surfaces in the same place the eye sees the one
     // drawn first: with Culling::backFaces that does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
-    // Draws every triangle with programs that voxelize: per instance once, or once per axis that occurs.
-    // Where `part` names blocks, to their pixels alone, of the volume's `viewport`.
-    void drawForVoxels(const MaterialPrograms& programs, const ScenePart& part,
-                       const glm::ivec4& viewport) const;
-    void drawForVoxels(const MaterialPrograms& programs) const { drawForVoxels(programs, {}, {}); }
+    // Draws the triangles of a part with programs that voxelize: per instance once, or once per axis that
+    // occurs.
+    void drawForVoxels(const MaterialPrograms& programs, ScenePart part = ScenePart::all) const;
 
     const SceneFeatures& features() const { return features_; }
     Resources resources() const;
@@ -76,7 +69,6 @@ class GpuScene {
         std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
-        Bounds box;       // around its fragments, in volume space, of static ones where something moves
     };
     // What the draw of an instance that moves is made of anew in each pose.
     struct Moving {
@@ -107,7 +99,6 @@ class GpuScene {
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
-    bool isIn(const Draw& draw, const ScenePart& part) const;
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
@@ -117,7 +108,6 @@ class GpuScene {
     SceneFeatures features_;
     Voxelization voxelization_;
     glm::dmat4 volumeFromWorld_;
-    Bounds staticBox_;
     std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
     // Indices into draws_, in an order that does not depend on that of the instances.
     std::vector<std::size_t> visibleDraws_;

@@ -93,8 +93,8 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
 
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
                       std::size_t bytes) {
-    const std::vector<int> ofDriver = possibleGrids(settings, featuresOf(scene).movingObjects, capabilities,
-                                                    std::numeric_limits<std::size_t>::max());
+    const std::vector<int> ofDriver =
+        possibleGrids(settings, capabilities, std::numeric_limits<std::size_t>::max());
     const Narrow narrow = narrowest(scene, settings.voxels);
     const double needed = narrow.across / voxelsAcross;
     const auto enough = [&](int grid) {

@@ -30,7 +30,7 @@ std::string number(float value) {
 }
 
 std::vector<std::string> gatherDefines(const GatherSettings& g) {
-    return {"VCT_GATHER_DIRECTIONS " + std::to_string(g.directions),
+    return {"VCT_GATHER_DIRECTIONS " + std::to_string(g.directionSet()),
             "VCT_GATHER_START " + number(g.startOffset),
             "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
             "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
@@ -47,6 +47,11 @@ std::vector<std::string> lightDefines(const LightFeatures& sources) {
     if (sources.environment) defines.emplace_back("VCT_ENVIRONMENT");
     if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
     return defines;
+}
+
+std::vector<std::string> emissionDefines(bool emission) {
+    if (emission) return {"VCT_EMISSION"};
+    return {};
 }
 
 gl::ProgramDescription voxelizing(const std::string& name, std::vector<std::string> defines,

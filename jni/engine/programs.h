@@ -31,12 +31,15 @@ std::string booleanDefine(const char* name, bool value);
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
 // Light of a scene besides the sun and a sky that is the same in all directions.
 struct LightFeatures {
-    bool punctual = false;     // other lights of the file (passes/punctual_lights.h)
+    bool punctual = false;     // punctual lights (passes/punctual_lights.h)
     bool environment = false;  // a picture of the sky (environment.h)
     bool emitters = false;     // compact emitters (emitters.h)
+    bool emission = false;     // surfaces that emit light
 };
 // The defines of shaders that gather light.
 std::vector<std::string> lightDefines(const LightFeatures& sources);
+// The define of shaders that read the words of directional voxels' faces.
+std::vector<std::string> emissionDefines(bool emission);
 // A number as ESSL writes it, so that it comes back as it was.
 std::string number(float value);
 

@@ -1,5 +1,6 @@
 #include "engine/renderer.h"
 
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
@@ -15,14 +16,22 @@ namespace vct {
 
 namespace {
 
-const Settings& validated(const Settings& settings, bool moves, const gl::Capabilities& capabilities) {
+const Settings& validated(const Settings& settings, const gl::Capabilities& capabilities) {
     validate(settings);
-    requireNeeds(settings, moves, capabilities);
+    requireNeeds(settings, capabilities);
     return settings;
 }
 
 LightSize lightSize(const Settings& settings) {
     return {settings.lightRadius, settings.shadowConeAngleDeg};
+}
+
+// The largest radiance that a surface emits, scene's unit; 1 where none emits.
+float largestEmission(const Scene& scene) {
+    float largest = 0.0F;
+    for (const Material& material : scene.materials)
+        largest = std::max({largest, material.emissive.r, material.emissive.g, material.emissive.b});
+    return largest > 0.0F ? largest : 1.0F;
 }
 
 // Returns the compact emitters, where the scene has some and directional voxels leave them to cones of their
@@ -39,7 +48,7 @@ std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume
 
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
                    const gl::Capabilities& capabilities, gl::ReadShader readShader)
-    : settings_(validated(settings, featuresOf(scene).movingObjects, capabilities)),
+    : settings_(validated(settings, capabilities)),
       voxelization_(voxelizationFor(settings.voxels, capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
       shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
@@ -48,6 +57,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       triangles_(scene.triangleCount()),
       faceRadianceRange_(faceRadianceRange(scene, light, brightestSky(settings), settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
+      emissionRange_(largestEmission(scene) / radianceUnit(light)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       emitters_(compactEmitters(scene, volume_, settings, radianceUnit(light))),
       scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
@@ -92,6 +102,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
     }
     values.faceSumUnits = faceSumUnits(triangles_);
     values.radianceRange = faceRadianceRange_;
+    values.emissionRange = emissionRange_;
     values.largestBounceShare = largestBounceShare_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
@@ -118,7 +129,8 @@ SceneState Renderer::state() const {
 }
 
 LightFeatures Renderer::lightFeatures() const {
-    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value()};
+    return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value(),
+            scene_.features().has(featureEmissive)};
 }
 
 GBuffer& Renderer::gBuffer() {
@@ -143,8 +155,7 @@ VoxelVolume& Renderer::voxels() {
     if (packed)
         voxels_ = std::make_unique<PackedVolume>(shaders_, scene_, settings_, voxelization_);
     else
-        voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, volume_, boundsWorld_,
-                                                      lightFeatures());
+        voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, lightFeatures());
     return *voxels_;
 }
 

@@ -24,8 +24,8 @@
 
 namespace vct {
 
-// Steps that face irradiance takes in a frame. It converges Settings::lightFrames steps after the last
-// change.
+// Steps that face irradiance takes in a frame. It settles Settings::lightFrames steps after the last change,
+// and has converged when it is refined (GatherSettings::refinedDirections).
 enum class LightSteps {
     one,  // as an app does
     all,  // those that are left: a still picture
@@ -118,7 +118,7 @@ class Renderer {
     Bounds boundsWorld_;
     std::size_t triangles_;
     std::optional<gl::Texture> environment_;  // of a sky that is not the same in all directions
-    float faceRadianceRange_, largestBounceShare_;
+    float faceRadianceRange_, largestBounceShare_, emissionRange_;
     Volume volume_;
     std::optional<Emitters>
         emitters_;  // where the scene has some, and voxels are of the kind that needs them

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/directional/dirty_blocks.h"
+#include "engine/placement.h"
 
 namespace vct {
 

@@ -53,6 +53,7 @@ Settings presetSettings(const std::string& name) {
     settings.specular = Specular::cone;
     settings.shadowMapSize = 1024;
     settings.occlusion.startOffset = 0.5F;
+    settings.gather.refinedDirections = 256;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};

@@ -1,6 +1,7 @@
 // The settings of a renderer. A preset is a set of settings, not a second renderer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -41,10 +42,11 @@ enum class GatherOf { light, occlusion };
 // A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
 // in docs/levers.md.
 struct GatherSettings {
-    int directions = 64;  // that each face looks into by and by, a power of two
-    int cones = 8;        // of each face in a frame in which nothing changed, until its light stands still
-    float startOffset = 0.5F;  // along the normal
-    float firstSample = 0.5F;  // along the cone
+    int directions = 64;  // per face, visited over several frames while the light settles, a power of two
+    int refinedDirections = 0;  // per face, visited once the light has settled, a power of two; 0: none
+    int cones = 8;              // per face and frame in which nothing changed, until the light has converged
+    float startOffset = 0.5F;   // along the normal
+    float firstSample = 0.5F;   // along the cone
     // Height above the surface's plane, in footprints, up to which its own faces, which look against the cone
     // where the surface is slanted, are not met. They are within half a texel of it, filtered by one more.
     float ownSurface = 1.5F;
@@ -61,6 +63,9 @@ struct GatherSettings {
     // Scales what faces send on: cones lose some light through the gaps between their samples (a closed
     // furnace shows it), and each bounce would lose it again.
     float bounceGain = 1.06F;
+
+    // The number of directions to choose from.
+    int directionSet() const { return std::max(directions, refinedDirections); }
 };
 
 // What a face received in k steps is a mean in which each step's share is this over (k + this): 1 would be
@@ -78,7 +83,7 @@ struct Settings {
     Specular specular = Specular::none;  // of modes 4 and 5, where voxels are faces
     GatherSettings gather;               // of diffuse light, where voxels are faces
     GatherSettings occlusion;            // of ambient occlusion alone (mode 3), likewise
-    int lightFrames = 16;                // after a change, until the received light stands still
+    int lightFrames = 16;                // after a change, until the light has settled; refinement may follow
     int grid = 256;                      // voxels along a side of the volume, one of allGrids()
     GridRange gridRange;                 // for a grid that follows from the scene
     glm::ivec2 size{400, 400};           // pixels

@@ -19,8 +19,8 @@ double StepTimer::finishedAtMs() {
 }
 
 const char* stepName(Step step) {
-    static constexpr std::array<const char*, stepCount> names{"shadow_map", "render_data", "voxelize",
-                                                              "mipmap",     "irradiance",  "trace"};
+    static constexpr std::array<const char*, stepCount> names{
+        "shadow_map", "render_data", "voxelize", "inject", "mipmap", "irradiance", "trace"};
     return names[static_cast<std::size_t>(step)];
 }
 

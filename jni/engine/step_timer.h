@@ -11,11 +11,11 @@
 
 namespace vct {
 
-// The columns of the thesis's table 5.3: CS, RT, V, M, Tr; and before the last the irradiance, which it has
-// not.
-enum class Step { shadowMap, renderData, voxelize, mipmap, irradiance, trace };
-constexpr int stepCount = 6;
-// "shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace"
+// The columns of the thesis's table 5.3, CS, RT, V, M, Tr; and the injection of light and the irradiance, which it
+// does not have.
+enum class Step { shadowMap, renderData, voxelize, inject, mipmap, irradiance, trace };
+constexpr int stepCount = 7;
+// "shadow_map", "render_data", "voxelize", "inject", "mipmap", "irradiance", "trace"
 const char* stepName(Step step);
 
 // Milliseconds of every timed frame.

@@ -1,4 +1,4 @@
-// The voxels: an R32UI 3D texture with all its mip levels, and the list of those that are not empty.
+// Which voxels are not empty: an R32UI 3D texture, and the lists of them.
 #pragma once
 
 #include <cstdint>
@@ -15,58 +15,61 @@ gl::ProgramDescription packedClearProgram();
 
 class VoxelPyramid {
   public:
+    enum class Kind {
+        packed,                 // the texture holds the packed voxels, with all mip levels
+        staticFaces,            // the texture holds the base level's index of faces:
+                                // shaders/directional/face_lists.glsl
+        staticAndDynamicFaces,  // likewise, of the static geometry, and dynamic objects have lists of their
+                                // own
+    };
     // `baseCapacity`: entries of the base level's list, or 0 for 16 grid^2 (a closed surface that fills the
     // volume has about 6 grid^2). A parent has at least one active child, so no other level needs more.
-    VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity);
+    VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity,
+                 Kind kind = Kind::packed);
 
     Resources resources() const;
-    // Memory of the texture and the list.
-    static std::size_t bytesFor(int grid, std::uint32_t baseCapacity);
+    // What the texture and the lists take.
+    static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed);
 
     int grid() const { return grid_; }
-    int levels() const { return texture_.levels(); }  // log2(grid) + 1
+    int levels() const { return levels_; }  // log2(grid) + 1
     const gl::Texture& texture() const { return texture_; }
+    const gl::Buffer& commands() const { return commands_; }
     const gl::Buffer& activeVoxels() const { return activeVoxels_; }
 
-    // Empties the pyramid through the last frame's list and resets the commands. No barrier is needed before;
-    // afterwards the image and the buffers are ready for shaders.
+    // Empties packed voxels through the last frame's list and resets the commands. No barrier is needed
+    // before; afterwards the image and the buffers are ready for shaders.
     void clear();
-    // The halves of clear(). The first one empties the texture, without a barrier behind it; the second one
-    // resets the lists while the texture is being emptied.
-    void zero();
-    void emptyLists();
+    // Empties the texture, whatever is in it.
+    void zeroTexture() const { gl::zeroTexture3d(texture_, grid_); }
 
-    // Says which entries of the lists are active, as readCommands() has it.
-    void setCommands(const std::vector<shared::LevelCommands>& commands);
+    // The commands of empty lists; and the commands replaced.
+    const shared::CommandLists& initialCommands() const { return initialCommands_; }
+    void setCommands(const shared::CommandLists& commands) const;
 
-    // Binds one level for image access, and the list and its commands for shaders.
+    // Binds one level for image access, and the lists and their commands for shaders.
     void bindLevel(int unit, int level, GLenum access) const;
     void bindLists() const;
 
-    // Dispatches the current compute program over the active voxels of a level.
-    void dispatchOverLevel(int level) const;
-    // Dispatches it over the faces of a level that are not empty.
+    // Dispatches the current compute program over the active voxels of a list.
+    void dispatchOverLevel(std::uint32_t list) const;
+    // Likewise over a level's faces that are not empty.
     void dispatchOverFaces(int level) const;
 
-    // Says where the levels' lists of faces lie in the buffer that holds them: from word `first` on, six for
-    // each of the base level's `voxels`; a coarser level has no more of them. Returns the word behind the
-    // last.
-    std::size_t placeFaceLists(std::size_t first, std::uint32_t voxels);
-
-    // The commands of each level, and what is active in a level's list. Wait for the GPU.
-    std::vector<shared::LevelCommands> readCommands() const;
+    // The commands, and what is active in a level's list. Wait for the GPU.
+    shared::CommandLists readCommands() const;
     std::vector<std::uint32_t> readList(int level) const;
-    // The active voxels of each level, by its commands. Throws vct::Error where there were more than the list
-    // can hold, with the number that is needed.
-    std::vector<std::uint32_t> activeCounts(const std::vector<shared::LevelCommands>& commands) const;
+    // The active voxels of each level. Throws vct::Error where there were more than the list can hold, with
+    // the number that is needed. Waits for the GPU.
     std::vector<std::uint32_t> readActiveCounts() const { return activeCounts(readCommands()); }
+    std::vector<std::uint32_t> activeCounts(const shared::CommandLists& commands) const;
 
-    std::uint32_t firstEntry(int level) const { return initialCommands_[level].firstEntry; }
+    std::uint32_t firstEntry(int level) const { return initialCommands_.lists[level].firstEntry; }
 
   private:
-    int grid_;
+    int grid_, levels_;
     gl::Texture texture_;
-    std::vector<shared::LevelCommands> initialCommands_;
+    shared::CommandLists initialCommands_;
     gl::Buffer commands_, activeVoxels_;
     gl::Program sparseClear_;
 };

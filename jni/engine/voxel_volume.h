@@ -34,6 +34,11 @@ class VoxelVolume {
     };
     // Brings the voxels, and the light that the output reads, up to date. Where nothing has changed since the
     // last call, nothing is computed.
+    // Makes what updates need room for, and waits for the GPU where that has to be found out. To be called
+    // before the first pass of a frame.
+    virtual void prepare(const GpuScene&) {}
+    // Brings the voxels, and of their light what the picture shows, up to date. Where nothing has changed
+    // since the last call, nothing is computed.
     virtual VoxelLight update(const Inputs& inputs, StepTimer& timer) = 0;
     // Marks everything as out of date, as a frame failed.
     virtual void invalidate() = 0;

@@ -18,13 +18,13 @@ namespace vct::gl {
     X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange)      \
     X(BindFramebuffer) X(BindImageTexture) X(BindSampler) X(BindTexture) X(BindVertexArray)                \
     X(BlendEquation) X(BlendFunc) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus)                 \
-    X(ClearBufferfv) X(ClearBufferuiv) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
+    X(ClearBufferfv) X(ClearBufferuiv) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
     X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
-    X(DeleteSamplers) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
+    X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
     X(DepthRangef) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
     X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
     X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                    \
-    X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
+    X(FenceSync) X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
     X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
     X(GetError) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
     X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \

@@ -64,9 +64,6 @@ constexpr Limit limits[] = {
      "the presets mobile and quality: the fragment shader adds to the sums of faces, too"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 5, true,
      "clear and mipmap: two images and three storage buffers in one compute shader"},
-    {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 6, false,
-     "moving objects in the presets mobile and quality: two images and four storage buffers in one compute "
-     "shader; without it they need the preset thesis"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,

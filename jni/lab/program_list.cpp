@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "engine/directional/directional_volume.h"
 #include "engine/environment.h"
@@ -19,8 +20,7 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"light_inherit", "light_clear", "light_bricks", "light_blocks",
-                                   "light_shine"};
+constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "light_blocks"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -29,35 +29,23 @@ bool possible(unsigned features) {
 }  // namespace
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{packedMipmapperProgram(),
-                                                 packedClearProgram(),
+    std::vector<gl::ProgramDescription> programs{packedMipmapperProgram(), packedClearProgram(),
                                                  voxelViewProgram(),
 
-                                                 directionalResolveProgram(),
-                                                 directionalLevelsProgram(),
-                                                 directionalClearBaseProgram(),
-                                                 directionalMipmapperProgram(),
-                                                 directionalClearProgram(),
-                                                 shadowMomentsProgram(),
-                                                 nextShadowMomentsProgram(),
-                                                 staticResolveProgram(),
-                                                 dirtyResolveProgram(),
-                                                 dirtyMipmapperProgram(),
-                                                 dirtyClearBaseProgram(),
-                                                 clearDynamicProgram(),
-                                                 clearRadianceProgram(),
-                                                 relightResolveProgram(),
-                                                 deformProgram(),
-                                                 sortAxesProgram()};
+                                                 listFacesProgram(),       clearLevelProgram(),
+                                                 resetListsProgram(),      directionalMipmapperProgram(),
+                                                 shadowMomentsProgram(),   nextShadowMomentsProgram(),
+                                                 deformProgram(),          sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
         programs.push_back(shadowMapProgram(features));
         programs.push_back(lightMapProgram(features));
-        programs.push_back(packedVoxelizerProgram(features, Voxelization::geometryShader));
-        for (const auto& voxelizer : {packedVoxelizerProgram, occupancyProgram, directionalVoxelizerProgram,
-                                      relightProgram, staticVoxelizerProgram})
-            programs.push_back(voxelizer(features, Voxelization::sortedAxes));
+        for (Voxelization voxelization : {Voxelization::geometryShader, Voxelization::sortedAxes})
+            programs.push_back(packedVoxelizerProgram(features, voxelization));
+        programs.push_back(markFacesProgram(features));
+        for (bool emission : {false, true})
+            programs.push_back(accumulateProgram(features, emission));
         for (bool emissive : {false, true})
             for (bool gloss : {false, true})
                 for (bool mapped : {false, true})
@@ -73,10 +61,19 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.push_back(variants[i]);
         variants.back().environment = sky;
     }
-    for (const bool environment : {false, true})
-        for (const bool emitters : {false, true})
+    // Compact emitters emit light.
+    constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
+        {{false, false}, {true, false}, {true, true}}};
+    for (const auto& [emission, emitters] : emissionAndEmitters) {
+        programs.push_back(clearDynamicProgram(emission));
+        for (const bool environment : {false, true}) {
             for (const char* name : lightPrograms)
                 programs.push_back(lightProgram(name, {false, environment, emitters}));
+            for (const bool punctual : {false, true})
+                for (const bool bounces : {false, true})
+                    programs.push_back(injectProgram({punctual, environment, emitters, emission}, bounces));
+        }
+    }
     for (const Settings& settings : variants) {
         const bool faces = settings.voxels == Voxels::directional;
         for (const OutputReads& read : outputTable)
@@ -90,11 +87,13 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                         read.output, {emissive, gloss, mapped},
                                         {punctual, settings.environment != nullptr, emitters}, settings));
         if (settings.voxels != Voxels::directional) continue;
-        for (const bool emitters : {false, true})
-            programs.push_back(irradianceProgram(settings.gather, GatherOf::light,
-                                                 {false, settings.environment != nullptr, emitters}));
-        programs.push_back(irradianceProgram(settings.occlusion, GatherOf::occlusion, {}));
-        programs.push_back(emittersProgram(settings.gather));
+        for (const auto& [emission, emitters] : emissionAndEmitters) {
+            const LightFeatures lights{false, settings.environment != nullptr, emitters, emission};
+            programs.push_back(gatherProgram(settings.gather, GatherOf::light, lights));
+            programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion,
+                                             featuresFor(GatherOf::occlusion, lights)));
+            if (emitters) programs.push_back(emittersProgram(settings.gather, lights));
+        }
     }
     for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
         programs.push_back(debugViewProgram(view));
@@ -118,9 +117,10 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
     };
     const Voxelization voxelization = voxelizationFor(settings.voxels, {});
     const ExtraTargets targets = extraTargets(features, settings.specular);
-    // What glows is a lamp, unless it is large: then there are less.
+    // The programs of a scene whose emitters are all compact: large ones need fewer.
+    const bool emission = features.has(featureEmissive);
     const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
-                               settings.voxels == Voxels::directional && features.has(featureEmissive)};
+                               settings.voxels == Voxels::directional && emission, emission};
     const OutputReads& read = reads(mode);
     if (read.shadowMap())
         for (unsigned f : features.materialFeatures)
@@ -132,23 +132,23 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
     for (unsigned f : features.materialFeatures)
         add(Step::renderData, gBufferProgram(f, targets));
     if (read.voxels && settings.voxels == Voxels::directional) {
-        add(Step::voxelize, directionalClearBaseProgram());
-        add(Step::voxelize, directionalClearProgram());
+        add(Step::voxelize, clearDynamicProgram(emission));
+        add(Step::voxelize, clearLevelProgram());
+        add(Step::voxelize, resetListsProgram());
         for (unsigned f : features.materialFeatures) {
-            add(Step::voxelize, occupancyProgram(f, voxelization));
-            add(Step::voxelize, directionalVoxelizerProgram(f, voxelization));
+            add(Step::voxelize, markFacesProgram(f));
+            add(Step::voxelize, accumulateProgram(f, emission));
         }
-        add(Step::voxelize, directionalResolveProgram());
-        add(Step::mipmap, directionalLevelsProgram());
+        add(Step::voxelize, listFacesProgram());
         const GatherOf of = read.ambientVisibility ? GatherOf::occlusion : GatherOf::light;
-        const LightFeatures received = featuresFor(of, lights);
+        const LightFeatures gathered = featuresFor(of, lights);
         for (const char* name : lightPrograms)
-            if (of == GatherOf::light || name != std::string("light_shine"))
-                add(Step::irradiance, lightProgram(name, received));
-        if (received.emitters) add(Step::irradiance, emittersProgram(settings.gather));
-        if (of == GatherOf::light) add(Step::irradiance, directionalMipmapperProgram());
+            add(Step::irradiance, lightProgram(name, gathered));
+        if (gathered.emitters) add(Step::irradiance, emittersProgram(settings.gather, gathered));
+        add(Step::inject, injectProgram(lights, of == GatherOf::light));
+        add(Step::mipmap, directionalMipmapperProgram());
         add(Step::irradiance,
-            irradianceProgram(of == GatherOf::light ? settings.gather : settings.occlusion, of, received));
+            gatherProgram(of == GatherOf::light ? settings.gather : settings.occlusion, of, gathered));
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)

@@ -157,7 +157,7 @@ Settings testSettings(const std::string& preset) {
 std::string wrongFaces(const Renderer& renderer, const Words& expected) {
     const auto voxels = static_cast<std::uint32_t>(entriesOnCpu(expected, testGrid).size());
     const std::uint32_t found = renderer.activeVoxels().at(0);
-    const std::uint32_t faces = renderer.directional()->voxels().index().readCommands().at(0).faceCount;
+    const std::size_t faces = renderer.directional()->voxels().readBaseFaces().size();
     if (found == voxels && faces == voxels) return "";
     return std::to_string(found) + " voxels with " + std::to_string(faces) + " faces, right are " +
            std::to_string(voxels) + " of each";
@@ -209,7 +209,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
         std::string left;
         for (const std::string& preset : presetNames()) {
             at = "preset " + preset;
-            const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), false, capabilities);
+            const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), capabilities);
             if (!std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; })) {
                 left += "; " + preset + " not tested, as the driver lacks what it needs";
                 continue;

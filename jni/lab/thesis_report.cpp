@@ -73,7 +73,7 @@ struct Cell {
     std::vector<Step> steps;
 };
 
-const std::vector<Step> wholeFrame{Step::shadowMap, Step::renderData, Step::voxelize,
+const std::vector<Step> wholeFrame{Step::shadowMap, Step::renderData, Step::voxelize, Step::inject,
                                    Step::mipmap,    Step::irradiance, Step::trace};
 // The thesis's (*): the frame of a static scene, which is voxelized once.
 const std::vector<Step> withoutVoxelizing{Step::shadowMap, Step::renderData, Step::trace};

@@ -42,7 +42,7 @@ const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     gl::VertexAttribIPointer(VCT_ATTRIBUTE_VOXEL, 1, GL_UNSIGNED_INT, 0,
                              reinterpret_cast<const void*>(voxels.firstEntry(level) * sizeof(GLuint)));
     gl::VertexAttribDivisor(VCT_ATTRIBUTE_VOXEL, 1);
-    const shared::LevelCommands commands = voxels.readCommands()[static_cast<std::size_t>(level)];
+    const shared::LevelCommands commands = voxels.readCommands().lists[level];
     gl::DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(std::size(cube)), GL_UNSIGNED_SHORT, nullptr,
                               static_cast<GLsizei>(std::min(commands.voxelCount, commands.capacity)));
     return color_;

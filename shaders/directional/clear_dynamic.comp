@@ -1,22 +1,29 @@
-// Empties a level above the base level of what moved in the last frame: faces, and voxels that have none then.
-#include "directional/face_list.glsl"
+// Before dynamic objects are voxelized in a new pose: empties the base level's faces that only they filled in the last
+// pose, and the words and the index of the pose before that, whose place the new pose takes.
+#include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D voxels;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
-// In the level's list of faces, behind those of the static geometry.
-layout(location = VCT_UNIFORM_FIRST) uniform uint firstMoving;
-layout(location = VCT_UNIFORM_END) uniform uint endMoving;
+layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // of the pose before the last
 
 void main() {
-    uint i = firstMoving + gl_GlobalInvocationID.x;
-    if (i >= endMoving) return;
-    ListedFace listed = listedFace(level, i);
-    imageStore(faces, faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(faces).z), vec4(0.0));
-    uint bit = 1u << uint(listed.face);
-    // Which of the voxel's faces are static is not known here: where none is, the last one to go leaves none behind.
-    if ((imageAtomicAnd(voxels, listed.voxel, ~bit) & VCT_FACE_MASK & ~bit) == 0u)
-        imageStore(voxels, listed.voxel, uvec4(0u));
+    COUNT(VCT_COUNTER_CLEAR_DYNAMIC);
+    uint older = dynamicList ^ 1u;
+    uint lastCount = faceCount(dynamicList), olderCount = faceCount(older);
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < max(lastCount, olderCount); i += stride) {
+        COUNT(VCT_COUNTER_CLEAR_DYNAMIC_FACE);
+        if (i < lastCount) {
+            ListedFace listed = listedFace(dynamicList, i);
+            ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
+            if (!listed.isMerged) imageStore(faces, texel, vec4(0.0));
+        }
+        if (i < olderCount) {
+            imageStore(index, listedFace(older, i).voxel, uvec4(0u));
+            uint at = (commands[older].firstId + i) * faceWords;
+            for (uint word = 0u; word < faceWords; ++word)
+                faceData[at + word] = 0u;
+        }
+    }
 }

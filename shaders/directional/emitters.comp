@@ -1,22 +1,19 @@
-// What each face of the base level receives of the lamps: it looks at each of their parts by a cone of its own. In
-// closed form is what share of the hemisphere the part is, the cone finds how much of that is hidden ("next event
-// estimation"). It depends on nothing but where things are, and is found anew for a quarter of the faces in each step after
-// something moved, and for new faces at once.
+// What each face of the base level receives of the compact emitters: a cone towards each of their parts. What share of the
+// hemisphere the part fills has a closed form, and the cone finds how much of that is hidden ("next event estimation"). The
+// result depends only on where things are; it is renewed for a quarter of the faces in each step after something moved,
+// and for new faces at once.
 #define VCT_CONE_COUNTER VCT_COUNTER_EMITTERS_STEP
-#include "shared/counters.glsl"
-#include "directional/face_list.glsl"
+#include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
-#include "directional/received.glsl"
+#include "directional/face_irradiance.glsl"
 #include "shared/emitters.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
-// Of the part's own width: a cone as wide as the part would meet what is beside it.
+// A cone's width over the part's own: a cone as wide as the part would meet what is beside it.
 const float coneWidth = 0.25;
 
-// What is left of a cone's light at `reach`; its half angle has that tangent. Lengths in voxels.
+// A cone's transmittance at `reach`; `tangent` is that of its half angle. Lengths in voxels.
 mediump float transmittanceTo(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float tangent) {
     float grid = float(frame.gridSide);
     mediump float transmittance = 1.0;
@@ -65,28 +62,23 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     return sum;
 }
 
-void lookAt(uint i) {
-    COUNT(VCT_COUNTER_EMITTERS_FACE);
-    ListedFace listed = listedFace(level, i);
-    uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
-    if (slot >= voxelPlaces()) return;
-    SurfacePlane plane = facePlane(slot, listed.face);
-    vec3 start = vec3(listed.voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    vec3 light = lightOfEmitters(start, plane, ownFaces(plane.normal, hasBack(slot, listed.face, plane)));
-    storeFromEmitters(i, light);
-    // What it inherited was all light together (directional/light_inherit.comp).
-    if (i < lightStep.firstNew || stepsOf(i) == 0.0) return;
-    Received mean = receivedOf(i);
-    mean.light = max(mean.light - light, 0.0);
-    mean.atStart = mean.light;
-    storeReceived(i, mean);
+// Whether a face's turn has come: new faces at once, and a quarter of the others in each step, whole work groups of them.
+bool isDue(uint id, uint i) {
+    return historyLength(id) == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % 4u == 0u;
 }
 
 void main() {
     COUNT(VCT_COUNTER_EMITTERS);
-    uint count = faceCount(level), old = min(lightStep.firstNew, count);
-    uint first = lightStep.frame & 3u, quarter = (old + 3u - first) / 4u;
+    uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
-    for (uint i = gl_GlobalInvocationID.x; i < quarter + count - old; i += stride)
-        lookAt(i < quarter ? 4u * i + first : old + i - quarter);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged || !isDue(id, i)) continue;
+        COUNT(VCT_COUNTER_EMITTERS_FACE);
+        FaceSurface surface = faceSurface(id);
+        SurfacePlane plane = surface.plane;
+        vec3 start = vec3(listed.voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
+        storeEmitterIrradiance(id, lightOfEmitters(start, plane, ownFaces(plane.normal, surface.hasBack)));
+    }
 }

@@ -1,52 +1,41 @@
-// What the fragments of each occupied voxel add up to, per face, in fixed point. One unit is 1 / frame.faceSumUnits, chosen
-// so that the sum over all triangles of the scene fits 32 bits: the fragments of a triangle in a voxel are one face at
-// most together. Behind the sums: directional/face_list.glsl.
+// What each face of the base level consists of: sums over the fragments in its voxel that look to its side, of geometry
+// and material alone, in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that the sum over all triangles of the
+// scene fits 32 bits: the fragments of a triangle in a voxel are one face at most together. VCT_EMISSION: the scene emits
+// light, and faces have sums of it too.
 #include "shared/frame.glsl"
 #include "shared/octahedral.glsl"
+#include "directional/face_lists.glsl"
 
-layout(std430, binding = VCT_SSBO_FACE_SUMS) buffer FaceSumBlock {
-    uint faceSums[];  // per slot: marks, then per face VCT_FACE_SUM_*
-};
+#define VCT_FACE_SURFACE 0u   // packSurface(), which the injection of light writes
+#define VCT_FACE_PLANE 1u     // no sum: packPlane() of the fragment that covers most
+#define VCT_FACE_COVERAGE 2u
+#define VCT_FACE_ALBEDO 3u    // three words, weighted by coverage
+#define VCT_FACE_EMISSION 6u  // three words, weighted by coverage, relative to frame.emissionRange
 
-#define VCT_FACE_SUM_COVERAGE 0u
-#define VCT_FACE_SUM_RADIANCE 1u  // three, relative to E/pi over frame.radianceRange
-#define VCT_FACE_SUM_ALBEDO 4u    // no sum: that of the fragment that covers most, packAlbedo()
-#define VCT_FACE_SUM_PLANE 5u     // likewise, packPlane()
-
-uint slotIndex(uint slot) {
-    return slot * VCT_SLOT_WORDS;
-}
-
-uint faceSumIndex(uint slot, int face) {
-    return slotIndex(slot) + 1u + uint(face) * VCT_FACE_SUM_WORDS;
-}
-
-// Coverage above, so that the maximum is of what covers most; roots, as in the G-buffer.
-uint packAlbedo(float coverage, vec3 albedo) {
-    uvec4 steps = uvec4(vec4(coverage, sqrt(albedo)) * 255.0 + 0.5);
-    return (steps.x << 24) | (steps.y << 16) | (steps.z << 8) | steps.w;
-}
-
-// Bits are masked one component at a time, here and everywhere: of a vector and a constant some drivers for Mali give the
-// constant (Dolphin, DriverDetails.h, BUG_BROKEN_VECTOR_BITWISE_AND). Albedo would be white.
-vec3 unpackAlbedo(uint word) {
-    vec3 root = vec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u) / 255.0;
-    return root * root;
-}
+#ifdef VCT_EMISSION
+const uint faceWords = VCT_EMISSIVE_FACE_WORDS;
+#else
+const uint faceWords = VCT_FACE_WORDS;
+#endif
 
 // The plane of the surface in a voxel: its normal, and how far in front of the voxel's middle it lies, along the normal in
-// voxels, at most half the diagonal. Coverage above, as in packAlbedo().
-uint packPlane(float coverage, vec3 normal, float offset) {
-    uvec2 steps = uvec2(vec2(coverage, clamp(offset, -1.0, 1.0) * 0.5 + 0.5) * 255.0 + 0.5);
-    uvec2 code = (encodeNormal(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
-    return (steps.x << 24) | (steps.y << 16) | (code.x << 8) | code.y;
-}
-
+// voxels, at most half the diagonal. Bits are masked one component at a time, here and everywhere: of a vector and a
+// constant some drivers for Mali give the constant (Dolphin, DriverDetails.h, BUG_BROKEN_VECTOR_BITWISE_AND).
 struct SurfacePlane {
     vec3 normal;
     float offset;
 };
 
+// The coverage is above the plane, so that the maximum is the plane of the fragment that covers most. Between them is whether
+// the surface is curved: drawn flat, but with the normals of a round one.
+uint packPlane(float coverage, bool isCurved, vec3 normal, float offset) {
+    uvec2 steps = uvec2(vec2(coverage, clamp(offset, -1.0, 1.0) * 0.5 + 0.5) * vec2(127.0, 255.0) + 0.5);
+    uvec2 code = (encodeNormal(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
+    return (steps.x << 25) | (isCurved ? 1u << 24 : 0u) | (steps.y << 16) | (code.x << 8) | code.y;
+}
+bool isCurved(uint plane) {
+    return (plane & 1u << 24) != 0u;
+}
 SurfacePlane unpackPlane(uint word) {
     uvec3 steps = uvec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u);
     return SurfacePlane(decodeNormal(steps.yz * 32767u / 127u), float(steps.x) / 127.5 - 1.0);
@@ -57,89 +46,60 @@ uint fixedCoverage(float weight) {
     return uint(weight * frame.faceSumUnits + 0.5);
 }
 
-// `weight` in 0..1.
-void addSurface(uint slot, int face, float weight, vec3 albedo, vec3 normal, float offset) {
-    uint index = faceSumIndex(slot, face);
-    atomicAdd(faceSums[index + VCT_FACE_SUM_COVERAGE], fixedCoverage(weight));
-    atomicMax(faceSums[index + VCT_FACE_SUM_ALBEDO], packAlbedo(weight, clamp(albedo, 0.0, 1.0)));
-    atomicMax(faceSums[index + VCT_FACE_SUM_PLANE], packPlane(weight, normal, offset));
+void addToWords(uint at, vec3 value) {
+    uvec3 units = uvec3(clamp(value, 0.0, 1.0) * frame.faceSumUnits + 0.5);
+    if (units.x != 0u) atomicAdd(faceData[at], units.x);
+    if (units.y != 0u) atomicAdd(faceData[at + 1u], units.y);
+    if (units.z != 0u) atomicAdd(faceData[at + 2u], units.z);
 }
 
-// Likewise; `radiance` relative to E/pi.
-void addRadiance(uint slot, int face, float weight, vec3 radiance) {
-    uvec3 units = uvec3(clamp(weight / frame.radianceRange * radiance, 0.0, 1.0) * frame.faceSumUnits + 0.5);
-    if (units == uvec3(0u)) return;
-    uint index = faceSumIndex(slot, face);
-    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE], units.x);
-    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 1u], units.y);
-    atomicAdd(faceSums[index + VCT_FACE_SUM_RADIANCE + 2u], units.z);
+// `weight`: the fragment's coverage of the face, 0..1. `emission`: relative to frame.emissionRange.
+void addToFace(uint id, float weight, vec3 albedo, vec3 emission, bool curved, vec3 normal, float offset) {
+    uint at = id * faceWords;
+    atomicMax(faceData[at + VCT_FACE_PLANE], packPlane(weight, curved, normal, offset));
+    atomicAdd(faceData[at + VCT_FACE_COVERAGE], fixedCoverage(weight));
+    addToWords(at + VCT_FACE_ALBEDO, weight * clamp(albedo, 0.0, 1.0));
+#ifdef VCT_EMISSION
+    addToWords(at + VCT_FACE_EMISSION, weight * emission);
+#endif
 }
 
-// `faces`: bits. To be called for those that something was added to.
-void markFaces(uint slot, uint faces) {
-    atomicOr(faceSums[slotIndex(slot)], faces);
-}
-
-// A bit for each face that is not empty.
-uint markedFaces(uint slot) {
-    return faceSums[slotIndex(slot)] & VCT_FACE_MASK;
-}
-
-// And above them, for each that the static geometry fills where something else moves: those stay listed.
-uint staticFaces(uint slot) {
-    return faceSums[slotIndex(slot)] >> VCT_FACE_MASK_BITS & VCT_FACE_MASK;
-}
-void setMarks(uint slot, uint marked, uint still) {
-    uint glowing = marked << (2 * VCT_FACE_MASK_BITS) & faceSums[slotIndex(slot)];
-    faceSums[slotIndex(slot)] = marked | (still << VCT_FACE_MASK_BITS) | glowing;
-}
-
-// And above those, for each that something which emits is in.
-void markGlowing(uint slot, uint faces) {
-    atomicOr(faceSums[slotIndex(slot)], faces << (2 * VCT_FACE_MASK_BITS));
-}
-bool isGlowing(uint slot, int face) {
-    return (faceSums[slotIndex(slot)] >> (2 * VCT_FACE_MASK_BITS + face) & 1u) != 0u;
-}
-
-float faceCoverage(uint slot, int face) {
-    return min(float(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_COVERAGE]) / frame.faceSumUnits, 1.0);
-}
-
-SurfacePlane facePlane(uint slot, int face) {
-    return unpackPlane(faceSums[faceSumIndex(slot, face) + VCT_FACE_SUM_PLANE]);
-}
-
-// Whether the face's surface, of that plane, is one side of a sheet or a thin plate. (Two walls of an edge look to opposite sides
-// too, but not against each other.)
-bool hasBack(uint slot, int face, SurfacePlane plane) {
-    return faceCoverage(slot, face ^ 1) > 0.5 * faceCoverage(slot, face) &&
-           dot(facePlane(slot, face ^ 1).normal, plane.normal) < -0.8;
-}
-
-// A face's share of the voxel's cross-section, and premultiplied by it radiance and albedo. More than one layer of
-// surface in a voxel: it is covered, and shines with their mean; but where one of them emits, with their sum, as a lamp that
-// hangs right under a ceiling is in front of it, and sends what it sends.
-//
-// A slanted surface stands in up to three faces. Together they cover what it covers to rays against its normal, but to rays
-// from other sides, and from behind, more: they would send up to 1.7 times its light. Scaled by the normal's component they
-// would send as much as it does, but be too dark from the front, as in a closed slanted room. The cube root lies between
-// the two errors (docs/levers.md, "Slanted surfaces").
-struct FaceSum {
-    float coverage;
-    vec3 radiance;  // relative to E/pi over frame.radianceRange
-    vec3 albedo;
+struct FaceSums {
+    float coverage;  // may exceed 1, where a voxel has several layers of surface
+    vec3 albedo;     // weighted by coverage
+    vec3 emission;   // likewise, relative to E/pi
+    uint plane;
 };
 
-// Of a face that is not empty.
-FaceSum faceSum(uint slot, int face) {
-    uint index = faceSumIndex(slot, face);
-    float sum = float(faceSums[index + VCT_FACE_SUM_COVERAGE]);
-    float scale = 1.0 / max(sum, frame.faceSumUnits);
-    uint at = index + VCT_FACE_SUM_RADIANCE;
-    vec3 radiance = vec3(uvec3(faceSums[at], faceSums[at + 1u], faceSums[at + 2u]));
-    radiance *= isGlowing(slot, face) ? 1.0 / frame.faceSumUnits : scale;
-    vec3 albedo = unpackAlbedo(faceSums[index + VCT_FACE_SUM_ALBEDO]) * (sum * scale);
-    float shining = pow(abs(facePlane(slot, face).normal[face >> 1]), 1.0 / 3.0);
-    return FaceSum(sum * scale, shining * radiance, shining * albedo);
+vec3 threeWords(uint at) {
+    return vec3(uvec3(faceData[at], faceData[at + 1u], faceData[at + 2u])) / frame.faceSumUnits;
+}
+
+FaceSums faceSums(uint id) {
+    uint at = id * faceWords;
+    float coverage = float(faceData[at + VCT_FACE_COVERAGE]) / frame.faceSumUnits;
+    vec3 emission = vec3(0.0);
+#ifdef VCT_EMISSION
+    emission = threeWords(at + VCT_FACE_EMISSION) * frame.emissionRange;
+#endif
+    return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, faceData[at + VCT_FACE_PLANE]);
+}
+
+FaceSums together(FaceSums a, FaceSums b) {
+    return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, max(a.plane, b.plane));
+}
+
+// A face as the gather and look-ups need it, static and dynamic geometry together.
+struct FaceSurface {
+    SurfacePlane plane;
+    float coverage;  // 0..1
+    bool hasBack;    // it is one side of a sheet or a thin plate
+};
+
+uint packSurface(uint plane, float coverage, bool hasBack) {
+    return (hasBack ? 0x80000000u : 0u) | uint(min(coverage, 1.0) * 127.0 + 0.5) << 24 | (plane & 0xFFFFFFu);
+}
+FaceSurface faceSurface(uint id) {
+    uint word = faceData[id * faceWords + VCT_FACE_SURFACE];
+    return FaceSurface(unpackPlane(word), float(word >> 24 & 127u) / 127.0, (word & 0x80000000u) != 0u);
 }

@@ -1,14 +1,14 @@
-// What the faces of each block of 4^3 voxels that look the same way receive, together: a mean over a few steps, times the
-// coverage of those that gathered, in alpha. What a step added up is emptied for the next one.
+// What the faces of each block of 4^3 voxels that look the same way receive together: a mean over a few steps, times the
+// coverage of those that gathered, in alpha. The sums of a step are emptied for the next one.
 #include "shared/counters.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/received.glsl"
+#include "directional/face_irradiance.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 layout(rgba16f, binding = VCT_IMAGE_BLOCK_LIGHT) writeonly uniform mediump image3D blockLightTexels;
 
-// Of one step in the mean: the noise of a block's faces, a cone each, is small, and the rest of lag is soon gone.
+// The weight of one step in the mean: the noise of a block's faces, a cone each, is small, and the lag is short.
 const float share = 0.3;
 
 void main() {
@@ -19,9 +19,9 @@ void main() {
     uint brick = texelFetch(bricks, texel, 0).r;
     if (brick != 0u) {
         uint at = blockSums(brick);
-        vec4 sum = vec4(uvec4(received[at], received[at + 1u], received[at + 2u], received[at + 3u])) / VCT_BLOCK_UNITS;
+        vec4 sum = vec4(uvec4(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u], faceIrradianceData[at + 3u])) / VCT_BLOCK_UNITS;
         for (uint c = 0u; c < 4u; ++c)
-            received[at + c] = 0u;
+            faceIrradianceData[at + c] = 0u;
         // Before the first step there is nothing in the texture.
         vec4 before = lightStep.inherited > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
         light = sum / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);

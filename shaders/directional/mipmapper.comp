@@ -1,17 +1,39 @@
-// One mip level of the faces from the one below, over that level's faces that are not empty. VCT_LIST_PARENTS (true or
-// false): makes the next level's lists too; they last until the scene is voxelized again.
-#include "directional/mipmap.glsl"
+// One mip level of the faces from the one below, over that level's faces that are not empty. Of each of the four pairs of
+// children along the face's axis the front one is laid over the back one, and a face is the mean of the pairs. A wall across
+// the voxel stays opaque at every level, and is seen from one side only.
+#include "directional/face_lists.glsl"
+#include "directional/voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_WHICH) uniform uint which;  // time it is that the same faces are stored; 0 where listed
+layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
+layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D means;
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // that is written
+layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
+
+void storeMean(ListedFace listed) {
+    int childGrid = textureSize(faces, int(level) - 1).z;
+    int axis = listed.face >> 1, side = listed.face & 1;
+    ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
+    ivec3 across = along.zxy;
+    ivec3 third = along.yzx;
+    vec4 sum = vec4(0.0);
+    for (int pair = 0; pair < 4; ++pair) {
+        ivec3 near = listed.voxel * 2 + across * (pair & 1) + third * (pair >> 1) + along * (1 - side);
+        ivec3 far = near - along * (1 - 2 * side);
+        vec4 front = texelFetch(faces, faceTexel(near, axis, side, childGrid), int(level) - 1);
+        vec4 back = texelFetch(faces, faceTexel(far, axis, side, childGrid), int(level) - 1);
+        sum += front + (1.0 - front.a) * back;
+    }
+    ivec3 texel = faceTexel(listed.voxel, axis, side, childGrid >> 1);
+    imageStore(means, texel, ditherToUnorm8(sum * 0.25, texel, frameIndex));
+}
 
 void main() {
     COUNT(VCT_COUNTER_FACE_MIPMAPPER);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        ListedFace listed = listedFace(level, i);
-        storeMean(listed, VCT_LIST_PARENTS ? 0u : which);
-        if (VCT_LIST_PARENTS) listParentOf(listed);
+        COUNT(VCT_COUNTER_FACE_MIPMAPPER_FACE);
+        storeMean(listedFace(level, i));
     }
 }

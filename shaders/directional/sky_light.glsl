@@ -1,7 +1,7 @@
 // The sky in the received light. Where it is the same in all directions, how much of it a face sees says what it receives of
 // it; of a picture of all directions it is what the cones saw. skyWord(): what is added to the sums of a step; skySum(): such a
 // sum.
-#include "directional/received.glsl"
+#include "directional/face_irradiance.glsl"
 #include "shared/sky.glsl"
 
 #ifdef VCT_ENVIRONMENT
@@ -18,7 +18,7 @@ float skyWord(SkySeen seen, uint i) {
     return seen[i];
 }
 SkySeen skySum(uint at) {
-    return vec3(received[at], received[at + 1u], received[at + 2u]);
+    return vec3(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u]);
 }
 #else
 #define VCT_SKY_SUMS 1u
@@ -33,6 +33,6 @@ float skyWord(SkySeen seen, uint i) {
     return seen;
 }
 SkySeen skySum(uint at) {
-    return float(received[at]);
+    return float(faceIrradianceData[at]);
 }
 #endif

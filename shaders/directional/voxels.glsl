@@ -15,19 +15,19 @@ ivec3 faceTexel(ivec3 voxel, int axis, int side, int gridOfLevel) {
     return voxel + ivec3(faceBlock(axis, side) * gridOfLevel, 0);
 }
 
-// A number in 0..1 per channel that follows from the place alone (Jarzynski and Olano 2020, pcg), and from which of a
-// sequence it is.
-vec3 chanceAt(ivec3 texel, uint which) {
-    uint h = uint(texel.x) + 1024u * (uint(texel.y) + 1024u * uint(texel.z)) + 2654435769u * which;
+// Noise in 0..1 per channel that follows from the place and the number of the light step alone (Jarzynski and Olano
+// 2020, pcg).
+vec3 hashNoise(ivec3 texel, uint frameIndex) {
+    uint h = uint(texel.x) + 1024u * (uint(texel.y) + 1024u * uint(texel.z)) + 2654435769u * frameIndex;
     h = h * 747796405u + 2891336453u;
     h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
     h = (h >> 22u) ^ h;
     return vec3(h & 1023u, h >> 10u & 1023u, h >> 20u & 1023u) / 1024.0;
 }
 
-// A face as it is stored in 8 bits: rgb rounded up or down by chance, so that dim light is right in the mean and
-// does not vanish; coverage to nearest. Where the light of one scene is stored again and again, each time with another
-// `which`, the mean over those times is as much finer: 8 bits then span a lamp and the third bounce of its light.
-vec4 storedFace(vec4 value, ivec3 texel, uint which) {
-    return vec4(floor(value.rgb * 255.0 + chanceAt(texel, which)) / 255.0, value.a);
+// A face as it is stored in 8 bits: rgb is dithered, so that dim light is right in the mean and does not vanish; coverage is
+// rounded to nearest. The dither differs from step to step, and the mean over the steps is as much finer: 8 bits then span a
+// lamp and the third bounce of its light.
+vec4 ditherToUnorm8(vec4 value, ivec3 texel, uint frameIndex) {
+    return vec4(floor(value.rgb * 255.0 + hashNoise(texel, frameIndex)) / 255.0, value.a);
 }

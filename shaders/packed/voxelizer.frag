@@ -4,14 +4,15 @@
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
 #include "shared/octahedral.glsl"
-#include "shared/shadow.glsl"
+#include "shared/shadow_slack.glsl"
 
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
 // Of a sheet, by the side that is lit more.
 vec3 otherLights(vec3 position, vec3 normal) {
-    vec3 front = punctualIrradiance(position, normal);
-    return materialIsDoubleSided ? max(front, punctualIrradiance(position, -normal)) : front;
+    float slackShare = shadowSlack(normal);
+    vec3 front = punctualIrradiance(position, normal, slackShare);
+    return materialIsDoubleSided ? max(front, punctualIrradiance(position, -normal, slackShare)) : front;
 }
 #else
 vec3 otherLights(vec3 position, vec3 normal) {

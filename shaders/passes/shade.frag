@@ -3,7 +3,7 @@
 #define VCT_CONE_COUNTER VCT_COUNTER_SPECULAR_STEP
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
-#include "shared/shadow.glsl"
+#include "shared/shadow_slack.glsl"
 #include "shared/sky.glsl"
 #include "shared/surface.glsl"
 
@@ -67,7 +67,7 @@ mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
 mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normal, cosTheta);
     if (!VCT_SHOWS_HARD_SHADOW) return 1.0;
-    if (received) return shadowMapLightOn(position, normal);
+    if (received) return shadowMapLightOn(position, normal, shadowSlack(normal));
     return shadowMapLight(position, cosTheta);
 }
 

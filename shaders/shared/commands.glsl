@@ -3,7 +3,8 @@
 #include "shared/layout.h"
 
 layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
-    LevelCommands commands[VCT_MAX_LEVELS];
+    LevelCommands commands[VCT_LISTS];
+    uint dynamicList;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];

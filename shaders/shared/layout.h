@@ -42,17 +42,15 @@ using glm::vec4;
 // Uniform blocks.
 #define VCT_UBO_FRAME 0
 #define VCT_UBO_DRAW 1
-#define VCT_UBO_DIRTY_BLOCKS 2
-#define VCT_UBO_LIGHT 3
-#define VCT_UBO_PUNCTUAL_LIGHTS 4
-#define VCT_UBO_EMITTERS 5
+#define VCT_UBO_LIGHT 2
+#define VCT_UBO_PUNCTUAL_LIGHTS 3
+#define VCT_UBO_EMITTERS 4
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
-#define VCT_SSBO_FACE_SUMS 2
-#define VCT_SSBO_RECEIVED 3
-#define VCT_SSBO_STATIC_ENTRIES 3  // ES 3.1 guarantees four, and no pass needs both
+#define VCT_SSBO_FACES 2
+#define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
 // Of the passes over vertices, which bind all of theirs anew (jni/engine/deformer.h).
 #define VCT_SSBO_DEFORM_VERTICES 0
@@ -77,59 +75,60 @@ using glm::vec4;
 #define VCT_COUNTER_BLOCKER_TAP 11
 #define VCT_COUNTER_FILTER_TAP 12
 #define VCT_COUNTER_RECEIVED_AXIS 13
-#define VCT_COUNTER_FACE_TOUCH 14
-#define VCT_COUNTER_FACE_VOXELIZER 15
-#define VCT_COUNTER_FACE_VOXELIZER_AXIS 16
-#define VCT_COUNTER_FACE_RESOLVE 17
-#define VCT_COUNTER_FACE_RESOLVE_VOXEL 18
-#define VCT_COUNTER_FACE_RESOLVE_LISTED 19
-#define VCT_COUNTER_FACE_RESOLVE_PARENT 20
-#define VCT_COUNTER_FACE_RESOLVE_FACE 21
-#define VCT_COUNTER_FACE_MIPMAPPER 22
-#define VCT_COUNTER_FACE_MIPMAPPER_FACE 23
-#define VCT_COUNTER_FACE_CLEAR 24
-#define VCT_COUNTER_FACE_CLEAR_FACE 25
-#define VCT_COUNTER_FACE_CLEAR_BASE 26
-#define VCT_COUNTER_FACE_CLEAR_BASE_VOXEL 27
-#define VCT_COUNTER_FACE_CLEAR_BASE_FACE 28
-#define VCT_COUNTER_LIGHT_INHERIT 29
-#define VCT_COUNTER_LIGHT_INHERIT_FACE 30
-#define VCT_COUNTER_LIGHT_CLEAR 31
-#define VCT_COUNTER_LIGHT_BRICKS 32
-#define VCT_COUNTER_LIGHT_BRICKS_FACE 33
-#define VCT_COUNTER_LIGHT_SHINE 34
-#define VCT_COUNTER_LIGHT_SHINE_FACE 35
-#define VCT_COUNTER_IRRADIANCE 36
-#define VCT_COUNTER_IRRADIANCE_FACE 37
-#define VCT_COUNTER_IRRADIANCE_CONE 38
-#define VCT_COUNTER_IRRADIANCE_STEP 39
-#define VCT_COUNTER_IRRADIANCE_BRICK 40
-#define VCT_COUNTER_SPECULAR_STEP 41
-#define VCT_COUNTER_FACE_DARKEN 42
-#define VCT_COUNTER_FACE_DARKEN_VOXEL 43
-#define VCT_COUNTER_FACE_DARKEN_FACE 44
+#define VCT_COUNTER_MARK_FACES 14
+#define VCT_COUNTER_LIST_FACES 15
+#define VCT_COUNTER_LIST_FACES_VOXEL 16
+#define VCT_COUNTER_LIST_FACES_FACE 17
+#define VCT_COUNTER_LIST_FACES_LEVEL 18
+#define VCT_COUNTER_LIST_FACES_PARENT 19
+#define VCT_COUNTER_ACCUMULATE 20
+#define VCT_COUNTER_ACCUMULATE_FACE 21
+#define VCT_COUNTER_FACE_CLEAR 22
+#define VCT_COUNTER_FACE_CLEAR_FACE 23
+#define VCT_COUNTER_CLEAR_DYNAMIC 24
+#define VCT_COUNTER_CLEAR_DYNAMIC_FACE 25
+#define VCT_COUNTER_RESET_LISTS 26
+#define VCT_COUNTER_INJECT 27
+#define VCT_COUNTER_INJECT_FACE 28
+#define VCT_COUNTER_INJECT_POINT 29
+#define VCT_COUNTER_FACE_MIPMAPPER 30
+#define VCT_COUNTER_FACE_MIPMAPPER_FACE 31
+#define VCT_COUNTER_CARRY_OVER 32
+#define VCT_COUNTER_CARRY_OVER_FACE 33
+#define VCT_COUNTER_CARRY_OVER_NEIGHBOUR 34
+#define VCT_COUNTER_BRICKS_CLEAR 35
+#define VCT_COUNTER_BRICKS_CLEAR_TEXEL 36
+#define VCT_COUNTER_BRICKS_CLEAR_PLACE 37
+#define VCT_COUNTER_BRICKS_PLACE 38
+#define VCT_COUNTER_BRICKS_PLACE_FACE 39
+#define VCT_COUNTER_IRRADIANCE 40
+#define VCT_COUNTER_IRRADIANCE_FACE 41
+#define VCT_COUNTER_IRRADIANCE_CONE 42
+#define VCT_COUNTER_IRRADIANCE_STEP 43
+#define VCT_COUNTER_IRRADIANCE_BRICK 44
 #define VCT_COUNTER_RECEIVED_NEARBY 45
 #define VCT_COUNTER_LIGHT_BLOCKS 46
-#define VCT_COUNTER_LIGHT_CLEAR_TEXEL 47
-#define VCT_COUNTER_LIGHT_CLEAR_PLACE 48
-#define VCT_COUNTER_SHADOW_MOMENTS 49
-#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 50
-#define VCT_COUNTER_EMITTERS 51
-#define VCT_COUNTER_EMITTERS_FACE 52
-#define VCT_COUNTER_EMITTERS_CONE 53
-#define VCT_COUNTER_EMITTERS_STEP 54
-#define VCT_COUNTER_DEFORM 55
-#define VCT_COUNTER_DEFORM_VERTEX 56
-#define VCT_COUNTER_DEFORM_TARGET 57
-#define VCT_COUNTER_SORT_AXES 58
-#define VCT_COUNTER_SORT_AXES_TRIANGLE 59
-#define VCT_COUNTER_COUNT 60
+#define VCT_COUNTER_SPECULAR_STEP 47
+#define VCT_COUNTER_SHADOW_MOMENTS 48
+#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 49
+#define VCT_COUNTER_EMITTERS 50
+#define VCT_COUNTER_EMITTERS_FACE 51
+#define VCT_COUNTER_EMITTERS_CONE 52
+#define VCT_COUNTER_EMITTERS_STEP 53
+#define VCT_COUNTER_DEFORM 54
+#define VCT_COUNTER_DEFORM_VERTEX 55
+#define VCT_COUNTER_DEFORM_TARGET 56
+#define VCT_COUNTER_SORT_AXES 57
+#define VCT_COUNTER_SORT_AXES_TRIANGLE 58
+#define VCT_COUNTER_COUNT 59
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
 #define VCT_TEX_EMISSIVE 1
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
+#define VCT_TEX_DYNAMIC_VOXELS 4   // of the present pose; the pass that reads the G-buffer has no need of it
+#define VCT_TEX_PREVIOUS_VOXELS 5  // of the pose before, likewise
 #define VCT_TEX_G_ALBEDO 4
 #define VCT_TEX_GLOSS 4  // no pass needs both
 #define VCT_TEX_G_NORMAL 5
@@ -138,7 +137,7 @@ using glm::vec4;
 #define VCT_TEX_G_EMISSIVE 7
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
 #define VCT_TEX_FACES 9
-#define VCT_TEX_IRRADIANCE 10  // directional/received.glsl: the bricks, and where each is
+#define VCT_TEX_IRRADIANCE 10  // directional/face_irradiance.glsl: the bricks, and where each is
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
@@ -165,13 +164,11 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; which time light is stored (directional/voxels.glsl); what a pass over a part of the voxels visits
-// (directional/static_entries.glsl).
+// the triangles of a draw call are voxelized; the list of faces that a pass writes (directional/face_lists.glsl); the
+// number of the light step, which seeds its dither.
 #define VCT_UNIFORM_LEVEL 0
-#define VCT_UNIFORM_WHICH 1
-#define VCT_UNIFORM_FIRST 1
-#define VCT_UNIFORM_END 2
-#define VCT_UNIFORM_MOVING 3
+#define VCT_UNIFORM_LIST 1
+#define VCT_UNIFORM_FRAME_INDEX 1
 #define VCT_UNIFORM_AXIS 0
 #define VCT_UNIFORM_LIGHT_MAP 0
 // Where a mesh that changes its form lies in the buffers of passes/deform.comp and passes/sort_axes.comp: elements of an
@@ -196,19 +193,21 @@ using glm::vec4;
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
-#define VCT_BLOCKS 32      // along each side of the volume: what a frame may make anew alone
-// Directional coverage voxels while voxelizing: per face coverage, radiance, albedo, plane; per voxel which faces, and
-// the six.
-#define VCT_FACE_SUM_WORDS 6u
-#define VCT_SLOT_WORDS 37u
-// The image of occupied voxels, above the base level: a bit for each face that is not empty, and above them the
-// place in the list.
+// Lists of voxels and faces: one for each level, and behind them those of the dynamic objects, which alternate from pose
+// to pose (directional/face_lists.glsl).
+#define VCT_LIST_DYNAMIC 10
+#define VCT_LISTS 12
+// Words that each face of the base level has (directional/face_sums.glsl), without and with sums of emission.
+#define VCT_FACE_WORDS 6u
+#define VCT_EMISSIVE_FACE_WORDS 9u
+// A texel of the index of occupied voxels: a bit for each face that is not empty, and above them the place of the
+// voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// Received light (directional/received.glsl): sums over all faces, per frame in turn; and a brick of texels for each face that
-// is not empty of the level whose voxels are blocks of 4^3, with a texel more on each side for the filter.
+// The gather (directional/face_irradiance.glsl): sums over all faces, for three steps in turn; and bricks of texels, one
+// for each face that is not empty of the level whose voxels are blocks of 4^3, with a border for the filter.
 #define VCT_LIGHT_SUMS 16u
-#define VCT_LIGHT_HEADER 48u  // words: three such frames
+#define VCT_LIGHT_HEADER 48u  // words: three such steps
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
 #define VCT_BRICK_TEXELS 6
@@ -234,6 +233,8 @@ struct FrameUniforms {
     float radianceRange;       // what the faces' 8 bits store as 1, relative to E/pi
     float largestBounceShare;  // of the light, that a bounce passes on
     int gridSide;              // voxels along a side, a power of two
+    float emissionRange;       // what the sums of emission store as 1, relative to E/pi
+    float unused0, unused1, unused2;
 };
 
 // A light besides the sun (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h).
@@ -276,18 +277,18 @@ struct LightStep {
     uint direction;      // the first of the set that this step looks into
     uint cones;          // how many
     uint conesOfNew;     // of a face that has received nothing yet
-    uint firstNew;       // of the base level's list of faces: from there on faces have no memory of their own
     uint beginsRound;    // 1 where this step is the first of a round
     uint bricksAlong;    // of the texture of bricks, along x and y
     float shareInRound;  // of a step; 0 outside of rounds
     float memory;        // most steps that a face's mean remembers
-    float inherited;     // steps that a new face counts as having seen when it finds light where it is
+    float inherited;     // most steps that a new face takes over from its neighbours' history
     float towardsBalance;  // the share of the way to the balance of all faces' light that a step makes good
     float reflected;     // gain of what faces send on, or 0 for the first bounce alone
     float amplitude;     // the share that the step before had in the means
     float sumUnits;      // fixed point of the sums
     uint blockSums;      // word of the received light where the blocks' sums begin
     float smoothing;     // how much of a face's light may be its block's, 0..1
+    float leastHistory;  // history length that every face has after the step: long where the light has converged
 };
 
 struct DrawUniforms {
@@ -307,23 +308,33 @@ struct DeformSource {
     vec4 weights;  // of the four joints
 };
 
-// One mip level of the active-voxel list: how many voxels are active, the indirect dispatch over them (mipmap, sparse
-// clear), and where its entries are. `voxelCount` also counts voxels that found no room in the list, so that an overflow
-// can be reported with the capacity that would be needed.
+// One list of voxels and, for directional voxels, of their faces: how many there are, the indirect dispatches over them, and
+// where the entries are. Counts include what found no room in a list, so that an overflow can be reported with the capacity
+// that would be needed.
 struct LevelCommands {
     uint voxelCount;
-    uint groupsX;  // DispatchIndirectCommand
+    uint groupsX;  // DispatchIndirectCommand over voxels
     uint groupsY;
     uint groupsZ;
     uint firstEntry;  // of this level, in entries of the list
     uint capacity;    // of this level, in entries
-    // Directional coverage voxels only: the faces that are not empty (directional/face_list.glsl).
-    uint faceGroupsX;  // DispatchIndirectCommand
+    // Directional voxels only (directional/face_lists.glsl).
+    uint faceGroupsX;  // DispatchIndirectCommand over faces
     uint faceGroupsY;
     uint faceGroupsZ;
     uint faceCount;
-    uint firstFace;  // of this level, in words of the buffer of sums
+    uint firstFace;     // of the list, in words of the buffer of faces
     uint faceCapacity;
+    uint firstId;       // of its first face, at the base level: where the face's words are
+    uint firstMask;     // of the level's bits of faces that are not empty, in words of the buffer; 0 at the base level
+    // Counts of the static geometry alone, to which the lists return for each pose.
+    uint staticVoxels;
+    uint staticFaces;
+};
+struct CommandLists {
+    LevelCommands lists[VCT_LISTS];
+    uint dynamicList;  // the list of the dynamic objects in their present pose
+    uint unused0, unused1, unused2;
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.
@@ -334,7 +345,9 @@ VCT_FUNCTION uvec3 unpackEntry(uint entry) {
     return uvec3(entry >> 21, (entry >> 10) & 0x7FFu, entry & 0x3FFu);
 }
 
-// Entry of the list of faces: face 3 bits, x 9, y 9, z 9.
+// Entry of the list of faces: face 3 bits, x 9, y 9, z 9. A dynamic face whose voxel has the same face of the static
+// geometry is marked as merged: the static face has the light of both.
+#define VCT_MERGED_FACE 0x80000000u
 VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
     return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;
 }
@@ -342,7 +355,7 @@ VCT_FUNCTION uvec3 unpackFaceVoxel(uint entry) {
     return uvec3((entry >> 18) & 0x1FFu, (entry >> 9) & 0x1FFu, entry & 0x1FFu);
 }
 VCT_FUNCTION uint unpackFace(uint entry) {
-    return entry >> 27;
+    return (entry >> 27) & 7u;
 }
 
 // Where a brick of received light lies in their texture, in bricks: a mark that it is one, and 10 bits each.

@@ -49,7 +49,7 @@ float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, 
 }
 
 // 0 where something is between the light and a surface, 1 where it is seen; between them at the shadow's edge, a texel wide.
-// As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: shadowSlack() of the normal.
+// As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: flatSlack to curvedSlack.
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
     ivec4 maps = punctual.light[i].maps;
     int layer = maps.x + (maps.y > 1 ? cubeFace(-towards) : 0);
@@ -82,8 +82,7 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
 }
 
 // Irradiance of a surface by all of them, relative to the sun's E.
-vec3 punctualIrradiance(vec3 position, vec3 normal) {
-    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
+vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);

@@ -40,14 +40,6 @@ vec2 shadowSlope(vec3 normal) {
     return clamp(-plane.xy / plane.z, -steepest, steepest) / vec2(textureSize(shadowDepth, 0));
 }
 
-// Which it is. Across a crease normals jump, a component of them by 0.8 where it is one of 90 degrees; the least change is
-// that of their 16 bits.
-float shadowSlack(vec3 normal) {
-    vec3 change = fwidth(normal);
-    float most = max(max(change.x, change.y), change.z);
-    return most > 2e-4 && most < 0.8 ? curvedSlack : flatSlack;
-}
-
 // The four texels of a filter's footprint in a map, beside the receiver's plane. Vectors of four begin at (0, 1) and go
 // counter-clockwise, as textureGather() orders its texels.
 struct ShadowFootprint {
@@ -112,14 +104,27 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
     return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack, contact);
 }
 
-float shadowMapLightOn(vec3 positionVolume, vec3 normal) {
-    float slackShare = shadowSlack(normal);  // before any branch: derivatives need the whole quad
+// Of the four texels around a receiver, how many are its own surface, and how many block the light. The others are farther:
+// they look past the surface's border, and tell nothing of it.
+vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
+    vec2 size = vec2(textureSize(map, 0));
+    ShadowFootprint four =
+        shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
+    return vec2(dot(vec4(lessThan(abs(four.above), vec4(slack))), vec4(1.0)), four.blockers);
+}
+
+// The depth by which a texel may be off the receiver's plane and still be its own surface. `slackShare`: flatSlack to
+// curvedSlack.
+float sunSlack(vec2 slope, float slackShare) {
+    // The depth range is no shorter than the map is wide.
+    float texel = 0.25 / float(textureSize(shadowDepth, 0).x);
+    return slackShare * (abs(slope.x) + abs(slope.y) + texel) + depthRounding;
+}
+
+float shadowMapLightOn(vec3 positionVolume, vec3 normal, float slackShare) {
     if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
     vec2 slope = shadowSlope(normal);
-    // The depth range is no shorter than the map is wide.
-    float texel = 0.25 / float(textureSize(shadowDepth, 0).x);
-    float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + depthRounding;
-    return max(shadowFootprintLight(shadowDepth, shadow, slope, slack, 2.0), 0.0);
+    return max(shadowFootprintLight(shadowDepth, shadow, slope, sunSlack(slope, slackShare), 2.0), 0.0);
 }

@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array stepNames{"shadow_map", "render_data", "voxelize", "mipmap", "irradiance", "trace"};
+constexpr std::array stepNames{"shadow_map", "render_data", "voxelize", "inject",
+                               "mipmap",     "irradiance",  "trace"};
 constexpr std::size_t frameCount = 5;
 
 std::string renderSmall(const std::string& options) {

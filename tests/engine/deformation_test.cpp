@@ -25,9 +25,9 @@ TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     for (const Output mode : {Output::gi, Output::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35}) {
-            stage.frameAt(seconds, mode);
+            stage.settledAt(seconds, mode);
             PlayingScene fresh(context, scene, settings);
-            fresh.frameAt(seconds, mode);
+            fresh.settledAt(seconds, mode);
             expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
         }
         const Grid before = gridOf(stage.renderer());

@@ -87,7 +87,7 @@ TEST(GridChoice, TheDriversLimitsSetTheLimit) {
     Settings refused = quality;
     refused.grid = chooseGrid(scene, quality, tiny, enough).grid;
     EXPECT_EQ(refused.grid, 128);
-    expectMentions(errorOf([&] { requireNeeds(refused, false, tiny); }),
+    expectMentions(errorOf([&] { requireNeeds(refused, tiny); }),
                    {"GL_MAX_3D_TEXTURE_SIZE >= 384", "found: 100", "use a coarser grid"});
 }
 

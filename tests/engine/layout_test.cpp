@@ -50,15 +50,17 @@ TEST(ListEntry, RoundTripsEveryCoordinateOf512) {
 }
 
 TEST(UniformBlocks, FollowStd140) {
-    // Three matrices, four vectors, and eight scalars (two of them a vec2): sixteen-byte steps, as std140
+    // Three matrices, four vectors, and twelve scalars (two of them a vec2): sixteen-byte steps, as std140
     // lays them out.
-    EXPECT_EQ(sizeof(FrameUniforms), 3 * 64 + 6 * 16U);
+    EXPECT_EQ(sizeof(FrameUniforms), 3 * 64 + 7 * 16U);
     EXPECT_EQ(offsetof(FrameUniforms, shadowConeRadius), 256U);
     EXPECT_EQ(offsetof(FrameUniforms, gridSide), 284U);
     EXPECT_EQ(offsetof(FrameUniforms, eye), 192U);
     EXPECT_EQ(sizeof(DrawUniforms), 2 * 64 + 3 * 16U);
     // std430: tightly packed.
-    EXPECT_EQ(sizeof(LevelCommands), 48U);
+    EXPECT_EQ(sizeof(LevelCommands), 64U);
     EXPECT_EQ(offsetof(LevelCommands, faceGroupsX), 24U);
+    EXPECT_EQ(sizeof(CommandLists), VCT_LISTS * sizeof(LevelCommands) + 16U);
+    EXPECT_EQ(sizeof(LightStep) % 16, 0U);
     EXPECT_EQ(offsetof(LevelCommands, groupsX), 4U);
 }

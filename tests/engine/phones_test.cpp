@@ -86,11 +86,11 @@ std::string outcome(const std::string& preset, const gl::Capabilities& capabilit
         }
     Settings settings = presetSettings(preset);
     const std::vector<int> grids =
-        possibleGrids(settings, true, capabilities, std::numeric_limits<std::size_t>::max());
+        possibleGrids(settings, capabilities, std::numeric_limits<std::size_t>::max());
     if (runs && !grids.empty()) return "up to " + std::to_string(grids.back()) + "^3";
     settings.grid = allGrids().front();
     if (runs)
-        for (const gl::Requirement& row : needsOf(settings, true, capabilities))
+        for (const gl::Requirement& row : needsOf(settings, capabilities))
             note(row);
     return "no";
 }
@@ -138,14 +138,14 @@ TEST(Phones, WithDerivativesThatAreWrongAreToldToUseThePresetThesis) {
         if (phone.capabilities.faults.derivatives.empty()) continue;
         const Settings settings = presetSettings("mobile");
         try {
-            requireNeeds(settings, false, phone.capabilities);
+            requireNeeds(settings, phone.capabilities);
             ADD_FAILURE() << phone.gpu;
         } catch (const std::exception& error) {
             const std::string text = error.what();
             EXPECT_NE(text.find("PowerVR Rogue before driver 1.16"), std::string::npos) << text;
             EXPECT_NE(text.find("use the preset thesis"), std::string::npos) << text;
         }
-        EXPECT_NO_THROW(requireNeeds(presetSettings("thesis"), true, phone.capabilities)) << phone.gpu;
+        EXPECT_NO_THROW(requireNeeds(presetSettings("thesis"), phone.capabilities)) << phone.gpu;
         ++told;
     }
     EXPECT_GT(told, 0);
@@ -162,7 +162,7 @@ TEST(DriverNeeds, EachIsMissedByOne) {
     gl::Capabilities enough;
     enough.limits = {4096, 1536, 512, 3, 6};
     for (const Settings& settings : {mobile, finest, thesis})
-        EXPECT_NO_THROW(requireNeeds(settings, true, enough));
+        EXPECT_NO_THROW(requireNeeds(settings, enough));
     const struct {
         const Settings& settings;
         int gl::Limits::* limit;
@@ -177,15 +177,14 @@ TEST(DriverNeeds, EachIsMissedByOne) {
         {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
         {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},
         {mobile, &gl::Limits::fragmentStorageBlocks, 3, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS >= 3"},
-        {mobile, &gl::Limits::combinedOutputs, 6, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES >= 6"},
     };
     for (const auto& need : needs) {
         gl::Capabilities capabilities = enough;
         capabilities.limits.*need.limit = need.least;
-        EXPECT_NO_THROW(requireNeeds(need.settings, true, capabilities)) << need.name;
+        EXPECT_NO_THROW(requireNeeds(need.settings, capabilities)) << need.name;
         capabilities.limits.*need.limit = need.least - 1;
         try {
-            requireNeeds(need.settings, true, capabilities);
+            requireNeeds(need.settings, capabilities);
             ADD_FAILURE() << need.name;
         } catch (const std::exception& error) {
             EXPECT_NE(std::string(error.what()).find(need.name), std::string::npos) << error.what();
@@ -198,12 +197,11 @@ TEST(DriverNeeds, GridsThatMemoryOrLimitsRefuseAreNotPossible) {
     capabilities.limits = {8192, 2048, 8192, 4, 8};
     const Settings mobile = presetSettings("mobile");
     const std::size_t plenty = std::numeric_limits<std::size_t>::max();
-    EXPECT_EQ(possibleGrids(mobile, true, capabilities, plenty), allGrids());
-    EXPECT_EQ(possibleGrids(mobile, true, capabilities, voxelBytes(mobile, 128)),
-              (std::vector<int>{64, 128}));
+    EXPECT_EQ(possibleGrids(mobile, capabilities, plenty), allGrids());
+    EXPECT_EQ(possibleGrids(mobile, capabilities, voxelBytes(mobile, 128)), (std::vector<int>{64, 128}));
     capabilities.limits.texture3d = 3 * 256;
-    EXPECT_EQ(possibleGrids(mobile, true, capabilities, plenty), (std::vector<int>{64, 128, 256}));
-    EXPECT_EQ(possibleGrids(presetSettings("thesis"), true, capabilities, plenty), allGrids());
+    EXPECT_EQ(possibleGrids(mobile, capabilities, plenty), (std::vector<int>{64, 128, 256}));
+    EXPECT_EQ(possibleGrids(presetSettings("thesis"), capabilities, plenty), allGrids());
 }
 
 }  // namespace

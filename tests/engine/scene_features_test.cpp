@@ -168,7 +168,7 @@ TEST(SceneFeatures, AddNoMoreThanTheyNeed) {
     };
     for (const Added& added :
          {Added{"BaseColorTexture", 2, 0, 2}, Added{"Emission", 2, 1, 0}, Added{"Glossy", 0, 1, 0},
-          Added{"DoubleSided", 1, 0, 0}, Added{"GlossTexture", 1, 1, 1}, Added{"NormalMap", 1, 0, 1},
+          Added{"DoubleSided", 2, 0, 0}, Added{"GlossTexture", 1, 1, 1}, Added{"NormalMap", 1, 0, 1},
           Added{"VertexColors", 2, 0, 0}, Added{"Unlit", 2, 1, 0}}) {
         Asked with = askedBy(sceneWith(&featureNamed(added.feature, "mobile"), true), "mobile");
         const auto more = [&](const char* call) {
@@ -232,8 +232,8 @@ TEST(SceneFeatures, AnAnimationCostsNothingButWhereItMovesAnObject) {
     scene.instances[1].node = 0;
     EXPECT_TRUE(featuresOf(scene).movingObjects);
     const Asked moving = askedBy(scene, "mobile");
-    // Those of parts of the voxels: engine/directional/incremental_update.h.
-    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size() + 6);
+
+    EXPECT_EQ(moving.programs.size(), askedByPlain("mobile").programs.size());
     EXPECT_GT(moving.frame.byName.at("BufferSubData"),
               askedByPlain("mobile").frame.byName.at("BufferSubData"));
 }
@@ -246,12 +246,13 @@ TEST(SceneFeatures, AModeBuildsTheProgramsThatItAsksFor) {
     };
     EXPECT_FALSE(builds(Output::phong, "shadow_map"));
     EXPECT_TRUE(builds(Output::shadowMap, "shadow_map"));
-    EXPECT_FALSE(builds(Output::shadowMap, "directional/voxelizer"));
-    EXPECT_TRUE(builds(Output::ao, "directional/voxelizer"));
-    EXPECT_FALSE(builds(Output::ao, "light_shine"));
-    EXPECT_FALSE(builds(Output::ao, "irradiance"));
-    EXPECT_TRUE(builds(Output::gi, "light_shine"));
-    EXPECT_FALSE(builds(Output::gi, "irradiance, occlusion"));
+    EXPECT_FALSE(builds(Output::shadowMap, "directional/accumulate"));
+    EXPECT_TRUE(builds(Output::ao, "directional/accumulate"));
+    EXPECT_FALSE(builds(Output::ao, "inject"));
+    EXPECT_TRUE(builds(Output::ao, "inject, direct light"));
+    EXPECT_FALSE(builds(Output::ao, "gather"));
+    EXPECT_TRUE(builds(Output::gi, "inject"));
+    EXPECT_FALSE(builds(Output::gi, "gather, occlusion"));
 }
 
 TEST(SceneFeatures, OnlyWhatIsPlacedAndSeenCounts) {

@@ -45,10 +45,8 @@ std::string madeBy(Renderer& renderer, Output mode, const Camera& camera) {
         groups.erase(ofEveryFrame);
     if (groups.empty()) return "nothing";
     std::string made;
-    // Levels whose lists are there.
-    if (groups.count("relight") > 0 && groups.count("mipmap again") > 0) groups.insert("mipmap");
-    for (const char* step :
-         {"shadow map", "shadow map's moments", "voxelize", "relight", "mipmap", "irradiance"})
+    if (groups.count("accumulate") > 0) groups.insert("voxelize");
+    for (const char* step : {"shadow map", "shadow map's moments", "voxelize", "inject", "mipmap", "gather"})
         if (groups.count(step) > 0) made += (made.empty() ? "" : ", ") + std::string(step);
     return made;
 }
@@ -72,13 +70,13 @@ class Unchanged : public testing::TestWithParam<const char*> {
     std::string made(Output mode = Output::gi, const char* camera = "") {
         const std::string groups = madeBy(renderer_, mode, cameraFromText(camera, scene_));
         if (groups == everything()) return "everything";
-        return groups == "shadow map, relight, mipmap, irradiance" ? "its light" : groups;
+        return groups == "shadow map, inject, mipmap, gather" ? "its light" : groups;
     }
     // What another light makes: packed voxels are made anew as a whole.
     std::string itsLight() const { return packed() ? "everything" : "its light"; }
     bool packed() const { return settings_.voxels == Voxels::packed; }
     std::string everything() const {
-        return std::string("shadow map, voxelize, mipmap") + (packed() ? "" : ", irradiance");
+        return packed() ? "shadow map, voxelize, mipmap" : "shadow map, voxelize, inject, mipmap, gather";
     }
 
     Context context_;
@@ -141,17 +139,18 @@ TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
 // What is open is received like light, beside it; the light parts show the first bounce alone.
 TEST_P(Unchanged, LightAndOcclusionAreReceivedEachOnItsOwn) {
     frame();
-    const std::string received = packed() ? "nothing" : "irradiance";
-    EXPECT_EQ(made(Output::ao), received);
+    const std::string occlusion = packed() ? "nothing" : "gather";
+    const std::string light = packed() ? "nothing" : "inject, mipmap, gather";
+    EXPECT_EQ(made(Output::ao), occlusion);
     EXPECT_EQ(made(Output::ao), "nothing");
     EXPECT_EQ(made(Output::gi), "nothing");
     pose(0.3);
     EXPECT_NE(made(Output::ao), "nothing");
-    EXPECT_EQ(made(Output::gi), received);
+    EXPECT_EQ(made(Output::gi), light);
     EXPECT_EQ(made(Output::ao), "nothing");
     EXPECT_EQ(made(Output::gi), "nothing");
     lightParts(renderer_, chooseCamera(scene_, ""));
-    EXPECT_EQ(made(Output::gi), received);
+    EXPECT_EQ(made(Output::gi), light);
     EXPECT_EQ(made(Output::ao), "nothing");
     EXPECT_EQ(made(Output::gi), "nothing");
 }

@@ -33,20 +33,11 @@ glm::dvec3 directionOf(int i, int directions) {
 }  // namespace
 
 std::map<std::uint32_t, FacePlane> readPlanes(const DirectionalVoxels& voxels) {
-    const std::vector<std::uint32_t> entries =
-        readEntries(voxels.index(), 0, voxels.index().readActiveCounts()[0]);
-    std::map<std::uint32_t, std::size_t> index;
-    for (std::size_t slot = 0; slot < entries.size(); ++slot)
-        index[entries[slot]] = slot;
-    std::vector<std::uint32_t> words(entries.size() * VCT_SLOT_WORDS);
-    voxels.sums().read(words.data(), words.size() * sizeof words[0]);
+    std::vector<std::uint32_t> words(voxels.faceData().bytes() / sizeof(std::uint32_t));
+    voxels.faceData().read(words.data(), voxels.faceData().bytes());
     std::map<std::uint32_t, FacePlane> planes;
-    for (const std::uint32_t entry : voxels.readFaceList(0)) {
-        const std::size_t slot = index.at(shared::packEntry(shared::unpackFaceVoxel(entry)));
-        const std::size_t last =
-            slot * VCT_SLOT_WORDS + (shared::unpackFace(entry) + 1U) * VCT_FACE_SUM_WORDS;
-        planes[entry] = unpackPlane(words[last]);
-    }
+    for (const auto& [entry, id] : voxels.readBaseFaces())
+        planes[entry] = unpackPlane(words.at(std::size_t{id} * voxels.faceWords()));
     return planes;
 }
 
@@ -133,7 +124,7 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
 CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane& plane, const FacePlane* back,
                                             int direction, int cones) const {
     const glm::ivec3 voxel(shared::unpackFaceVoxel(face));
-    const int golden = (settings_.directions * 618 / 1000) | 1;
+    const int golden = (settings_.directionSet() * 618 / 1000) | 1;
     const glm::dvec3 n = plane.normal;
     const glm::dvec3 start = glm::dvec3(voxel) + 0.5 + n * (plane.offset + settings_.startOffset);
     // Duff et al. 2017.
@@ -148,10 +139,10 @@ CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane&
     Gathered sum;
     const int ofFace = 4096 * (voxel[(axis + 1) % 3] & 3) + 4 * 4096 * (voxel[(axis + 2) % 3] & 3);
     for (int i = first; i < first + cones; ++i) {
-        const int chance = (i & (settings_.directions - 1)) * 49471 + ofFace;
+        const int chance = (i & (settings_.directionSet() - 1)) * 49471 + ofFace;
         const Gathered cone =
             trace(start, n, hasBack,
-                  frame * directionOf(i * golden & (settings_.directions - 1), settings_.directions),
+                  frame * directionOf(i * golden & (settings_.directionSet() - 1), settings_.directionSet()),
                   std::exp2((chance & 65535) / 65536.0 - 0.5));
         sum.light += cone.light / static_cast<double>(cones);
         sum.sky += cone.sky / cones;

@@ -16,14 +16,14 @@ struct Grid {
     std::vector<std::vector<std::uint32_t>> words;      // of each level; of the one kind of voxels
     std::vector<FaceLevel> faces;                       // or of the other
     std::vector<std::vector<std::uint32_t>> faceLists;  // as the lists of voxels
-    // And what voxelization added up: of each listed voxel which faces are not empty, and their words.
+    // What voxelization added up for each face of the base level.
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
-    bool received =
-        false;  // whether the faces shine with what they received, too, which no frame alone determines
+    bool received = false;  // the faces also reflect their irradiance, which no frame alone determines
 };
 Grid gridOf(Renderer& renderer);
 
-// Bit for bit, but for received light; not EXPECT_EQ, which would print millions of words.
+// Lists and sums bit for bit, radiance to a step of 8 bits; not EXPECT_EQ, which would print millions of
+// words.
 void expectSameGrid(const Grid& a, const Grid& b, const std::string& what);
 
 // The grid is equal to the last bit, and each pixel's light is added up in the same order.

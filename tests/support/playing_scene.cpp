@@ -18,6 +18,12 @@ void PlayingScene::frameAt(double seconds, Output mode) {
     renderer_.render({{mode}, moveTo(seconds)});
 }
 
+void PlayingScene::settledAt(double seconds, Output mode) {
+    frameAt(seconds, mode);
+    gl::Finish();
+    frameAt(seconds, mode);
+}
+
 void PlayingScene::convergedAt(double seconds, Output mode) {
     renderer_.render({{mode}, moveTo(seconds), LightSteps::all});
 }
@@ -25,14 +31,14 @@ void PlayingScene::convergedAt(double seconds, Output mode) {
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Output mode) {
     const std::string what = std::to_string(seconds) + " s, " + outputName(mode);
-    stage.frameAt(seconds, mode);
+    stage.settledAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
     fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
     const DirectionalVolume* directional = stage.renderer().directional();
-    if (directional == nullptr || (directional->received(GatherOf::light) == nullptr &&
-                                   directional->received(GatherOf::occlusion) == nullptr))
+    if (directional == nullptr || (directional->irradiance(GatherOf::light) == nullptr &&
+                                   directional->irradiance(GatherOf::occlusion) == nullptr))
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 

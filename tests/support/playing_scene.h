@@ -17,6 +17,8 @@ class PlayingScene {
 
     void frameAt(double seconds, Output mode = Output::gi);
     // Draws a frame in which the received light is converged.
+    // Two frames: where dynamic objects find no room, the frame after one that the GPU has finished makes it.
+    void settledAt(double seconds, Output mode = Output::gi);
     void convergedAt(double seconds, Output mode = Output::gi);
     void frame(Output mode = Output::gi) { renderer_.render({{mode}, chooseCamera(scene_, "")}); }
     Renderer& renderer() { return renderer_; }

@@ -10,30 +10,29 @@ namespace vct::test {
 
 ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
-    const Irradiance& irradiance = *renderer.directional()->received(of);
-    const gl::Buffer& received = irradiance.received();
-    const std::vector<std::uint32_t> list = voxels.readFaceList(0);
+    const Irradiance& irradiance = *renderer.directional()->irradiance(of);
+    const gl::Buffer& received = irradiance.faceIrradiance();
     std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
     received.read(words.data(), received.bytes());
     const FaceLevel base = readFaceLevel(voxels, 0);
     ReceivedFaces faces;
-    // shaders/directional/received.glsl
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    // shaders/directional/face_irradiance.glsl
+    for (const auto& [entry, id] : voxels.readBaseFaces()) {
         ReceivedLight face;
         for (std::size_t w = 0; w < 4; ++w)
-            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * i + w);
+            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
         if (irradiance.wordsOfFace() == 6) {  // and of lamps
-            const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * i + 4);
+            const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
             face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
         }
         face.steps = bSteps.y;
-        face.coverage = base.at(glm::ivec3(shared::unpackFaceVoxel(list[i])),
-                                static_cast<int>(shared::unpackFace(list[i])))
-                            .a /
-                        255.0;
-        faces[list[i]] = face;
+        face.coverage =
+            base.at(glm::ivec3(shared::unpackFaceVoxel(entry)), static_cast<int>(shared::unpackFace(entry)))
+                .a /
+            255.0;
+        faces[entry] = face;
     }
     return faces;
 }

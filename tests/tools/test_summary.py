@@ -11,7 +11,7 @@ MS = {"thesis": 100.0, "mobile": 5.0, "quality": 50.0}
 
 
 def entry(scene, preset, grid, ms, angle=5.0):
-    steps = {name: {"samples": [ms] * 5} for name in ("voxelize", "mipmap", "irradiance", "trace")}
+    steps = {name: {"samples": [ms] * 5} for name in ("voxelize", "inject", "mipmap", "irradiance", "trace")}
     errors = {name: GOOD[preset] for name in ("indirect", "gi-full", "shadow", "ao")}
     return {"scene": scene, "grid": grid, "errors": errors, "modes": {"gi": steps}, "driver": {"renderer": "llvmpipe (LLVM 15)"},
             "settings": {"preset": preset, "size": "256x256", "grid": grid, "cone_angle_deg": angle}}

@@ -10,7 +10,7 @@ from mali.loops import match_loops
 from tables import markdown
 
 PASSES = {"shadow_map": "shadow map", "render_data": "G-buffer", "voxelize": "voxelize", "mipmap": "mipmap",
-          "irradiance": "irradiance", "trace": "trace"}
+          "inject": "inject", "irradiance": "irradiance", "trace": "trace"}
 MODES = ("ao", "gi", "gi-cone-shadow")
 
 # C. Wahlén's published shaders through the same compiler, at 256^3 and 400x400: words per step, and the iterations that

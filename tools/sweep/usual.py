@@ -8,7 +8,7 @@ from references import SAME_PICTURE
 
 PRESETS = ("thesis", "mobile", "quality")
 # All but the shadow map and the G-buffer, which are the same with every preset.
-LIGHT = ("voxelize", "mipmap", "irradiance", "trace")
+LIGHT = ("voxelize", "inject", "mipmap", "irradiance", "trace")
 USUAL = {"grid": 256, "cone_angle_deg": 5.0}
 
 

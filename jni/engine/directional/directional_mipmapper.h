@@ -1,25 +1,22 @@
-// Every level of the directional coverage voxels from the one below, over the occupied voxels only.
+// Every level of the directional voxels from the one below, over the faces that are not empty.
 #pragma once
 
 #include "engine/directional/directional_voxels.h"
 
 namespace vct {
 
-gl::ProgramDescription directionalLevelsProgram();
 gl::ProgramDescription directionalMipmapperProgram();
 
 class DirectionalMipmapper {
   public:
     explicit DirectionalMipmapper(const gl::ShaderLibrary& shaders);
 
-    // The faces of every level above the base level, from its own list, and the lists of the levels above.
-    // Afterwards the faces are ready to be fetched as a texture.
-    void makeLevels(const DirectionalVoxels& voxels);
-    // Likewise where all lists are there. `which`: time it is that the same faces are stored.
-    void update(const DirectionalVoxels& voxels, std::uint32_t which);
+    // The levels above the base level. Afterwards the faces are ready to be fetched as a texture.
+    // `frameIndex` seeds the dither.
+    void run(const DirectionalVoxels& voxels, std::uint32_t frameIndex) const;
 
   private:
-    gl::Program levels_, mipmap_;
+    gl::Program program_;
 };
 
 }  // namespace vct

@@ -1,121 +1,160 @@
 #include "engine/directional/directional_volume.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+
+#include "core/error.h"
 
 namespace vct {
 
+namespace {
+
+// Room for a count that changes: so much more that it rarely grows again.
+std::uint32_t withHeadroom(std::uint32_t count) {
+    return count + count / 2 + 256;
+}
+
+}  // namespace
+
 DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                                     const Settings& settings, const Volume& volume,
-                                     const Bounds& boundsWorld, const LightFeatures& sources)
+                                     const Settings& settings, const LightFeatures& sources)
     : shaders_(shaders),
       settings_(settings),
       sources_(sources),
-      shadowTexel_(glm::length(boundsWorld.max - boundsWorld.min) / settings.shadowMapSize / volume.side),
-      voxels_(shaders, settings.grid, settings.activeVoxelLimit),
-      voxelizer_(shaders, scene, settings.grid, Voxelization::sortedAxes),
-      mipmapper_(shaders) {
-    if (scene.moves()) incremental_.emplace(shaders, scene, Voxelization::sortedAxes);
+      hasDynamic_(scene.moves() || settings.revoxelize),
+      dynamicPart_(settings.revoxelize ? ScenePart::all : ScenePart::dynamicOnly),
+      voxels_(shaders, settings.grid, settings.activeVoxelLimit, hasDynamic_, sources.emission),
+      voxelizer_(shaders, scene, settings.grid, sources.emission),
+      counts_("counts of dynamic faces", sizeof(shared::CommandLists)),
+      injector_(shaders, sources),
+      mipmapper_(shaders) {}
+
+// Makes everything that a frame needs room for, so that no frame reads anything back.
+void DirectionalVolume::prepare(const GpuScene& scene) {
+    shared::CommandLists found;
+    if (isPrepared_) {
+        // The lists of a frame before. Where something found no room, this frame voxelizes again.
+        if (counts_.finish(&found) && growIfNeeded(found)) cachedFor_.reset();
+        return;
+    }
+    voxelizeStatic(scene);
+    bool grew = hasDynamic_;
+    while (grew) {
+        voxelizeDynamic(scene);
+        grew = growIfNeeded(voxels_.index().readCommands());
+    }
+    isPrepared_ = true;
+}
+
+// The first time finds out how many faces there are, and the second has room for them.
+void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
+    voxels_.reset({});
+    if (settings_.revoxelize) return;
+    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
+    const shared::CommandLists found = voxels_.index().readCommands();
+    voxels_.index().activeCounts(found);  // throws where the list of voxels is too short
+    FaceCapacities capacities{};
+    for (int list = 0; list < voxels_.levels(); ++list)
+        capacities[static_cast<std::size_t>(list)] = found.lists[list].faceCount;
+    voxels_.reset(capacities);
+    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
+    voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_);
+    voxels_.keepStatic();
+}
+
+void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {
+    voxels_.beginPose();
+    voxelizer_.listFaces(scene, dynamicPart_, voxels_.dynamicList(), voxels_);
+    voxelizer_.accumulate(scene, dynamicPart_, voxels_.dynamicList(), voxels_);
+    counts_.start(voxels_.index().commands());
+}
+
+bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
+    FaceCapacities capacities = voxels_.capacities();
+    const shared::LevelCommands& dynamic = found.lists[found.dynamicList];
+    bool grows = dynamic.faceCount > capacities[VCT_LIST_DYNAMIC];
+    for (int level = 1; level < voxels_.levels(); ++level)
+        grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
+    if (grows) {
+        const auto reserve = [&](std::size_t list, std::uint32_t ofStatic, std::uint32_t count) {
+            capacities[list] = std::max(capacities[list], ofStatic + withHeadroom(count));
+        };
+        reserve(VCT_LIST_DYNAMIC, 0, dynamic.faceCount);
+        reserve(VCT_LIST_DYNAMIC + 1, 0, dynamic.faceCount);
+        for (int level = 1; level < voxels_.levels(); ++level) {
+            const shared::LevelCommands& above = found.lists[level];
+            reserve(static_cast<std::size_t>(level), above.staticFaces, above.faceCount - above.staticFaces);
+        }
+    }
+    if (grows || dynamic.voxelCount > dynamic.capacity) voxels_.growDynamic(capacities);
+    if (dynamic.voxelCount > dynamic.capacity) {
+        cachedFor_.reset();
+        throw Error("dynamic objects fill " + std::to_string(dynamic.voxelCount) + " voxels at " +
+                    std::to_string(voxels_.grid()) + "^3, but their list holds " +
+                    std::to_string(dynamic.capacity) +
+                    "; raise the limit of active voxels, or use a coarser grid");
+    }
+    return grows;
 }
 
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
-    const std::optional<SceneState> before = std::exchange(made_, {});
-    if (inputs.forceRebuild || before != inputs.now) makeVoxels(inputs, before, timer);
-    made_ = inputs.now;
+    const std::optional<SceneState> before = std::exchange(cachedFor_, {});
+    const bool sameObjects = before && before->placements == inputs.now.placements;
+    const bool voxelizes = hasDynamic_ && (inputs.forceRebuild || !sameObjects);
+    if (voxelizes) timer.time(Step::voxelize, [&] { voxelizeDynamic(inputs.scene); });
+    if (voxelizes || inputs.forceRebuild || before != inputs.now) {
+        isInjected_ = false;
+        for (std::optional<Irradiance>* irradiance : {&light_, &occlusion_})
+            if (*irradiance) (*irradiance)->onVoxelsChanged({voxelizes, before != inputs.now});
+    }
+    cachedFor_ = inputs.now;
 
+    const auto inject = [&](const Irradiance* irradiance) {
+        const std::uint32_t frameIndex = irradiance != nullptr ? irradiance->frameIndex() : 0;
+        timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, irradiance, frameIndex); });
+        timer.time(Step::mipmap, [&] { mipmapper_.run(voxels_, frameIndex); });
+        isInjected_ = true;
+    };
     VoxelLight light;
     light.faces = &voxels_.faces();
     const bool occlusion = reads(inputs.output).ambientVisibility;
-    if (!occlusion && !reads(inputs.output).indirectLight) return light;
-    Irradiance& received = irradiance(occlusion ? GatherOf::occlusion : GatherOf::light, inputs.scene);
-    if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) received.forget();
-    if (!received.settled())
-        timer.time(Step::irradiance, [&] {
-            for (int i = 0; i < inputs.lightSteps && !received.settled(); ++i)
-                received.step(voxels_, mipmapper_, inputs.allBounces);
-        });
-    light.irradiance = received.irradiance();
-    light.bricks = received.bricks();
+    if (!occlusion && !reads(inputs.output).indirectLight) {
+        if (!isInjected_) inject(nullptr);
+        return light;
+    }
+    Irradiance& irradiance = irradianceFor(occlusion ? GatherOf::occlusion : GatherOf::light);
+    if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces)
+        irradiance.invalidate();
+    if (occlusion && !isInjected_) inject(nullptr);
+    for (int i = 0; i < inputs.lightSteps && !irradiance.isConverged(); ++i) {
+        timer.time(Step::irradiance, [&] { irradiance.beginStep(voxels_, inputs.allBounces); });
+        if (!occlusion) inject(&irradiance);
+        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_); });
+    }
+    light.irradiance = irradiance.irradiance();
+    light.bricks = irradiance.bricks();
     return light;
 }
 
-void DirectionalVolume::makeVoxels(const Inputs& inputs, const std::optional<SceneState>& before,
-                                   StepTimer& timer) {
-    Irradiance::Change change{std::nullopt, before != inputs.now};
-    if (before && before->placements == inputs.now.placements && !inputs.forceRebuild) {
-        if (!relighter_) relighter_.emplace(shaders_, inputs.scene, settings_.grid, Voxelization::sortedAxes);
-        timer.time(Step::voxelize, [&] { relighter_->run(inputs.scene, inputs.light, voxels_); });
-        timer.time(Step::mipmap, [&] { mipmapper_.update(voxels_, 0); });
-    } else if (!incremental_) {
-        timer.time(Step::voxelize, [&] { voxelizer_.run(inputs.scene, inputs.light, voxels_); });
-        timer.time(Step::mipmap, [&] { mipmapper_.makeLevels(voxels_); });
-        change.keptFaces = 0U;
-    } else {
-        for (bool hadRoom = false; !hadRoom;) {
-            timer.time(Step::voxelize, [&] {
-                const std::optional<BlockMask> dirty = dirtySince(before, inputs);
-                incremental_->voxelize(inputs.scene, inputs.light, dirty ? &*dirty : nullptr, voxelizer_,
-                                       mipmapper_, voxels_);
-            });
-            timer.time(Step::mipmap, [&] { hadRoom = incremental_->mipmap(voxels_); });
-            change.keptFaces = std::min(change.keptFaces.value_or(VCT_NO_ENTRY), incremental_->keptFaces());
-        }
-    }
-    for (std::optional<Irradiance>* received : {&light_, &occlusion_})
-        if (*received) (*received)->note(change);
-}
-
-// Which blocks another pose can have changed; nothing where all can have changed.
-std::optional<BlockMask> DirectionalVolume::dirtySince(const std::optional<SceneState>& before,
-                                                       const Inputs& inputs) const {
-    const SceneState& now = inputs.now;
-    if (inputs.forceRebuild || !before || !before->sameLight(now)) return {};
-    // The filter reads three texels to each side of a point at most, and compares them with the surface's
-    // plane where they are, which may rise by 64 times as much (shaders/shared/shadow.glsl).
-    const double above = 3.0 * 64.0 * shadowTexel_;
-    const double voxel = 1.0 / settings_.grid;
-    BlockMask dirty =
-        dirtyBlocks(before->placements, now.placements,
-                    {now.towardsLight, 4.0 * shadowTexel_, above, inputs.scene.staticBox()}, voxel);
-    if (inputs.light.others == nullptr) return dirty;
-    // Of more pairs of boxes and lights finding the blocks out takes longer than making all of them.
-    constexpr int mostPairs = 16;
-    int pairs = 0;
-    for (std::size_t light = 0; light < now.lights.size(); ++light) {
-        if (!now.lights[light].on) continue;
-        const glm::dvec4 place = inputs.light.others->places()[light];
-        for (std::size_t i = 0; i < now.placements.size(); ++i) {
-            if (before->placements[i] == now.placements[i]) continue;
-            if (place.w == 0.0 || ++pairs > mostPairs) return {};
-            for (const Placement* placement : {&before->placements[i], &now.placements[i]})
-                addShadow(dirty, grown(placement->box, snappingReach(voxel)),
-                          {glm::dvec3(place), inputs.light.others->filterAngle()});
-        }
-    }
-    return dirty;
-}
-
-Irradiance& DirectionalVolume::irradiance(GatherOf of, const GpuScene& scene) {
+Irradiance& DirectionalVolume::irradianceFor(GatherOf of) {
     std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
     if (!pass)
         pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, scene.moves(), featuresFor(of, sources_));
+                     settings_.lightFrames, hasDynamic_, featuresFor(of, sources_));
     return *pass;
 }
 
-const Irradiance* DirectionalVolume::received(GatherOf of) const {
+const Irradiance* DirectionalVolume::irradiance(GatherOf of) const {
     const std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
     return pass ? &*pass : nullptr;
 }
 
 Resources DirectionalVolume::resources() const {
     Resources resources = voxels_.resources();
-    if (incremental_)
-        for (const gl::Buffer* buffer : incremental_->buffers())
-            add(resources, *buffer);
     for (const std::optional<Irradiance>* pass : {&light_, &occlusion_}) {
         if (!*pass) continue;
-        add(resources, (*pass)->received());
+        add(resources, (*pass)->faceIrradiance());
         for (const gl::Texture* texture : (*pass)->textures())
             add(resources, *texture);
     }

@@ -1,51 +1,61 @@
-// Directional voxels, six faces each, and the light that the faces receive: a pixel only looks it up.
+// Directional voxels, and the irradiance of their faces: a pixel only looks it up. Static geometry is
+// voxelized once and dynamic objects in each pose; light is injected into both whenever it or they have
+// changed.
 #pragma once
 
 #include <optional>
 
-#include "engine/directional/incremental_update.h"
+#include "engine/directional/directional_mipmapper.h"
+#include "engine/directional/directional_voxelizer.h"
 #include "engine/directional/irradiance.h"
-#include "engine/directional/relighter.h"
-#include "engine/volume.h"
+#include "engine/directional/light_injector.h"
 #include "engine/voxel_volume.h"
+#include "gl/async_read.h"
 
 namespace vct {
 
 class DirectionalVolume final : public VoxelVolume {
   public:
-    // `boundsWorld`: around the scene, as the shadow map is fitted to them. `sources`: all that shine.
     DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
-                      const Volume& volume, const Bounds& boundsWorld, const LightFeatures& sources);
+                      const LightFeatures& sources);
 
-    // Of another light the voxels are lit anew; of another pose, only the blocks that what moves, or its
-    // shadow, can have changed are made anew; of both, all.
+    void prepare(const GpuScene& scene) override;
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
-    void invalidate() override { made_.reset(); }
+    void invalidate() override {
+        cachedFor_.reset();
+        isPrepared_ = false;
+    }
 
     const VoxelPyramid& occupancy() const override { return voxels_.index(); }
     Resources resources() const override;
 
     const DirectionalVoxels& voxels() const { return voxels_; }
-    // Null until a picture needed it.
-    const Irradiance* received(GatherOf of) const;
+    // Null until an output needed it.
+    const Irradiance* irradiance(GatherOf of) const;
 
   private:
-    void makeVoxels(const Inputs& inputs, const std::optional<SceneState>& before, StepTimer& timer);
-    std::optional<BlockMask> dirtySince(const std::optional<SceneState>& before, const Inputs& inputs) const;
-    Irradiance& irradiance(GatherOf of, const GpuScene& scene);
+    void voxelizeStatic(const GpuScene& scene);
+    void voxelizeDynamic(const GpuScene& scene);
+    // Makes room where dynamic objects found none, and removes them then. Returns whether it did. Throws
+    // vct::Error where their list of voxels is too short, which does not grow.
+    bool growIfNeeded(const shared::CommandLists& found);
+    Irradiance& irradianceFor(GatherOf of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
     LightFeatures sources_;
-    double shadowTexel_;  // the longest side of a texel of the shadow map, in volume units
+    bool hasDynamic_;  // some of the scene is voxelized in each pose: all of it to measure that
+    ScenePart dynamicPart_;
     DirectionalVoxels voxels_;
     DirectionalVoxelizer voxelizer_;
+    gl::AsyncRead counts_;  // of the lists, after dynamic objects were voxelized
+    LightInjector injector_;
     DirectionalMipmapper mipmapper_;
-    std::optional<IncrementalUpdate> incremental_;  // where something moves
-    std::optional<Relighter> relighter_;            // since the light changed for the first time
-    std::optional<Irradiance> light_, occlusion_;   // since a picture needed them
-    bool allBounces_ = true;                        // in the received light
-    std::optional<SceneState> made_;  // of what the voxels were made; nothing where they were not
+    std::optional<Irradiance> light_, occlusion_;  // since an output needed them
+    bool isPrepared_ = false;
+    bool isInjected_ = false;              // the faces have the present light
+    bool allBounces_ = true;               // in the irradiance
+    std::optional<SceneState> cachedFor_;  // what the voxels were made for; nothing where they were not
 };
 
 }  // namespace vct

@@ -1,6 +1,5 @@
 #include "engine/directional/directional_voxelizer.h"
 
-#include "engine/packed/packed_voxelizer.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 #include "gl/render_pass.h"
@@ -18,18 +17,21 @@ glm::ivec4 viewportFor(int side) {
 
 }  // namespace
 
-gl::ProgramDescription occupancyProgram(unsigned features, Voxelization voxelization) {
-    if (!(features & featureAlphaMask)) features = 0;
-    return voxelizing("directional/occupancy", featureDefines(features, holeFeatures), voxelization);
+gl::ProgramDescription markFacesProgram(unsigned features) {
+    const unsigned used =
+        (features & featureAlphaMask) ? holeFeatures | featureDoubleSided : unsigned{featureDoubleSided};
+    return voxelizing("directional/mark_faces", featureDefines(features, used), Voxelization::sortedAxes);
 }
 
-gl::ProgramDescription directionalVoxelizerProgram(unsigned features, Voxelization voxelization) {
-    return voxelizing("directional/voxelizer", featureDefines(features, voxelFeatures, {"VCT_RELIGHT false"}),
-                      voxelization);
+gl::ProgramDescription listFacesProgram() {
+    return {"directional/list_faces", {"directional/list_faces.comp"}, {}};
 }
 
-gl::ProgramDescription directionalResolveProgram() {
-    return {"directional/resolve", {"directional/resolve.comp"}, {"VCT_STATIC false"}};
+gl::ProgramDescription accumulateProgram(unsigned features, bool emission) {
+    return voxelizing(
+        "directional/accumulate",
+        featureDefines(features, voxelFeatures & ~unsigned{featurePunctualLights}, emissionDefines(emission)),
+        Voxelization::sortedAxes);
 }
 
 FaceProjection::FaceProjection(int grid)
@@ -46,55 +48,40 @@ void FaceProjection::use() const {
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                                           Voxelization voxelization)
-    : markOccupied_(shaders, scene,
-                    [=](unsigned features) { return occupancyProgram(features, voxelization); }),
-      accumulate_(shaders, scene,
-                  [=](unsigned features) { return directionalVoxelizerProgram(features, voxelization); }),
-      resolve_(shaders, directionalResolveProgram()),
+                                           bool emission)
+    : markFaces_(shaders, scene, markFacesProgram),
+      accumulate_(shaders, scene, [=](unsigned features) { return accumulateProgram(features, emission); }),
+      listFaces_(shaders, listFacesProgram()),
       projection_(grid) {}
 
-void DirectionalVoxelizer::run(const GpuScene& scene, const DirectLight& light, DirectionalVoxels& voxels) {
-    const gl::DebugGroup group("voxelize");
-    voxels.clear();
-    markOccupied(scene, {}, voxels);
-    if (voxels.places() == 0) voxels.makeRoom(voxels.index().readActiveCounts()[0]);
-    accumulate(scene, {}, accumulate_, light, voxels);
-    resolve(resolve_, voxels, [&] { voxels.index().dispatchOverLevel(0); });
-}
-
-void DirectionalVoxelizer::markOccupied(const GpuScene& scene, const ScenePart& part,
-                                        DirectionalVoxels& voxels) const {
-    projection_.use();
-    voxels.index().bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
-    voxels.index().bindLists();
-    scene.drawForVoxels(markOccupied_, part, projection_.viewport());
-    // Next: the places in the list are fetched as a texture.
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-}
-
-void DirectionalVoxelizer::accumulate(const GpuScene& scene, const ScenePart& part,
-                                      const MaterialPrograms& programs, const DirectLight& light,
-                                      DirectionalVoxels& voxels) const {
+void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
+                                     const DirectionalVoxels& voxels) const {
+    const gl::DebugGroup group("list faces");
     projection_.use();
     voxels.bindLists();
-    light.sun.depth->bind(VCT_TEX_SHADOW_DEPTH);
-    plainDepth_.bind(VCT_TEX_SHADOW_DEPTH);
-    light.bindOthers();
-    voxels.index().texture().bind(VCT_TEX_VOXELS);
-    scene.drawForVoxels(programs, part, projection_.viewport());
+    voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    markFaces_.setUniform(VCT_UNIFORM_LIST, list);
+    scene.drawForVoxels(markFaces_, part);
+    // The next pass loads the index, reads the list and is dispatched by the commands.
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                      GL_COMMAND_BARRIER_BIT);
+    listFaces_.use();
+    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.index().dispatchOverLevel(list);
+    // Later passes fetch the index, read the lists and are dispatched over them; the voxel view draws them.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-void DirectionalVoxelizer::resolve(const gl::Program& program, DirectionalVoxels& voxels,
-                                   const std::function<void()>& dispatch) const {
+void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
+                                      const DirectionalVoxels& voxels) const {
+    const gl::DebugGroup group("accumulate");
+    projection_.use();
+    voxels.bindLists();
+    voxels.indexOf(list).bind(VCT_TEX_VOXELS);
+    accumulate_.setUniform(VCT_UNIFORM_LIST, list);
+    scene.drawForVoxels(accumulate_, part);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    program.use();
-    voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    voxels.index().bindLevel(VCT_IMAGE_VOXELS_NEXT, 1, GL_READ_WRITE);
-    dispatch();
-    // Next: the mipmapper fetches the faces, reads the lists and is dispatched by the commands.
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 }  // namespace vct

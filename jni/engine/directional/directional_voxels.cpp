@@ -1,6 +1,7 @@
 #include "engine/directional/directional_voxels.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/error.h"
 #include "engine/frame_uniforms.h"
@@ -26,12 +27,16 @@ double areaWorld(const Mesh& mesh, const Instance& instance) {
 
 }  // namespace
 
-gl::ProgramDescription directionalClearProgram() {
+gl::ProgramDescription clearDynamicProgram(bool emission) {
+    return {"directional/clear_dynamic", {"directional/clear_dynamic.comp"}, emissionDefines(emission)};
+}
+
+gl::ProgramDescription clearLevelProgram() {
     return {"directional/clear", {"directional/clear.comp"}, {}};
 }
 
-gl::ProgramDescription directionalClearBaseProgram() {
-    return {"directional/clear_base", {"directional/clear_base.comp"}, {}};
+gl::ProgramDescription resetListsProgram() {
+    return {"directional/reset_lists", {"directional/reset_lists.comp"}, {}};
 }
 
 float faceSumUnits(std::size_t triangles) {
@@ -68,81 +73,181 @@ float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const
     return range > 0.0F ? range : 1.0F;
 }
 
-DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity)
-    : index_(shaders, grid, listCapacity),
-      faces_(texture("voxel faces", grid, index_.levels())),
-      clearBase_(shaders, directionalClearBaseProgram()),
-      clear_(shaders, directionalClearProgram()) {
+DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
+                                     bool dynamicObjects, bool emission)
+    : emission_(emission),
+      index_(shaders, grid, listCapacity,
+             dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces),
+      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
+                                 index_.levels())) {
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
-    gl::zeroTexture3d(faces_, grid);
-}
-
-gl::Texture DirectionalVoxels::texture(const std::string& label, int grid, int levels) {
-    return gl::Texture::make3d(label, GL_RGBA8, blocksX * grid, blocksY * grid, grid, levels);
+    if (!dynamicObjects) return;
+    clearDynamic_ = gl::Program(shaders, clearDynamicProgram(emission));
+    clearLevel_ = gl::Program(shaders, clearLevelProgram());
+    resetLists_ = gl::Program(shaders, resetListsProgram());
+    for (int i = 0; i < 2; ++i)
+        dynamicIndices_.push_back(
+            gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid, grid, grid, 1));
 }
 
 std::size_t DirectionalVoxels::bytesFor(int grid, std::uint32_t listCapacity) {
-    return VoxelPyramid::bytesFor(grid, listCapacity) +
+    return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces) +
            gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, grid, 1) * 8 / 7;
-}
-
-std::uint32_t withHeadRoom(std::uint32_t count) {
-    return count + count / 4;
 }
 
 Resources DirectionalVoxels::resources() const {
     Resources resources = index_.resources();
     add(resources, faces_);
-    add(resources, sums_);
+    add(resources, faceData_);
+    for (const gl::Texture& texture : dynamicIndices_)
+        add(resources, texture);
     return resources;
 }
 
-void DirectionalVoxels::clear() {
-    const gl::DebugGroup group("clear faces");
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    // Until there is room for the sums, no face is written.
-    if (sums_.bytes() == 0) {
-        index_.clear();
-        return;
+// Where each list and each level's bits begin, in words of the faces' buffer;
+// shaders/directional/face_lists.glsl.
+void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
+    std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
+    for (const std::uint32_t list : {0U, VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U}) {
+        shared::LevelCommands& base = commands.lists[list];
+        base.firstFace = next + firstId;
+        base.firstId = firstId;
+        base.faceCapacity = capacities_[list];
+        firstId += capacities_[list];
     }
-    bindLists();
-    index_.texture().bind(VCT_TEX_VOXELS);
-    clearBase_.use();
-    bindLevel(VCT_IMAGE_FACES, 0);
-    index_.bindLevel(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
-    index_.dispatchOverLevel(0);
-    clear_.use();
+    next += firstId;
     for (int level = 1; level < levels(); ++level) {
-        bindLevel(VCT_IMAGE_FACES, level);
-        index_.bindLevel(VCT_IMAGE_VOXELS, level, GL_WRITE_ONLY);
-        index_.dispatchOverFaces(level);
+        shared::LevelCommands& above = commands.lists[level];
+        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
+        above.firstFace = next;
+        above.faceCapacity = capacities_[static_cast<std::size_t>(level)];
+        above.firstMask = next + above.faceCapacity;
+        next = above.firstMask + (side * side * side + 3) / 4;
     }
-    index_.emptyLists();
 }
 
-void DirectionalVoxels::makeRoom(std::uint32_t voxels) {
+std::size_t DirectionalVoxels::words() const {
+    shared::CommandLists commands{};
+    placeLists(commands);
+    return commands.lists[levels() - 1].firstMask + std::size_t{1};
+}
+
+void DirectionalVoxels::reset(const FaceCapacities& capacities) {
+    const gl::DebugGroup group("clear voxels");
+    gl::zeroTexture3d(faces_, grid());
+    index_.zeroTexture();
+    for (const gl::Texture& texture : dynamicIndices_)
+        gl::zeroTexture3d(texture, grid());
     // Where there is no memory for the new ones, there is no room.
-    sums_ = {};
-    places_ = 0;
-    const std::uint32_t places = std::max(voxels, 1U);
-    const std::size_t words = index_.placeFaceLists(std::size_t{places} * VCT_SLOT_WORDS, places);
-    const std::vector<std::uint32_t> zeros(words);
-    sums_ = gl::Buffer("voxel face sums", GL_SHADER_STORAGE_BUFFER, words * sizeof zeros[0], zeros.data(),
-                       GL_DYNAMIC_COPY);
-    places_ = places;
+    faceData_ = {};
+    capacities_ = capacities;
+    pose_ = 0;
+    const std::vector<std::uint32_t> zeros(words());
+    faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
+                           zeros.size() * sizeof zeros[0], zeros.data(), GL_DYNAMIC_COPY);
+    shared::CommandLists commands = index_.initialCommands();
+    placeLists(commands);
+    index_.setCommands(commands);
+}
+
+void DirectionalVoxels::keepStatic() {
+    shared::CommandLists commands = index_.readCommands();
+    for (shared::LevelCommands& list : commands.lists) {
+        list.staticVoxels = list.voxelCount;
+        list.staticFaces = list.faceCount;
+    }
+    index_.setCommands(commands);
+}
+
+void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
+    beginPose();
+    shared::CommandLists commands = index_.readCommands();
+    const shared::CommandLists old = commands;
+    std::vector<std::uint32_t> before(faceData_.bytes() / sizeof(std::uint32_t));
+    faceData_.read(before.data(), faceData_.bytes());
+    capacities_ = capacities;
+    placeLists(commands);
+    std::vector<std::uint32_t> after(words());
+    const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
+        std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(from), count,
+                    after.begin() + static_cast<std::ptrdiff_t>(to));
+    };
+    copy(0, 0, std::size_t{commands.lists[0].staticFaces} * faceWords());
+    for (int level = 0; level < levels(); ++level) {
+        const shared::LevelCommands& list = commands.lists[level];
+        copy(old.lists[level].firstFace, list.firstFace, list.staticFaces);
+        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
+        // What found no room in its list is not in it, but in the bits: they are set again.
+        for (std::uint32_t i = 0; level > 0 && i < list.staticFaces; ++i) {
+            const std::uint32_t entry = after[list.firstFace + i];
+            const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
+            const std::uint32_t place = voxel.x + side * (voxel.y + side * voxel.z);
+            after[list.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entry));
+        }
+    }
+    for (const std::uint32_t list : {VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U})
+        commands.lists[list].faceCount = commands.lists[list].voxelCount = commands.lists[list].groupsX = 0;
+    for (const gl::Texture& texture : dynamicIndices_)
+        gl::zeroTexture3d(texture, grid());
+    faceData_ = {};
+    faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
+                           after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);
+    index_.setCommands(commands);
+}
+
+void DirectionalVoxels::beginPose() {
+    const gl::DebugGroup group("remove dynamic objects");
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    bindLists();
+    clearDynamic_.use();
+    bindLevel(VCT_IMAGE_FACES, 0);
+    previousIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    index_.dispatchOverFaces(0);
+    clearLevel_.use();
+    for (int level = 1; level < levels(); ++level) {
+        bindLevel(VCT_IMAGE_FACES, level);
+        gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
+        index_.dispatchOverFaces(level);
+    }
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    resetLists_.use();
+    gl::DispatchCompute(1, 1, 1);
+    pose_ = 1 - pose_;
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() const {
+    const shared::CommandLists commands = index_.readCommands();
+    std::vector<BaseFace> faces;
+    for (const std::uint32_t list : {0U, dynamicList()}) {
+        const shared::LevelCommands& base = commands.lists[list];
+        std::vector<std::uint32_t> entries(std::min(base.faceCount, base.faceCapacity));
+        faceData_.read(entries.data(), entries.size() * sizeof entries[0],
+                       base.firstFace * sizeof entries[0]);
+        for (std::uint32_t i = 0; i < entries.size(); ++i)
+            if ((entries[i] & VCT_MERGED_FACE) == 0) faces.push_back({entries[i], base.firstId + i});
+    }
+    return faces;
 }
 
 std::vector<std::uint32_t> DirectionalVoxels::readFaceList(int level) const {
-    const shared::LevelCommands commands = index_.readCommands()[static_cast<std::size_t>(level)];
-    std::vector<std::uint32_t> faces(std::min(commands.faceCount, commands.faceCapacity));
-    sums_.read(faces.data(), faces.size() * sizeof faces[0], commands.firstFace * sizeof faces[0]);
+    std::vector<std::uint32_t> faces;
+    if (level == 0) {
+        for (const BaseFace& face : readBaseFaces())
+            faces.push_back(face.entry);
+        return faces;
+    }
+    const shared::LevelCommands list = index_.readCommands().lists[level];
+    faces.resize(std::min(list.faceCount, list.faceCapacity));
+    faceData_.read(faces.data(), faces.size() * sizeof faces[0], list.firstFace * sizeof faces[0]);
     return faces;
 }
 
 void DirectionalVoxels::bindLists() const {
     index_.bindLists();
-    sums_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_SUMS);
+    faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
 }
 
 void DirectionalVoxels::bindLevel(int unit, int level) const {

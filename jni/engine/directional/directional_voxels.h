@@ -1,6 +1,10 @@
-// Directional coverage voxels: six faces per voxel, filterable, with mip levels, and the list of what is
-// occupied. shaders/directional/voxels.glsl says what a face holds.
+// Directional voxels: six one-sided faces per voxel, filterable, with mip levels, and the lists of what is
+// not empty. The static geometry and the dynamic objects have separate sums, which the injection of light
+// combines. shaders/directional/voxels.glsl, face_lists.glsl and face_sums.glsl say what each part holds.
 #pragma once
+
+#include <array>
+#include <optional>
 
 #include "engine/voxel_pyramid.h"
 #include "scene/scene.h"
@@ -11,62 +15,95 @@ namespace vct {
 // triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
 float faceSumUnits(std::size_t triangles);
 
-// The radiance that the faces' 8 bits store as 1, relative to E/pi: what a white wall shines with in the sun
-// and by bounces, or the brightest emitter or white wall beside a lamp, and what goes round of the light of
-// all of them, as in a closed room, and the sky (scene's unit). What is brighter still is cut off. Above 0,
-// also in the dark.
+// The radiance that the faces' 8 bits store as 1, relative to E/pi: that of a white wall in the sun and by
+// bounces, or of the brightest emitter or white wall beside a lamp, and what circulates of the light of all
+// of them, as in a closed room, and the sky (scene's unit). Brighter radiance is cut off. Above 0, also in
+// the dark.
 float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
                         int grid);
 
-// Room for a count of voxels that changes: so much more that it rarely grows again.
-std::uint32_t withHeadRoom(std::uint32_t count);
+gl::ProgramDescription clearDynamicProgram(bool emission);
+gl::ProgramDescription clearLevelProgram();
+gl::ProgramDescription resetListsProgram();
 
-gl::ProgramDescription directionalClearProgram();
-gl::ProgramDescription directionalClearBaseProgram();
+// Capacities of the lists of faces, by list (VCT_LISTS).
+using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
 
 class DirectionalVoxels {
   public:
-    // `listCapacity`: of the base level's list, as for VoxelPyramid.
-    DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity);
+    // `listCapacity`: of the base level's list of voxels, as for VoxelPyramid. `dynamicObjects`: the scene
+    // has some. `emission`: faces have sums of the light that surfaces emit.
+    DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
+                      bool dynamicObjects, bool emission);
 
     Resources resources() const;
     static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
     // The faces' texture holds six blocks of grid^3 texels, so many along x and y.
     static constexpr int blocksX = 3, blocksY = 2;
-    static gl::Texture texture(const std::string& label, int grid, int levels);
 
     int grid() const { return index_.grid(); }
     int levels() const { return faces_.levels(); }
 
     // RGBA8, 3 x 2 blocks of grid^3, sampled trilinearly.
     const gl::Texture& faces() const { return faces_; }
-    // Which voxels are occupied, their lists, and at the base level each voxel's place in the list + 1.
+    // The occupied voxels of the static geometry, and the lists of everything.
     const VoxelPyramid& index() const { return index_; }
-    // What voxelization adds up per occupied voxel, and the lists of faces:
-    // shaders/directional/face_sums.glsl, face_list.glsl. Empty before makeRoom().
-    const gl::Buffer& sums() const { return sums_; }
+    // The words of all faces, and the lists of faces.
+    const gl::Buffer& faceData() const { return faceData_; }
+    // Words of each face.
+    std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
+    const FaceCapacities& capacities() const { return capacities_; }
+    // The number of faces' ids: of static faces, and twice of dynamic ones.
+    std::uint32_t idCapacity() const { return capacities_[0] + 2 * capacities_[VCT_LIST_DYNAMIC]; }
 
-    // Empties voxels, faces and sums, through the last frame's lists.
-    void clear();
-    // Says which entries of the lists are active: VoxelPyramid::readCommands().
-    void setCommands(const std::vector<shared::LevelCommands>& commands) { index_.setCommands(commands); }
-    // Of how many voxels there is room for sums and faces, the first ones in the base level's list.
-    std::uint32_t places() const { return places_; }
-    // Makes that room. Sums and lists of faces that there were are gone.
-    void makeRoom(std::uint32_t voxels);
-    // A level's list of faces, as shared::packFace() makes it. Waits for the GPU.
+    bool hasDynamicObjects() const { return !dynamicIndices_.empty(); }
+    // The list of the dynamic objects in their present pose, and the texture of their occupied voxels in it.
+    std::uint32_t dynamicList() const { return VCT_LIST_DYNAMIC + pose_; }
+    const gl::Texture& dynamicIndex() const { return indexOfPose(pose_); }
+    const gl::Texture& previousIndex() const { return indexOfPose(1 - pose_); }
+    const gl::Texture& indexOf(std::uint32_t list) const {
+        return list < VCT_LIST_DYNAMIC ? index_.texture() : dynamicIndex();
+    }
+
+    // Empties everything, and makes room for the static faces.
+    void reset(const FaceCapacities& capacities);
+    // Takes what is listed now for the static geometry, to which the lists return for each pose. Waits for
+    // the GPU.
+    void keepStatic();
+    // Makes room for more faces of dynamic objects, which are removed. Waits for the GPU.
+    void growDynamic(const FaceCapacities& capacities);
+    // Removes the dynamic objects in their last pose. The faces that they shared with the static geometry
+    // keep their radiance until light is injected.
+    void beginPose();
+
+    // All faces of the base level, at present: their list (shared::packFace(), without those that are merged)
+    // and their ids. Waits for the GPU.
+    struct BaseFace {
+        std::uint32_t entry, id;
+    };
+    std::vector<BaseFace> readBaseFaces() const;
+    // A level's list of faces. Waits for the GPU.
     std::vector<std::uint32_t> readFaceList(int level) const;
 
     void bindLevel(int unit, int level) const;
-    // The lists of voxels and faces, and the sums, for shaders.
+    // The lists of voxels and faces, and the faces' words, for shaders.
     void bindLists() const;
 
   private:
+    const gl::Texture& indexOfPose(std::uint32_t pose) const {
+        return dynamicIndices_.empty() ? index_.texture() : dynamicIndices_[pose];
+    }
+    void placeLists(shared::CommandLists& commands) const;
+    std::size_t words() const;
+
+    bool emission_;
     VoxelPyramid index_;
     gl::Texture faces_;
-    gl::Buffer sums_;
-    std::uint32_t places_ = 0;  // of voxels in it
-    gl::Program clearBase_, clear_;
+    std::vector<gl::Texture> dynamicIndices_;  // of the present pose and the one before, in turn
+    gl::Buffer faceData_;
+    FaceCapacities capacities_{};
+    std::uint32_t pose_ = 0;
+    gl::Program clearDynamic_, clearLevel_, resetLists_;  // where there are dynamic objects
 };
 
 }  // namespace vct

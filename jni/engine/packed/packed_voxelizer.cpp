@@ -19,12 +19,11 @@ PackedVoxelizer::PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScen
 void PackedVoxelizer::run(const GpuScene& scene, const DirectLight& light, VoxelPyramid& voxels) {
     const gl::DebugGroup group("voxelize");
     voxels.clear();
-    const int grid = voxels.grid();
     const gl::RenderPass pass(framebuffer_);
     light.bind();
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLists();
-    scene.drawForVoxels(programs_, {}, {0, 0, grid, grid});
+    scene.drawForVoxels(programs_);
     // Next: the mipmapper loads the image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);

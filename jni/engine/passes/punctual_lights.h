@@ -41,8 +41,6 @@ class PunctualLights {
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Where each is, in volume space; for a directional one the direction towards it, and w 0.
     std::vector<glm::dvec4> places() const;
-    // The angle in radians that a texel and the filter around it cover, as seen from the light.
-    double filterAngle() const { return 12.0 / mapSize_; }
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
@@ -86,18 +84,14 @@ class PunctualLights {
 
 // The light that reaches surfaces straight from its sources, with the maps for its shadows.
 struct DirectLight {
-    ShadowTextures sun;                      // null if the picture does not read them
-    const PunctualLights* others = nullptr;  // null if the sun is the only light
+    ShadowTextures sun;                              // null if the picture does not read them
+    const PunctualLights* punctualLights = nullptr;  // null if the sun is the only light
 
     // Binds all of it for the shaders that read it.
     void bind() const {
         sun.bind();
-        bindPunctualLights();
+        if (punctualLights != nullptr) punctualLights->bind();
     }
-    void bindPunctualLights() const {
-        if (others != nullptr) others->bind();
-    }
-    void bindOthers() const { bindPunctualLights(); }  // the name that jni/engine/directional still uses
 };
 
 }  // namespace vct

@@ -1,20 +1,19 @@
-// Gives each face that is not empty of the blocks' level a brick of received light.
-#include "shared/counters.glsl"
-#include "directional/face_list.glsl"
+// Gives each face that is not empty of the blocks' level a brick of face irradiance.
+#include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
-#include "directional/received.glsl"
+#include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // VCT_BRICK_LEVEL
 
 void main() {
-    COUNT(VCT_COUNTER_LIGHT_BRICKS);
+    COUNT(VCT_COUNTER_BRICKS_PLACE);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     uint along = lightStep.bricksAlong;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_LIGHT_BRICKS_FACE);
+        COUNT(VCT_COUNTER_BRICKS_PLACE_FACE);
         ListedFace listed = listedFace(level, i);
         uint brick = packBrick(uvec3(i % along, i / along % along, i / (along * along)));
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickPlaces).z);

@@ -1,4 +1,4 @@
-// Empties the bricks of received light, and forgets where they are. A column of texels for each invocation.
+// Empties the bricks of face irradiance, and the texture of where they are. A column of texels for each invocation.
 #include "shared/counters.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -6,18 +6,18 @@ layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
 
 void main() {
-    COUNT(VCT_COUNTER_LIGHT_CLEAR);
+    COUNT(VCT_COUNTER_BRICKS_CLEAR);
     ivec2 column = ivec2(gl_GlobalInvocationID);
     ivec3 size = imageSize(irradianceTexels);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            COUNT(VCT_COUNTER_LIGHT_CLEAR_TEXEL);
+            COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }
     size = imageSize(brickPlaces);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
-            COUNT(VCT_COUNTER_LIGHT_CLEAR_PLACE);
+            COUNT(VCT_COUNTER_BRICKS_CLEAR_PLACE);
             imageStore(brickPlaces, ivec3(column, z), uvec4(0u));
         }
 }

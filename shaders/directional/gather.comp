@@ -1,19 +1,16 @@
-// One step of the received light: each face of the base level gathers, by a few cones from the middle of its surface, adds
-// what they meet to its mean, and writes that into its brick. VCT_GATHER_OCCLUSION
-// (true or false): how open the surroundings are, in place of light.
+// One step of the gather: each face of the base level traces a few cones from the middle of its surface, adds what they meet
+// to its history, and writes the history's mean into its brick. VCT_GATHER_OCCLUSION (true or false): it gathers ambient
+// visibility in place of light.
 #define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
-#include "shared/counters.glsl"
-#include "directional/face_list.glsl"
+#include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/received.glsl"
+#include "directional/face_irradiance.glsl"
 #include "directional/sky_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(binding = VCT_TEX_VOXELS) uniform usampler3D index;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // 0
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
@@ -89,19 +86,19 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
     uint at = blockSums(brick);
     uvec4 units = uvec4(vec4(min(light, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
     for (uint c = 0u; c < 4u; ++c)
-        atomicAdd(received[at + c], units[c]);
+        atomicAdd(faceIrradianceData[at + c], units[c]);
 }
 
 // Towards the final value in two ways. At first later steps weigh more, as they know more bounces: the first ones fade with
 // a power of the number of steps. Then, in rounds, all directions weigh the same: by and by the mean of a round takes the
 // place of what was there when it began.
-Received nextMean(Received before, float known, vec3 light, float nearness, float stepsNow) {
-    float steps = known + stepsNow, share = VCT_FORGETTING / (known + VCT_FORGETTING);
+FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
+    float steps = max(known + stepsNow, lightStep.leastHistory), share = VCT_FORGETTING / (known + VCT_FORGETTING);
     nearness = mix(before.nearness, nearness, share);
     if (lightStep.shareInRound == 0.0 || known == 0.0)
-        return Received(mix(before.light, light, share), steps, before.atStart, nearness);
+        return FaceIrradiance(mix(before.light, light, share), steps, before.atStart, nearness);
     vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
-    return Received(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
+    return FaceIrradiance(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
 }
 
 // What is received changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
@@ -125,40 +122,41 @@ void main() {
     COUNT(VCT_COUNTER_IRRADIANCE);
     if (gl_LocalInvocationIndex < sums) groupSums[gl_LocalInvocationIndex] = 0u;
     barrier();
-    uint count = faceCount(level);
+    uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_IRRADIANCE_FACE);
-        ListedFace listed = listedFace(level, i);
-        uint slot = texelFetch(index, listed.voxel, 0).r - 1u;
-        if (slot >= voxelPlaces()) continue;
-        SurfacePlane plane = facePlane(slot, listed.face);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        FaceSurface surface = faceSurface(id);
+        SurfacePlane plane = surface.plane;
+        FaceIrradiance before = faceIrradianceAt(id);
         // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
-        // crawls. It looks into more directions, and remembers more of them.
-        float close = closeness(receivedOf(i).nearness);
-        float known = min(stepsOf(i), lightStep.memory * (1.0 + 2.0 * close * lightStep.smoothing));
+        // crawls. It traces more cones, and its history is longer.
+        float close = closeness(before.nearness);
+        float known = min(before.steps, lightStep.memory * (1.0 + 2.0 * close * lightStep.smoothing));
         uint cones = close > 0.5 ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
-        float coverage = faceCoverage(slot, listed.face);
-        // A face without a memory looks into more directions, unless there is hardly anything of it.
-        bool isNew = known == 0.0 && coverage > 0.02;
-        vec3 ownBelow = ownFaces(plane.normal, hasBack(slot, listed.face, plane));
+        // A face without a history traces more cones, unless there is hardly anything of it.
+        bool isNew = known == 0.0 && surface.coverage > 0.02;
+        vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             for (uint c = 0u; c < sums; ++c) {
                 float value = c < 3u ? now.light[c] : skyWord(now.sky, c - 3u);
-                atomicAdd(groupSums[c], uint(value * (coverage * lightStep.sumUnits) + 0.5));
+                atomicAdd(groupSums[c], uint(value * (surface.coverage * lightStep.sumUnits) + 0.5));
             }
         }
-        addToBlock(listed, light, coverage);
-        Received mean = nextMean(receivedOf(i), known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
-        storeReceived(i, mean);
+        addToBlock(listed, light, surface.coverage);
+        FaceIrradiance mean = nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
+        storeFaceIrradiance(id, mean);
         vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-        vec3 all = smoothed(mean.light, mean.nearness, listed, inVoxels) + fromEmitters(i);
-        storeInBricks(listed, vec4(all, 1.0) * coverage);
+        vec3 all = smoothed(mean.light, mean.nearness, listed, inVoxels) + emitterIrradiance(id);
+        storeInBricks(listed, vec4(all, 1.0) * surface.coverage);
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)
-        atomicAdd(received[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
+        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);
 }

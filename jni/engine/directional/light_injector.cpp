@@ -1,0 +1,42 @@
+#include "engine/directional/light_injector.h"
+
+#include <utility>
+
+#include "engine/directional/irradiance.h"
+#include "gl/debug.h"
+
+namespace vct {
+
+gl::ProgramDescription injectProgram(const LightFeatures& sources, bool bounces) {
+    std::vector<std::string> defines = emissionDefines(sources.emission);
+    if (sources.punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
+    if (!bounces) return {"inject, direct light", {"directional/inject.comp"}, defines};
+    defines.emplace_back("VCT_BOUNCES");
+    for (const std::string& define : lightDefines(sources))
+        defines.push_back(define);
+    return {"inject", {"directional/inject.comp"}, defines};
+}
+
+LightInjector::LightInjector(gl::ShaderLibrary shaders, const LightFeatures& sources)
+    : shaders_(std::move(shaders)), sources_(sources) {}
+
+void LightInjector::run(const DirectionalVoxels& voxels, const DirectLight& light,
+                        const Irradiance* irradiance, std::uint32_t frameIndex) {
+    const gl::DebugGroup group("inject");
+    // The last frame fetched the faces that are written here.
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    std::optional<gl::Program>& program = irradiance != nullptr ? bounces_ : direct_;
+    if (!program) program.emplace(shaders_, injectProgram(sources_, irradiance != nullptr));
+    program->use();
+    gl::Uniform1ui(VCT_UNIFORM_FRAME_INDEX, frameIndex);
+    voxels.bindLists();
+    if (irradiance != nullptr) irradiance->bind(voxels);
+    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    light.bind();
+    voxels.bindLevel(VCT_IMAGE_FACES, 0);
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+}  // namespace vct

@@ -1,0 +1,84 @@
+// What each face of the base level receives: its history, a mean over steps, by the face's id. Light is relative to E/pi over
+// frame.radianceRange. Before the faces come sums over all of them of what the last steps found, behind them sums over
+// the faces of each block.
+#include "shared/layout.h"
+
+layout(std140, binding = VCT_UBO_LIGHT) uniform LightBlock {
+    LightStep lightStep;
+};
+layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
+    uint faceIrradianceData[];
+};
+
+struct FaceIrradiance {
+    vec3 light;      // the history's mean; for ambient occlusion the ambient visibility, three times
+    float steps;     // history length; 0: there is none
+    vec3 atStart;    // `light` when the present round began
+    float nearness;  // mean of 1 / distance of what is around, in voxels
+};
+
+// Words of a face.
+#ifdef VCT_EMITTERS
+#define VCT_IRRADIANCE_WORDS 6u
+#else
+#define VCT_IRRADIANCE_WORDS 4u
+#endif
+uint irradianceIndex(uint id) {
+    return VCT_LIGHT_HEADER + VCT_IRRADIANCE_WORDS * id;
+}
+
+FaceIrradiance faceIrradianceAt(uint id) {
+    uint at = irradianceIndex(id);
+    vec2 last = unpackHalf2x16(faceIrradianceData[at + 1u]), lastAtStart = unpackHalf2x16(faceIrradianceData[at + 3u]);
+    return FaceIrradiance(vec3(unpackHalf2x16(faceIrradianceData[at]), last.x), last.y,
+                          vec3(unpackHalf2x16(faceIrradianceData[at + 2u]), lastAtStart.x), lastAtStart.y);
+}
+float historyLength(uint id) {
+    return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
+}
+
+void storeFaceIrradiance(uint id, FaceIrradiance value) {
+    uint at = irradianceIndex(id);
+    faceIrradianceData[at] = packHalf2x16(value.light.rg);
+    faceIrradianceData[at + 1u] = packHalf2x16(vec2(value.light.b, value.steps));
+    faceIrradianceData[at + 2u] = packHalf2x16(value.atStart.rg);
+    faceIrradianceData[at + 3u] = packHalf2x16(vec2(value.atStart.b, value.nearness));
+}
+
+// What a face receives of the compact emitters (directional/emitters.comp) is no mean: it is the same in all steps.
+#ifdef VCT_EMITTERS
+vec3 emitterIrradiance(uint id) {
+    uint at = irradianceIndex(id) + 4u;
+    return vec3(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(faceIrradianceData[at + 1u]).x);
+}
+void storeEmitterIrradiance(uint id, vec3 light) {
+    uint at = irradianceIndex(id) + 4u;
+    faceIrradianceData[at] = packHalf2x16(light.rg);
+    faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
+}
+#else
+vec3 emitterIrradiance(uint id) {
+    return vec3(0.0);
+}
+void storeEmitterIrradiance(uint id, vec3 light) {}
+#endif
+
+// The sums of a step, each weighted by coverage: irradiance before it, what faces reflect of that, and what they send of
+// their own, three words each; what they received in it from other faces; and what they saw of the sky
+// (directional/sky_light.glsl), one word or three.
+#define VCT_SUM_BEFORE 0u
+#define VCT_SUM_REFLECTED 3u
+#define VCT_SUM_DIRECT 6u
+#define VCT_SUM_RECEIVED 9u
+#define VCT_SUM_SKY 12u
+
+uint lightSums(uint step) {
+    return step % 3u * VCT_LIGHT_SUMS;
+}
+
+// Behind the faces: what the faces of a brick's block received in the step, and their coverage.
+uint blockSums(uint brick) {
+    uvec3 place = uvec3(unpackBrick(brick));
+    uint along = lightStep.bricksAlong;
+    return lightStep.blockSums + 4u * (place.x + along * (place.y + along * place.z));
+}

@@ -1,0 +1,129 @@
+// Injects light: every face of the base level gets the radiance that it emits and reflects,
+//
+//     emission + albedo (direct light, with its shadow, at the face's plane + face irradiance),
+//
+// and the surface that the gather and look-ups read, of static and dynamic geometry together. VCT_BOUNCES: face irradiance
+// is known. Without it faces send what they emit and their direct light alone.
+#include "directional/face_sums.glsl"
+#include "directional/voxels.glsl"
+#include "shared/orthonormal.glsl"
+#include "shared/shadow.glsl"
+#ifdef VCT_BOUNCES
+#include "directional/sky_light.glsl"
+#endif
+#ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/punctual_lights.glsl"
+#else
+vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
+    return vec3(0.0);
+}
+#endif
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
+layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
+layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
+layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
+
+// Irradiance by the sun and the punctual lights, relative to E, at four points of the face's plane, a quarter of a voxel from
+// its middle. The plane may go on beyond the surface's border, as where the walls of a room meet: there the shadow map shows
+// what is farther away, or what crosses the plane. So a point counts only where all four texels around it are the surface
+// itself, or all of them block the light. Where there is no such point, as on a thin bar, most of the texels decide.
+// `slackShare`: of the surface, flatSlack to curvedSlack. `middle`: in voxels.
+vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
+    mat3 axes = frameAround(plane.normal);
+    float cosTheta = dot(plane.normal, frame.towardsLight.xyz);
+    vec2 slope = shadowSlope(plane.normal);
+    float slack = sunSlack(slope, slackShare);
+    vec2 points = vec2(0.0), texels = vec2(0.0);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        COUNT(VCT_COUNTER_INJECT_POINT);
+        vec2 aside = i < 2 ? vec2(0.125, 0.375) : vec2(0.375, -0.125);
+        if ((i & 1) == 1) aside = -aside;
+        vec3 position = (middle + axes[0] * aside.x + axes[2] * aside.y) / float(frame.gridSide);
+        if (cosTheta > 0.0) {
+            vec2 around = shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
+            texels += around;
+            points += vec2(equal(around, vec2(4.0)));
+        }
+        sum += 0.25 * punctualIrradiance(position, plane.normal, slackShare);
+    }
+    vec2 known = points == vec2(0.0) && texels.x > texels.y ? texels : points;
+    return sum + max(cosTheta, 0.0) * (known.x / max(known.x + known.y, 1.0)) * frame.lightColor.rgb;
+}
+
+// A face's sums, from the texels of its voxel in both indices.
+FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
+    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
+    if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
+    if (!hasFace(dynamicCell, face)) return sums;
+    uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
+    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? together(sums, faceSums(id)) : sums;
+}
+
+// Whether the face's surface is one side of a sheet or a thin plate. Two walls of an edge look to opposite sides too, but
+// not against each other.
+bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 normal) {
+    int opposite = face ^ 1;
+    if (!hasFace(staticCell | dynamicCell, opposite)) return false;
+    FaceSums back = combinedSums(staticCell, dynamicCell, opposite);
+    return back.coverage > 0.5 * min(sums.coverage, 1.0) && dot(unpackPlane(back.plane).normal, normal) < -0.8;
+}
+
+#ifdef VCT_BOUNCES
+#include "directional/light_balance.glsl"
+#endif
+
+// What a face reflects and emits, premultiplied by its coverage. More than one layer of surface in a voxel: the face is
+// covered and reflects with their mean, but emits their sum, as a lamp that hangs right under a ceiling is in front of it.
+//
+// A slanted surface stands in up to three faces. Together they cover what it covers to rays against its normal, but to rays
+// from other sides, and from behind, more: they would send up to 1.7 times its light. Scaled by the normal's component they
+// would send as much as it does, but be too dark from the front, as in a closed slanted room. The cube root lies between
+// the two errors (docs/levers.md, "Slanted surfaces").
+struct FaceMaterial {
+    vec3 albedo;
+    vec3 emission;  // relative to E/pi
+};
+FaceMaterial materialOf(FaceSums sums, float normalComponent) {
+    float aspect = pow(abs(normalComponent), 1.0 / 3.0);
+    return FaceMaterial(sums.albedo * (aspect / max(sums.coverage, 1.0)), sums.emission * aspect);
+}
+
+void main() {
+    COUNT(VCT_COUNTER_INJECT);
+#ifdef VCT_BOUNCES
+    beginBalance();
+#endif
+    uint count = baseFaceCount();
+    bool hasDynamic = faceCount(dynamicList) > 0u;
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_INJECT_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
+        uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
+        FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
+        SurfacePlane plane = unpackPlane(sums.plane);
+        float coverage = min(sums.coverage, 1.0);
+        faceData[id * faceWords + VCT_FACE_SURFACE] =
+            packSurface(sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
+        FaceMaterial material = materialOf(sums, plane.normal[listed.face >> 1]);
+        vec3 middle = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
+        float slackShare = isCurved(sums.plane) ? curvedSlack : flatSlack;
+        vec3 radiance = material.emission;
+        if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
+        radiance = min(radiance / frame.radianceRange, 1.0);
+#ifdef VCT_BOUNCES
+        radiance = withBounces(id, coverage, radiance, material.albedo);
+#endif
+        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
+        imageStore(faces, texel, ditherToUnorm8(vec4(radiance, coverage), texel, frameIndex));
+    }
+#ifdef VCT_BOUNCES
+    endBalance();
+#endif
+}

@@ -1,0 +1,75 @@
+// Light between the faces, for the injection: what a face reflects of its irradiance, and the correction of all irradiance
+// at once that brings closed rooms to their balance.
+#include "directional/face_irradiance.glsl"
+
+shared uint groupSums[9];
+vec3 balanceFactor;
+uvec3 sumBefore, sumReflected, sumDirect;
+
+// Whole numbers before they are added: then their order does not matter.
+uvec3 inUnits(vec3 value) {
+    return uvec3(value * lightStep.sumUnits + 0.5);
+}
+
+vec3 sumAt(uint at) {
+    return vec3(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u]);
+}
+
+// Light that is reflected again and again in a closed room comes to its balance slowly: each step adds one bounce, and the
+// mean delays it. So all face irradiance is scaled by what the last step's sums say. Of all light that faces send, those sums
+// give the share k that other faces receive; in balance the irradiance is k (direct + reflected) + sky, and a factor s on the
+// irradiance before solves that for all faces together, as a coarse grid of one cell does in a multigrid solver. The mean
+// of that step has moved by its own share already; here it comes as near to the balance as `towardsBalance` says: half the
+// way while the light is found, and in rounds no more than the mean does, as the directions of one step favour some light.
+vec3 globalEnergyCorrection() {
+    uint sums = lightSums(lightStep.frame + 2u);  // of the step before
+    vec3 before = sumAt(sums + VCT_SUM_BEFORE);
+    vec3 fromFaces = sumAt(sums + VCT_SUM_RECEIVED);
+    vec3 reflected = sumAt(sums + VCT_SUM_REFLECTED);
+    vec3 direct = sumAt(sums + VCT_SUM_DIRECT);
+    vec3 sky = skyLight(skySum(sums + VCT_SUM_SKY));
+    vec3 share = fromFaces / max(direct + reflected, 1.0);
+    // A room where nothing is absorbed would have no bound.
+    vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
+    vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
+    vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
+    vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * (found - 1.0));
+    return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
+}
+
+// At the start of every invocation.
+void beginBalance() {
+    if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
+    if (gl_GlobalInvocationID.x < VCT_LIGHT_SUMS)
+        faceIrradianceData[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
+    barrier();
+    sumBefore = sumReflected = sumDirect = uvec3(0u);
+    balanceFactor = lightStep.amplitude > 0.0 ? globalEnergyCorrection() : vec3(1.0);
+}
+
+// A face's radiance with what it reflects of its irradiance. `direct`: without; both relative to frame.radianceRange.
+vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
+    FaceIrradiance mean = faceIrradianceAt(id);
+    mean.light = min(mean.light * balanceFactor, 1.0);
+    mean.atStart = min(mean.atStart * balanceFactor, 1.0);
+    storeFaceIrradiance(id, mean);
+    vec3 reflecting = lightStep.reflected * albedo;
+    vec3 own = direct + reflecting * emitterIrradiance(id);
+    sumBefore += inUnits(coverage * mean.light);
+    sumReflected += inUnits(reflecting * mean.light);
+    sumDirect += inUnits(min(own, 1.0));
+    return own + reflecting * mean.light;
+}
+
+// At the end of every invocation.
+void endBalance() {
+    for (int c = 0; c < 3; ++c) {
+        atomicAdd(groupSums[VCT_SUM_BEFORE + uint(c)], sumBefore[c]);
+        atomicAdd(groupSums[VCT_SUM_REFLECTED + uint(c)], sumReflected[c]);
+        atomicAdd(groupSums[VCT_SUM_DIRECT + uint(c)], sumDirect[c]);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex < 9u)
+        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + gl_LocalInvocationIndex],
+                  groupSums[gl_LocalInvocationIndex]);
+}

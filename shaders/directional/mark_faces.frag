@@ -1,0 +1,17 @@
+// First of two passes over the triangles: which faces of which voxels are not empty. The first fragment of a voxel appends
+// it to the list.
+#include "shared/counters.glsl"
+#include "directional/coverage.glsl"
+
+layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;
+layout(location = VCT_UNIFORM_LIST) uniform uint list;
+
+void main() {
+    COUNT(VCT_COUNTER_MARK_FACES);
+    vec3 coverage = fragmentCoverage();
+    if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
+    uint faces = coveredFaces(coverage);
+    if (materialIsDoubleSided) faces |= coveredFaces(-coverage);
+    ivec3 voxel = fragmentVoxel();
+    if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
+}

@@ -1,0 +1,22 @@
+// Before dynamic objects are voxelized in a new pose: the lists return to the static geometry, and the dynamic objects
+// take the other one of their two lists.
+#include "shared/commands.glsl"
+#include "shared/counters.glsl"
+
+layout(local_size_x = VCT_LISTS) in;
+
+uint groupsOf(uint count) {
+    return min((count + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP), VCT_MAX_GROUPS);
+}
+
+void main() {
+    COUNT(VCT_COUNTER_RESET_LISTS);
+    uint list = gl_LocalInvocationIndex, next = dynamicList ^ 1u;
+    barrier();
+    if (list == 0u) dynamicList = next;
+    if (list >= uint(VCT_LIST_DYNAMIC) && list != next) return;
+    commands[list].voxelCount = commands[list].staticVoxels;
+    commands[list].groupsX = groupsOf(commands[list].staticVoxels);
+    commands[list].faceCount = commands[list].staticFaces;
+    commands[list].faceGroupsX = groupsOf(commands[list].staticFaces);
+}

@@ -1,0 +1,97 @@
+// How light steps gather, from change to convergence; without GL.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "engine/directional/gather_schedule.h"
+
+namespace vct::test {
+namespace {
+
+constexpr GatherSchedule::Change noChange{false, false}, otherLists{true, false}, otherLight{false, true};
+
+GatherSettings settingsWith(int directions, int refined, int cones) {
+    GatherSettings settings;
+    settings.directions = directions;
+    settings.refinedDirections = refined;
+    settings.cones = cones;
+    return settings;
+}
+
+TEST(GatherSchedule, SettlesThenRefinesThenStops) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    EXPECT_EQ(schedule.convergenceSteps(), 16 + 32);
+    for (int i = 0; i < schedule.convergenceSteps(); ++i) {
+        EXPECT_FALSE(schedule.isConverged()) << i;
+        const GatherStep step = schedule.advance(noChange);
+        EXPECT_EQ(step.frame, static_cast<std::uint32_t>(i));
+        EXPECT_EQ(step.cones, 8U);
+        EXPECT_EQ(step.roundShare, i < 8 ? 0.0F : i < 16 ? 1.0F / 8.0F : 1.0F / 32.0F) << i;
+        EXPECT_EQ(step.beginsRound, i == 8 || i == 16) << i;
+        EXPECT_EQ(step.leastHistory > 0.0F, i == 47) << i;
+    }
+    EXPECT_TRUE(schedule.isConverged());
+}
+
+TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    std::set<std::uint32_t> visited;
+    for (int i = 0; i < 48; ++i) {
+        const GatherStep step = schedule.advance(noChange);
+        for (std::uint32_t cone = 0; i >= 16 && cone < step.cones; ++cone)
+            visited.insert((step.direction + cone) % 256);
+    }
+    EXPECT_EQ(visited.size(), 256U);
+}
+
+TEST(GatherSchedule, AFewLightFramesAreNotRefined) {
+    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 1).convergenceSteps(), 1);
+    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 15).convergenceSteps(), 15);
+    EXPECT_EQ(GatherSchedule(settingsWith(64, 0, 8), 16).convergenceSteps(), 16);
+    EXPECT_EQ(GatherSchedule(settingsWith(128, 256, 16), 16).convergenceSteps(), 32);
+}
+
+TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    const GatherStep changed = schedule.advance(otherLight);
+    EXPECT_EQ(changed.cones, 1U);
+    EXPECT_EQ(changed.smoothing, 1.0F);
+    EXPECT_LE(changed.history, 15.0F);
+    EXPECT_EQ(changed.roundShare, 0.0F);
+    EXPECT_FALSE(schedule.isConverged());
+    const GatherStep after = schedule.advance(noChange);
+    EXPECT_EQ(after.cones, 8U);
+    EXPECT_LT(after.history, changed.history);
+    EXPECT_LT(after.smoothing, 1.0F);
+    int steps = 2;
+    for (; !schedule.isConverged(); ++steps)
+        schedule.advance(noChange);
+    EXPECT_EQ(steps, schedule.convergenceSteps());
+}
+
+// Voxels that are made again in the same light: the light has converged, and its histories stay long.
+TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_GT(schedule.advance(otherLists).history, 100.0F);
+        EXPECT_TRUE(schedule.isConverged());
+    }
+}
+
+TEST(GatherSchedule, InvalidatingBeginsWithoutHistory) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    for (int i = 0; i < 20; ++i)
+        schedule.advance(noChange);
+    schedule.invalidate();
+    const GatherStep first = schedule.advance(noChange);
+    EXPECT_EQ(first.history, 0.0F);
+    EXPECT_EQ(first.amplitude, 0.0F);
+    EXPECT_EQ(first.roundShare, 0.0F);
+}
+
+}  // namespace
+}  // namespace vct::test
