@@ -157,7 +157,7 @@ ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& ca
 }
 
 std::string timingsTable(const std::vector<std::pair<Output, StepTimes>>& modes) {
-    TableRows rows{{"milliseconds", "CS", "RT", "V", "M", "I", "Tr", "Tot"}};
+    TableRows rows{{"milliseconds", "CS", "RT", "V", "L", "M", "I", "Tr", "Tot"}};
     for (const auto& [mode, times] : modes) {
         rows.push_back({outputName(mode)});
         const ordered_json steps = stepsJson(times.stepMs);

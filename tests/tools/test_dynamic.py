@@ -26,5 +26,6 @@ def test_the_table(program, root, tmp_path):
     assert everything == 100
     # A camera that moves makes no voxels, but on a busy machine nothing takes its time too.
     assert camera < 15
-    assert light > 20
-    assert 2 < one_ball < 0.5 * all_balls
+    # Light is injected into all faces, and geometry is voxelized where it moves alone.
+    assert 5 < light < 50
+    assert 2 < one_ball < all_balls

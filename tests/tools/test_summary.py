@@ -31,7 +31,7 @@ def test_the_pareto_means_are_those_of_the_scenes(sweep):
     found[0] = pareto.Dot(**{**vars(found[0]), "ms": 4 * found[0].ms})
     by_preset = {(dot.preset, dot.grid): dot for dot in pareto.means(found)}
     assert set(by_preset) == {("thesis", 128), ("thesis", 256), ("mobile", 64), ("quality", 128)}
-    assert by_preset["thesis", 128].ms == pytest.approx(4 ** (1 / 3) * 4 * MS["thesis"])  # Four steps; one of three scenes 4 times as long.
+    assert by_preset["thesis", 128].ms == pytest.approx(4 ** (1 / 3) * 5 * MS["thesis"])  # Five steps; one of three scenes 4 times as long.
     assert by_preset["mobile", 64].error == pytest.approx(0.04)
     assert pareto.draw(found, pareto.footnote(sweep)).startswith(b"\x89PNG")
 
