@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "gl/call_log.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
 #include "support/voxel_kinds.h"
@@ -82,6 +83,29 @@ TEST(DynamicObjects, OneOfAHundredIsVoxelizedAlone) {
         EXPECT_GT(part[visits], 20U) << visits;
         EXPECT_LT(50 * part[visits], all[visits]) << visits;
     }
+}
+
+// Counts arrive through a fence, and are read before the first pass of a later frame.
+TEST(DynamicObjects, NoFrameReadsBackBetweenItsPasses) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    PlayingScene stage(context, scene, mobileSettings());
+    for (const double seconds : {0.0, 1.0, 0.0})
+        stage.settledAt(seconds);
+    int reads = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+        const gl::CallLog log;
+        stage.frameAt(0.02 * frame);
+        bool inPasses = false;
+        for (const gl::Call& call : log.calls()) {
+            const std::string name = call.name;
+            inPasses |= name.rfind("Draw", 0) == 0 || name.rfind("Dispatch", 0) == 0;
+            if (name != "MapBufferRange" && name != "ReadPixels") continue;
+            ++reads;
+            EXPECT_FALSE(inPasses) << name << " in frame " << frame;
+        }
+    }
+    EXPECT_GT(reads, 0) << "no counts arrive";
 }
 
 // What finds no room in the list is removed too, once it has moved on.
