@@ -1,4 +1,4 @@
-// Which voxels are not empty: an R32UI 3D texture, and the lists of them.
+// The voxels that are not empty: an R32UI 3D texture, and the lists of them.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class VoxelPyramid {
                  Kind kind = Kind::packed);
 
     Resources resources() const;
-    // What the texture and the lists take.
+    // Bytes of the texture and the lists.
     static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed);
 
     int grid() const { return grid_; }
@@ -53,7 +53,7 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a list.
     void dispatchOverLevel(std::uint32_t list) const;
-    // Likewise over a level's faces that are not empty.
+    // Dispatches it over a level's faces that are not empty.
     void dispatchOverFaces(int level) const;
 
     // The commands, and what is active in a level's list. Wait for the GPU.

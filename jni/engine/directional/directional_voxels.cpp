@@ -104,7 +104,7 @@ Resources DirectionalVoxels::resources() const {
     return resources;
 }
 
-// Where each list and each level's bits begin, in words of the faces' buffer;
+// Sets where each list and each level's bits begin, in words of the faces' buffer;
 // shaders/directional/face_lists.glsl.
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
@@ -138,7 +138,7 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.zeroTexture();
     for (const gl::Texture& texture : dynamicIndices_)
         gl::zeroTexture3d(texture, grid());
-    // Where there is no memory for the new ones, there is no room.
+    // If there is no memory for the new buffer, there is no room.
     faceData_ = {};
     capacities_ = capacities;
     pose_ = 0;
@@ -177,7 +177,7 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
         const shared::LevelCommands& list = commands.lists[level];
         copy(old.lists[level].firstFace, list.firstFace, list.staticFaces);
         const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
-        // What found no room in its list is not in it, but in the bits: they are set again.
+        // The bits also hold faces that found no room in the list, so they are set again from the list.
         for (std::uint32_t i = 0; level > 0 && i < list.staticFaces; ++i) {
             const std::uint32_t entry = after[list.firstFace + i];
             const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);

@@ -81,7 +81,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
     direction_ += changed ? directionsOfBlock : static_cast<std::uint32_t>(cones_);
     ++frame_;
     stepsLeft_ = std::max(stepsLeft_ - 1, 0);
-    // Where the light has converged, what a few cones find in voxels that are made again changes it little.
+    // A few cones in rebuilt voxels change converged light little.
     if (stepsLeft_ == 0) history_ = maxHistory;
     return step;
 }

@@ -8,7 +8,7 @@
 
 namespace vct {
 
-// How one light step gathers (shaders/shared/layout.h: LightStep).
+// The way in which one light step gathers (shaders/shared/layout.h: LightStep).
 struct GatherStep {
     std::uint32_t frame = 0;        // number of the step
     std::uint32_t direction = 0;    // the first of the set of directions that this step visits
@@ -29,7 +29,7 @@ class GatherSchedule {
     // the settings ask for more directions, refinement follows.
     GatherSchedule(const GatherSettings& settings, int lightFrames);
 
-    // What happened to the voxels since the last step.
+    // A change of the voxels since the last step.
     struct Change {
         bool lists = false;  // the dynamic objects were voxelized in a new pose
         bool light = false;  // what faces send, or what is in the way of it, has changed
@@ -42,7 +42,7 @@ class GatherSchedule {
 
     // Steps after a change until the light has converged, refinement included.
     int convergenceSteps() const { return lightFrames_ + refinementSteps_; }
-    // Whether another step without a change would change nothing.
+    // Says whether another step without a change would change nothing.
     bool isConverged() const { return stepsLeft_ == 0; }
 
   private:

@@ -50,7 +50,7 @@ class Irradiance {
 
     // The history of each face, by its id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
-    // Of each face in it: two more where the scene has compact emitters.
+    // Words of each face in it: two more if the scene has compact emitters.
     std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
 

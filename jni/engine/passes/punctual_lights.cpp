@@ -102,13 +102,14 @@ void PunctualLights::invalidate() {
     uploaded_.clear();
 }
 
-void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer) {
-    if (remake || uploaded_ != states_) timer.timeOnCpu(Step::shadowMap, [&] { upload(); });
+void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool forceRebuild,
+                            StepTimer& timer) {
+    if (forceRebuild || uploaded_ != states_) timer.timeOnCpu(Step::shadowMap, [&] { upload(); });
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         if (!states_[i].on) continue;
         std::vector<Placement> placements = inReach(light, states_[i], now.placements);
-        if (!remake && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
+        if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
         light.cachedFor = states_[i];

@@ -43,7 +43,7 @@ class PunctualLights {
     std::vector<glm::dvec4> places() const;
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
-    void update(const GpuScene& scene, const SceneState& now, bool remake, StepTimer& timer);
+    void update(const GpuScene& scene, const SceneState& now, bool forceRebuild, StepTimer& timer);
     // The next update draws all maps: a frame failed, so they may be wrong.
     void invalidate();
     // For shaders that include shared/punctual_lights.glsl.

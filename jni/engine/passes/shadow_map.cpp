@@ -68,9 +68,9 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
                                     std::vector<const gl::Texture*>{&*moments_}, nullptr, level);
 }
 
-ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
-                                 StepTimer& timer) {
-    if (remake || cachedFor_ != now) {
+ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output,
+                                 bool forceRebuild, StepTimer& timer) {
+    if (forceRebuild || cachedFor_ != now) {
         cachedFor_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
         momentsAreDrawn_ = false;

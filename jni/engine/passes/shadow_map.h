@@ -30,9 +30,9 @@ class ShadowMap {
   public:
     ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false);
 
-    // Draws the map where pose or sun have changed since it was drawn, or where `remake` asks for it, and the
-    // moments where `output` reads a soft shadow.
-    ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool remake,
+    // Draws the map where pose or sun have changed since it was drawn, or where `forceRebuild` asks for it,
+    // and the moments where `output` reads a soft shadow.
+    ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool forceRebuild,
                           StepTimer& timer);
     // The next update draws the map: a frame failed, so it may be wrong.
     void invalidate() { cachedFor_.reset(); }
