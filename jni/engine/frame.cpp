@@ -55,6 +55,7 @@ void Renderer::render(const RenderRequest& request) {
             const bool indirect = reads(output).indirectLight;
             light = voxels().update({.scene = scene_,
                                      .light = direct,
+                                     .surface = surface,
                                      .now = now,
                                      .output = output,
                                      .lightSteps = indirect && indirectTookSteps ? 0 : lightSteps,

@@ -45,8 +45,11 @@ struct GatherSettings {
     int directions = 64;  // per face, visited over several frames while the light settles, a power of two
     int refinedDirections = 0;  // per face, visited once the light has settled, a power of two; 0: none
     int cones = 8;              // per face and frame in which nothing changed, until the light has converged
-    float startOffset = 0.5F;   // along the normal
-    float firstSample = 0.5F;   // along the cone
+    // Per frame in which something changes, whatever the scene: faces take turns, those that pixels look up
+    // most often.
+    int coneBudget = 16384;
+    float startOffset = 0.5F;  // along the normal
+    float firstSample = 0.5F;  // along the cone
     // Height above the surface's plane, in footprints, up to which its own faces, which look against the cone
     // where the surface is slanted, are not met. They are within half a texel of it, filtered by one more.
     float ownSurface = 1.5F;

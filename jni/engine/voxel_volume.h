@@ -3,6 +3,7 @@
 
 #include "engine/gpu_scene.h"
 #include "engine/output.h"
+#include "engine/passes/g_buffer.h"
 #include "engine/passes/punctual_lights.h"
 #include "engine/resource.h"
 #include "engine/scene_state.h"
@@ -26,14 +27,13 @@ class VoxelVolume {
     struct Inputs {
         const GpuScene& scene;
         DirectLight light;
+        const GBuffer::Targets& surface;  // what pixels show
         SceneState now;
         Output output;      // decides which light is needed
         int lightSteps;     // most that face irradiance may take towards its final value
         bool allBounces;    // or the first one alone
         bool forceRebuild;  // of the voxels, even where nothing has changed
     };
-    // Brings the voxels, and the light that the output reads, up to date. Where nothing has changed since the
-    // last call, nothing is computed.
     // Makes what updates need room for, and waits for the GPU where that has to be found out. To be called
     // before the first pass of a frame.
     virtual void prepare(const GpuScene&) {}

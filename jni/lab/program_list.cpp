@@ -20,7 +20,8 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "light_blocks"};
+constexpr std::array lightPrograms{"carry_over",   "clear_bricks", "place_bricks", "mark_lookups",
+                                   "choose_faces", "light_blocks", "fill_bricks"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -68,7 +69,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         programs.push_back(clearDynamicProgram(emission));
         for (const bool environment : {false, true}) {
             for (const char* name : lightPrograms)
-                programs.push_back(lightProgram(name, {false, environment, emitters}));
+                programs.push_back(lightProgram(name, {false, environment, emitters, emission}));
             for (const bool punctual : {false, true})
                 for (const bool bounces : {false, true})
                     programs.push_back(injectProgram({punctual, environment, emitters, emission}, bounces));

@@ -1,16 +1,13 @@
-// One step of the gather: each face of the base level traces a few cones from the middle of its surface, adds what they meet
-// to its history, and writes the history's mean into its brick. VCT_GATHER_OCCLUSION (true or false): it gathers ambient
-// visibility in place of light.
+// One step of the gather: the faces that choose_faces.comp has listed trace a few cones from the middle of their surface, and
+// add what they meet to their history. VCT_GATHER_OCCLUSION (true or false): they gather ambient visibility in place of light.
 #define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/face_irradiance.glsl"
+#include "directional/gather_turns.glsl"
 #include "directional/sky_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
-layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
@@ -33,12 +30,11 @@ vec3 gatherDirection(int i) {
 
 // The cones of a step are the next of the set of directions; the 16 faces of a flat block look into 16 in a row. From one to
 // the next it is the golden section of a turn, nearly: any few in a row are spread over the hemisphere.
-Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int cones) {
+Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
-    ivec2 inBlock = ivec2(across.x & 3, across.y & 3);
-    int first = int(lightStep.direction) + inBlock.x + 4 * inBlock.y;
+    ivec2 inBlock = faceInBlock(voxel, axis);
+    int first = int(firstDirection) + inBlock.x + 4 * inBlock.y;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -57,26 +53,6 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int co
     }
     float share = 1.0 / float(cones);
     return Gathered(gathered.light * (share / frame.radianceRange), gathered.sky * share, gathered.nearness * share);
-}
-
-// Into its own brick, and those of neighbours which hold it for their filter.
-void storeInBricks(ListedFace listed, vec4 texel) {
-    ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
-    ivec3 place = listed.voxel - block * VCT_BRICK_SIDE;
-    ivec3 aside = ivec3(equal(place, ivec3(VCT_BRICK_SIDE - 1))) - ivec3(equal(place, ivec3(0)));
-    // A bit of i for each axis along which a neighbour holds it.
-    ivec3 edge = abs(aside);
-    ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
-    for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
-        COUNT(VCT_COUNTER_IRRADIANCE_BRICK);
-        ivec3 chosen = ivec3(i) >> bit & edge;
-        ivec3 other = block + chosen * aside;
-        if (other != clamp(other, ivec3(0), ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1))) continue;
-        uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
-        if (brick == 0u) continue;
-        ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
-        imageStore(irradianceTexels, unpackBrick(brick) * VCT_BRICK_TEXELS + inBrick, texel);
-    }
 }
 
 // Of all faces of its block that look the same way: directional/light_blocks.comp.
@@ -101,59 +77,46 @@ FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float ne
     return FaceIrradiance(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
 }
 
-// What is received changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
-// 1 where that is a voxel away, as along creases, 0 from four voxels on.
-float closeness(float nearness) {
-    return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
-}
-
-// What is remembered of a face is that of few cones while things change, but far from all a face takes the mean of its
-// block's faces and of those around, which have looked into many directions together.
-vec3 smoothed(vec3 light, float nearness, ListedFace listed, vec3 inVoxels) {
-    float weight = lightStep.smoothing * (1.0 - closeness(nearness));
-    // No texel of another direction's faces may leak in.
-    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
-    vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
-    vec4 around = textureLod(blockLight, (position + vec3(listed.face >> 1, listed.face & 1, 0)) * blockSize, 0.0);
-    return weight > 0.0 && around.a > 0.0 ? mix(light, around.rgb / around.a, weight) : light;
-}
-
 void main() {
     COUNT(VCT_COUNTER_IRRADIANCE);
     if (gl_LocalInvocationIndex < sums) groupSums[gl_LocalInvocationIndex] = 0u;
     barrier();
-    uint count = baseFaceCount();
+    uint count = faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_CHOSEN];
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_IRRADIANCE_FACE);
-        uint id = baseFaceId(i);
+        uint chosen = faceIrradianceData[lightStep.chosenFaces + i];
+        uint id = chosen & ~lookedUpFlag;
         ListedFace listed = baseFace(id);
-        if (listed.isMerged) continue;
         FaceSurface surface = faceSurface(id);
         SurfacePlane plane = surface.plane;
         FaceIrradiance before = faceIrradianceAt(id);
+        bool lookedUp = (chosen & lookedUpFlag) != 0u;
+        float rate = turnRate(lookedUp);
+        uint direction = lightStep.direction;
+        // Odd, so that each face comes to all directions.
+        if (lightStep.coneBudget > 0u) direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
         // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
         // crawls. It traces more cones, and its history is longer.
         float close = closeness(before.nearness);
-        float known = min(before.steps, lightStep.memory * (1.0 + 2.0 * close * lightStep.smoothing));
-        uint cones = close > 0.5 ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
+        float memory = max(lightStep.memory * rate, min(lightStep.memory, VCT_LEAST_TURNS));
+        float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
+        uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
         // A face without a history traces more cones, unless there is hardly anything of it.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : cones));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.conesOfNew : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
+            // A face stands for those whose turn it is not.
+            float units = surface.coverage * lightStep.sumUnits / (before.steps == 0.0 ? 1.0 : rate);
             for (uint c = 0u; c < sums; ++c) {
                 float value = c < 3u ? now.light[c] : skyWord(now.sky, c - 3u);
-                atomicAdd(groupSums[c], uint(value * (surface.coverage * lightStep.sumUnits) + 0.5));
+                atomicAdd(groupSums[c], uint(value * units + 0.5));
             }
         }
         addToBlock(listed, light, surface.coverage);
-        FaceIrradiance mean = nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
-        storeFaceIrradiance(id, mean);
-        vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-        vec3 all = smoothed(mean.light, mean.nearness, listed, inVoxels) + emitterIrradiance(id);
-        storeInBricks(listed, vec4(all, 1.0) * surface.coverage);
+        storeFaceIrradiance(id, nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0));
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)

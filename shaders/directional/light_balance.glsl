@@ -1,6 +1,6 @@
 // Light between the faces, for the injection: what a face reflects of its irradiance, and the correction of all irradiance
 // at once that brings closed rooms to their balance.
-#include "directional/face_irradiance.glsl"
+#include "directional/gather_turns.glsl"
 
 shared uint groupSums[9];
 vec3 balanceFactor;
@@ -19,7 +19,7 @@ vec3 sumAt(uint at) {
 // mean delays it. So all face irradiance is scaled by what the last step's sums say. Of all light that faces send, those sums
 // give the share k that other faces receive; in balance the irradiance is k (direct + reflected) + sky, and a factor s on the
 // irradiance before solves that for all faces together, as a coarse grid of one cell does in a multigrid solver. The mean
-// of that step has moved by its own share already; here it comes as near to the balance as `towardsBalance` says: half the
+// of that step has moved by its own share already, where faces take turns by as much less; here it comes as near to the balance as `towardsBalance` says: half the
 // way while the light is found, and in rounds no more than the mean does, as the directions of one step favour some light.
 vec3 globalEnergyCorrection() {
     uint sums = lightSums(lightStep.frame + 2u);  // of the step before
@@ -33,15 +33,13 @@ vec3 globalEnergyCorrection() {
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
-    vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * (found - 1.0));
+    vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 
 // At the start of every invocation.
 void beginBalance() {
     if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
-    if (gl_GlobalInvocationID.x < VCT_LIGHT_SUMS)
-        faceIrradianceData[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
     barrier();
     sumBefore = sumReflected = sumDirect = uvec3(0u);
     balanceFactor = lightStep.amplitude > 0.0 ? globalEnergyCorrection() : vec3(1.0);

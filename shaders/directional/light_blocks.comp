@@ -2,14 +2,18 @@
 // coverage of those that gathered, in alpha. The sums of a step are emptied for the next one.
 #include "shared/counters.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/face_irradiance.glsl"
+#include "directional/gather_turns.glsl"
+#include "directional/last_lookups.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 layout(rgba16f, binding = VCT_IMAGE_BLOCK_LIGHT) writeonly uniform mediump image3D blockLightTexels;
 
-// The weight of one step in the mean: the noise of a block's faces, a cone each, is small, and the lag is short.
-const float share = 0.3;
+// The weight of one step in the mean: the noise of a block's faces, a cone each, is small, and the lag is short. Where faces
+// take turns, noise and lag both grow.
+float shareOfStep(ivec3 block) {
+    return 0.3 * sqrt(turnRate(isLookedUp(block)));
+}
 
 void main() {
     COUNT(VCT_COUNTER_LIGHT_BLOCKS);
@@ -25,7 +29,7 @@ void main() {
         // Before the first step there is nothing in the texture.
         vec4 before = lightStep.inherited > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
         light = sum / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);
-        if (before.a > 0.0) light = mix(before, light, share);
+        if (before.a > 0.0) light = sum.a > 0.0 ? mix(before, light, shareOfStep(texel)) : before;
     }
     imageStore(blockLightTexels, texel, light);
 }

@@ -105,7 +105,7 @@ using glm::vec4;
 #define VCT_COUNTER_IRRADIANCE_FACE 41
 #define VCT_COUNTER_IRRADIANCE_CONE 42
 #define VCT_COUNTER_IRRADIANCE_STEP 43
-#define VCT_COUNTER_IRRADIANCE_BRICK 44
+#define VCT_COUNTER_FILL_BRICKS_TEXEL 44
 #define VCT_COUNTER_RECEIVED_NEARBY 45
 #define VCT_COUNTER_LIGHT_BLOCKS 46
 #define VCT_COUNTER_SPECULAR_STEP 47
@@ -120,7 +120,12 @@ using glm::vec4;
 #define VCT_COUNTER_DEFORM_TARGET 56
 #define VCT_COUNTER_SORT_AXES 57
 #define VCT_COUNTER_SORT_AXES_TRIANGLE 58
-#define VCT_COUNTER_COUNT 59
+#define VCT_COUNTER_MARK_LOOKUPS 59
+#define VCT_COUNTER_CHOOSE_FACES 60
+#define VCT_COUNTER_CHOOSE_FACES_FACE 61
+#define VCT_COUNTER_FILL_BRICKS 62
+#define VCT_COUNTER_FILL_BRICKS_FACE 63
+#define VCT_COUNTER_COUNT 64
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -135,6 +140,7 @@ using glm::vec4;
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
+#define VCT_TEX_LAST_LOOKUPS 7  // no pass needs both
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
 #define VCT_TEX_FACES 9
 #define VCT_TEX_IRRADIANCE 10  // directional/face_irradiance.glsl: the bricks, and where each is
@@ -152,6 +158,7 @@ using glm::vec4;
 #define VCT_IMAGE_IRRADIANCE 2  // ES 3.1 guarantees four units, and no pass needs both
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_BLOCK_LIGHT 2
+#define VCT_IMAGE_LAST_LOOKUPS 2
 
 // Vertex attributes.
 #define VCT_ATTRIBUTE_POSITION 0
@@ -206,12 +213,13 @@ using glm::vec4;
 #define VCT_FACE_MASK 63u
 // The gather (directional/face_irradiance.glsl): sums over all faces, for three steps in turn; and bricks of texels, one
 // for each face that is not empty of the level whose voxels are blocks of 4^3, with a border for the filter.
-#define VCT_LIGHT_SUMS 16u
-#define VCT_LIGHT_HEADER 48u  // words: three such steps
+#define VCT_LIGHT_SUMS 19u
+#define VCT_LIGHT_HEADER 57u  // words: three such steps
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
 #define VCT_BRICK_TEXELS 6
 #define VCT_CONES_OF_CREASES 4    // that a face looks into in a step, at least, where something is near
+#define VCT_LEAST_TURNS 3.0       // that a face's history holds, at least, where faces take turns
 #define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
@@ -289,6 +297,9 @@ struct LightStep {
     uint blockSums;      // word of the received light where the blocks' sums begin
     float smoothing;     // how much of a face's light may be its block's, 0..1
     float leastHistory;  // history length that every face has after the step: long where the light has converged
+    uint coneBudget;     // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
+    uint chosenFaces;    // word of the face irradiance where the list of the faces that gather begins
+    uint unused0, unused1;
 };
 
 struct DrawUniforms {

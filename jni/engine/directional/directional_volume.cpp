@@ -130,7 +130,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     for (int i = 0; i < inputs.lightSteps && !irradiance.isConverged(); ++i) {
         timer.time(Step::irradiance, [&] { irradiance.beginStep(voxels_, inputs.allBounces); });
         if (!occlusion) inject(&irradiance);
-        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_); });
+        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_, inputs.surface); });
     }
     light.irradiance = irradiance.irradiance();
     light.bricks = irradiance.bricks();

@@ -27,6 +27,7 @@ constexpr float smoothingDecay = 0.25F;
 
 GatherSchedule::GatherSchedule(const GatherSettings& settings, int lightFrames)
     : cones_(settings.cones),
+      coneBudget_(settings.coneBudget),
       lightFrames_(lightFrames),
       settlingRound_(settings.directions / settings.cones),
       refinementSteps_(lightFrames >= 2 * settlingRound_ ? settings.refinedDirections / settings.cones : 0) {
@@ -67,6 +68,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
     step.frame = frame_;
     step.direction = direction_;
     step.cones = changed ? 1U : static_cast<std::uint32_t>(cones_);
+    step.coneBudget = changed ? static_cast<std::uint32_t>(coneBudget_) : 0U;
     step.conesOfNew = std::max(initialCones, step.cones);
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
     step.roundShare = inRound.length > 0 ? share : 0.0F;

@@ -14,6 +14,7 @@ struct GatherStep {
     std::uint32_t direction = 0;    // the first of the set of directions that this step visits
     std::uint32_t cones = 0;        // per face
     std::uint32_t conesOfNew = 0;   // per face without a history
+    std::uint32_t coneBudget = 0;   // cones of the whole step, for which faces take turns; 0: no limit
     bool beginsRound = false;       // the step is the first of a round, which visits each direction once
     float roundShare = 0.0F;        // of the step in its round; 0 outside of rounds
     float history = 0.0F;           // longest history of a face, in steps
@@ -53,7 +54,7 @@ class GatherSchedule {
     };
     Round round(bool changed) const;
 
-    int cones_, lightFrames_, settlingRound_, refinementSteps_;
+    int cones_, coneBudget_, lightFrames_, settlingRound_, refinementSteps_;
     int stepsLeft_ = 0;
     bool isSettling_ = true;  // nothing had changed before the last step
     float history_ = 0.0F;    // of the means, in steps

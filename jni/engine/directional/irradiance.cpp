@@ -39,7 +39,9 @@ void append(std::vector<std::string>& defines, const std::vector<std::string>& m
 }  // namespace
 
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources) {
-    return {name, {"directional/" + name + ".comp"}, lightDefines(sources)};
+    std::vector<std::string> defines = lightDefines(sources);
+    append(defines, emissionDefines(sources.emission));
+    return {name, {"directional/" + name + ".comp"}, defines};
 }
 
 LightFeatures featuresFor(GatherOf of, const LightFeatures& sources) {
@@ -73,8 +75,11 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
+      markLookups_(shaders, lightProgram("mark_lookups", sources)),
+      chooseFaces_(shaders, lightProgram("choose_faces", sources)),
       gather_(shaders, gatherProgram(settings, of, sources)),
       gatherBlocks_(shaders, lightProgram("light_blocks", sources)),
+      fillBricks_(shaders, lightProgram("fill_bricks", sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
@@ -98,6 +103,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     const gl::DebugGroup group("begin light step");
     const GatherStep step = schedule_.advance(std::exchange(pending_, {}));
     frameIndex_ = step.frame;
+    coneBudget_ = step.coneBudget;
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels.grid(), voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(step, allBounces);
@@ -116,9 +122,10 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     }
 }
 
-void Irradiance::gather(const DirectionalVoxels& voxels) {
+void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) {
     const gl::DebugGroup group("gather");
     bind(voxels);
+    chooseFaces(voxels, surface);
     if (emitters_ && emitterSteps_ > 0) {
         --emitterSteps_;
         emitters_->use();
@@ -126,18 +133,41 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gather_.use();
-    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    voxels.index().dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    if (coneBudget_ > 0)
+        gl::DispatchCompute((coneBudget_ + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP, 1, 1);
+    else
+        voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gatherBlocks_.use();
     blockLight_->bindImage(VCT_IMAGE_BLOCK_LIGHT, 0, GL_WRITE_ONLY);
     dispatchOver(blocksSize(voxels.grid()));
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    fillBricks_.use();
+    irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
+    voxels.index().dispatchOverFaces(0);
+}
+
+void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const {
+    markLookups_.use();
+    surface.normal->bind(VCT_TEX_G_NORMAL);
+    surface.depth->bind(VCT_TEX_G_DEPTH);
+    lastLookups_->bindImage(VCT_IMAGE_LAST_LOOKUPS, 0, GL_WRITE_ONLY);
+    // A group of 8 x 8 invocations, each of which has a tile of 8 x 8 pixels.
+    const glm::uvec2 groups = (glm::uvec2(surface.depth->width(), surface.depth->height()) + 63U) / 64U;
+    gl::DispatchCompute(groups.x, groups.y, 1);
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    chooseFaces_.use();
+    lastLookups_->bind(VCT_TEX_LAST_LOOKUPS);
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     if (idCapacity_ > 0 && ids == idCapacity_ && bricks == brickCapacity_) return;
     const bool isFirst = idCapacity_ == 0;
-    const std::size_t words = VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{ids} + 4 * std::size_t{bricks};
+    // The histories, the sums of blocks, and the list of the faces that gather.
+    const std::size_t words =
+        VCT_LIGHT_HEADER + (wordsOfFace() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
@@ -173,6 +203,8 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
+    lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
+    gl::zeroTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
 }
 
 void Irradiance::uploadUniforms(const GatherStep& step, bool allBounces) const {
@@ -191,6 +223,8 @@ void Irradiance::uploadUniforms(const GatherStep& step, bool allBounces) const {
     values.reflected = allBounces ? settings_.bounceGain : 0.0F;
     values.amplitude = step.amplitude;
     values.towardsBalance = step.energyCorrection;
+    values.coneBudget = step.coneBudget;
+    values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
     values.smoothing = step.smoothing;
     values.sumUnits = std::min(65536.0F, 2147483648.0F / static_cast<float>(std::max(idCapacity_, 1U)));
@@ -224,7 +258,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels) const {
 
 std::vector<const gl::Texture*> Irradiance::textures() const {
     if (!irradiance_) return {};
-    return {&*irradiance_, &*bricks_, &*blockLight_};
+    return {&*irradiance_, &*bricks_, &*blockLight_, &*lastLookups_};
 }
 
 }  // namespace vct

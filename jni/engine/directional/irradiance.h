@@ -6,6 +6,7 @@
 
 #include "engine/directional/directional_voxels.h"
 #include "engine/directional/gather_schedule.h"
+#include "engine/passes/g_buffer.h"
 #include "engine/programs.h"
 
 namespace vct {
@@ -14,7 +15,7 @@ namespace vct {
 // closed room where nothing is absorbed would have no bound.
 float largestBounceShare(const Scene& scene);
 
-// `name`: carry_over, clear_bricks, place_bricks or light_blocks.
+// `name`: carry_over, clear_bricks, place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
                                      const LightFeatures& sources);
@@ -39,8 +40,9 @@ class Irradiance {
     // `allBounces`: faces send on what they received before; else they send their own light alone, and
     // the first bounce is found.
     void beginStep(const DirectionalVoxels& voxels, bool allBounces);
-    // The step ends: faces trace their cones, towards compact emitters too.
-    void gather(const DirectionalVoxels& voxels);
+    // The step ends: faces trace their cones, towards compact emitters too. `surface`: what pixels show,
+    // whose faces gather first.
+    void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
     // The number of the step, which seeds the dither of what it stores.
     std::uint32_t frameIndex() const { return frameIndex_; }
 
@@ -66,20 +68,22 @@ class Irradiance {
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
     void uploadUniforms(const GatherStep& step, bool allBounces) const;
     void placeBricks(const DirectionalVoxels& voxels) const;
+    void chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const;
 
     GatherSettings settings_;
     GatherSchedule schedule_;
     GatherSchedule::Change pending_;  // since the last step
-    gl::Program clearBricks_, placeBricks_, gather_, gatherBlocks_;
+    gl::Program clearBricks_, placeBricks_, markLookups_, chooseFaces_, gather_, gatherBlocks_, fillBricks_;
     std::optional<gl::Program> carryOver_;    // where there are dynamic objects
     std::optional<gl::Program> emitters_;     // where the scene has compact emitters
     int emitterSteps_ = emitterUpdatePeriod;  // until all faces have traced cones to the emitters again
     bool placesBricks_ = true;                // in the next step
     gl::Buffer uniforms_, faceIrradiance_;
-    std::optional<gl::Texture> irradiance_, bricks_, blockLight_;
+    std::optional<gl::Texture> irradiance_, bricks_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;
     std::uint32_t frameIndex_ = 0;
+    std::uint32_t coneBudget_ = 0;  // of the step
 };
 
 }  // namespace vct

@@ -1,0 +1,41 @@
+// Lists the faces that gather in this step: those whose turn it is, and those without a history (directional/gather_turns.glsl).
+#include "directional/face_lists.glsl"
+#include "directional/voxels.glsl"
+#include "directional/gather_turns.glsl"
+#include "directional/last_lookups.glsl"
+#include "shared/frame.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+
+shared uint groupCones[2];  // of one turn: of the faces that pixels have looked up lately, and of the others
+
+void main() {
+    COUNT(VCT_COUNTER_CHOOSE_FACES);
+    if (gl_LocalInvocationIndex < 2u) groupCones[gl_LocalInvocationIndex] = 0u;
+    if (gl_GlobalInvocationID.x < VCT_LIGHT_SUMS)
+        faceIrradianceData[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
+    barrier();
+    uint sums = lightSums(lightStep.frame);
+    // From 1024 on they begin at 0 again: a multiple of all directions.
+    if (gl_GlobalInvocationID.x == 0u)
+        faceIrradianceData[sums + VCT_SUM_TURNS] = floatBitsToUint(mod(turnsBefore() + turnRate(true), 1024.0));
+    uint count = baseFaceCount();
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_CHOOSE_FACES_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
+        bool lookedUp = isLookedUp(faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
+        FaceIrradiance mean = faceIrradianceAt(id);
+        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_CONES_OF_CREASES) : 1u);
+        if (mean.steps > 0.0 && !turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow) continue;
+        uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);
+        faceIrradianceData[lightStep.chosenFaces + chosen] = id | (lookedUp ? lookedUpFlag : 0u);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex < 2u)
+        atomicAdd(faceIrradianceData[sums + VCT_SUM_LOOKED_UP_CONES + gl_LocalInvocationIndex],
+                  groupCones[gl_LocalInvocationIndex]);
+}

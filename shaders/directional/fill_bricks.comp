@@ -1,0 +1,57 @@
+// Writes the irradiance of every face into the bricks, where pixels look it up.
+#include "directional/face_sums.glsl"
+#include "directional/irradiance.glsl"
+#include "directional/face_irradiance.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
+layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
+
+// Into the face's own brick, and those of neighbours which hold it for their filter.
+void storeInBricks(ListedFace listed, vec4 texel) {
+    ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
+    ivec3 place = listed.voxel - block * VCT_BRICK_SIDE;
+    ivec3 aside = ivec3(equal(place, ivec3(VCT_BRICK_SIDE - 1))) - ivec3(equal(place, ivec3(0)));
+    // A bit of i for each axis along which a neighbour holds it.
+    ivec3 edge = abs(aside);
+    ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
+    for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
+        COUNT(VCT_COUNTER_FILL_BRICKS_TEXEL);
+        ivec3 chosen = ivec3(i) >> bit & edge;
+        ivec3 other = block + chosen * aside;
+        if (other != clamp(other, ivec3(0), ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1))) continue;
+        uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
+        if (brick == 0u) continue;
+        ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
+        imageStore(irradianceTexels, unpackBrick(brick) * VCT_BRICK_TEXELS + inBrick, texel);
+    }
+}
+
+// A face's history holds few cones while things change, but far from all a face takes the mean of its block's faces and of
+// those around, which have looked into many directions together.
+vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
+    float weight = lightStep.smoothing * (1.0 - closeness(mean.nearness));
+    if (weight == 0.0) return mean.light;
+    vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
+    // No texel of another direction's faces may leak in.
+    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
+    vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
+    vec3 block = (position + vec3(listed.face >> 1, listed.face & 1, 0)) / vec3(3.0, 2.0, 1.0);
+    vec4 around = textureLod(blockLight, block, 0.0);
+    return around.a > 0.0 ? mix(mean.light, around.rgb / around.a, weight) : mean.light;
+}
+
+void main() {
+    COUNT(VCT_COUNTER_FILL_BRICKS);
+    uint count = baseFaceCount();
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        FaceSurface surface = faceSurface(id);
+        vec3 light = smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id);
+        storeInBricks(listed, vec4(light, 1.0) * surface.coverage);
+    }
+}

@@ -1,0 +1,45 @@
+// The turns of the gather. While something changes, a step traces about lightStep.coneBudget cones, whatever the scene and
+// the grid, and faces take turns: in each step a share of them, the rate, gathers. Faces that pixels have looked up lately
+// have four times the rate of the others. It follows from the cones that one turn of all faces takes, which the step before
+// has counted.
+#include "directional/face_irradiance.glsl"
+
+#define VCT_SUM_LOOKED_UP_CONES 15u  // cones that a turn takes of all faces that pixels have looked up lately
+#define VCT_SUM_OTHER_CONES 16u
+#define VCT_SUM_CHOSEN 17u  // faces that gather in the step
+#define VCT_SUM_TURNS 18u   // bits of a float: turns of the faces that pixels look up, up to this step and with it
+
+// Bit of an entry in the list of the faces that gather.
+const uint lookedUpFlag = 0x80000000u;
+
+// Turns per step; 1 where nothing changes, or the budget holds all faces.
+float turnRate(bool lookedUp) {
+    uint before = lightSums(lightStep.frame + 2u);
+    float ofLookedUp = float(faceIrradianceData[before + VCT_SUM_LOOKED_UP_CONES]);
+    float ofOthers = float(faceIrradianceData[before + VCT_SUM_OTHER_CONES]);
+    float budget = float(lightStep.coneBudget);
+    if (lightStep.coneBudget == 0u || ofLookedUp + ofOthers <= budget) return 1.0;
+    return min(budget / (ofLookedUp + 0.25 * ofOthers), 1.0) * (lookedUp ? 1.0 : 0.25);
+}
+
+// Of the faces that pixels look up, before this step.
+float turnsBefore() {
+    return uintBitsToFloat(faceIrradianceData[lightSums(lightStep.frame + 2u) + VCT_SUM_TURNS]);
+}
+
+// The number of a face's turn, and whether it gathers in this step. The 16 faces of a flat block look into 16 directions in a
+// row (directional/gather.comp), and any few in a row are spread over the hemisphere: so faces in a row gather in one step.
+// All blocks that pixels look up do so in step, which keeps them alike.
+struct Turn {
+    uint number;
+    bool isNow;
+};
+Turn turnOf(ivec3 voxel, int axis, bool lookedUp) {
+    ivec2 inBlock = faceInBlock(voxel, axis);
+    ivec3 block = voxel >> VCT_BRICK_LEVEL;
+    float before = turnsBefore() + 1.0;
+    if (!lookedUp) before = 0.25 * before + float((5 * block.x + 11 * block.y + 3 * block.z) & 15) / 16.0;
+    before -= float(inBlock.x + 4 * inBlock.y) / 16.0;
+    float number = floor(before + turnRate(lookedUp));
+    return Turn(uint(number), number > floor(before));
+}

@@ -1,0 +1,29 @@
+// Marks the blocks of faces that pixels look up, with the number of the light step: one pixel of each tile of 8 x 8, another
+// one in each step.
+#include "shared/counters.glsl"
+#include "shared/surface.glsl"
+#include "directional/voxels.glsl"
+#include "directional/face_irradiance.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32ui, binding = VCT_IMAGE_LAST_LOOKUPS) writeonly uniform highp uimage3D lastLookups;
+
+void main() {
+    COUNT(VCT_COUNTER_MARK_LOOKUPS);
+    uint step = lightStep.frame;
+    ivec2 pixel = 8 * ivec2(gl_GlobalInvocationID.xy) + ivec2(step * 5u & 7u, step * 3u + step / 8u & 7u);
+    if (any(greaterThanEqual(pixel, textureSize(depthTarget, 0)))) return;
+    float depth = surfaceDepth(pixel);
+    if (depth == 1.0) return;
+    vec3 position = surfacePosition(vec2(pixel) + 0.5, depth) * float(frame.gridSide);
+    vec3 normal = surfaceNormal(pixel);
+    ivec3 lastBlock = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
+    // Where a surface lies on the border of two blocks, rounding decides in which of them its faces are.
+    for (int i = 0; i < 6; ++i) {
+        int axis = i % 3;
+        if (abs(normal[axis]) < 0.14) continue;
+        ivec3 block = ivec3(floor(position + (i < 3 ? 0.5 : -0.5) * normal)) >> VCT_BRICK_LEVEL;
+        ivec3 texel = faceTexel(clamp(block, ivec3(0), lastBlock), axis, normal[axis] > 0.0 ? 0 : 1, lastBlock.x + 1);
+        imageStore(lastLookups, texel, uvec4(step + 1u));
+    }
+}
