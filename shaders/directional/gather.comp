@@ -1,7 +1,6 @@
 // One step of the gather: each face of the base level traces a few cones from the middle of its surface, adds what they meet
 // to its history, and writes the history's mean into its brick. VCT_GATHER_OCCLUSION (true or false): it gathers ambient
 // visibility in place of light.
-#define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
