@@ -1,5 +1,5 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
-// the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*. VCT_CONE_COUNTER: what counts their steps.
+// the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
@@ -29,75 +29,119 @@ mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, floa
     return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
 }
 
-struct ConeResult {
-    mediump vec3 radiance;        // relative to E/pi
-    mediump float transmittance;  // what is left
-    mediump float nearness;       // 1 / distance of what it met, in voxels, and 0 of what is left
+// A cone from a point near a surface. Lengths in voxels.
+struct Cone {
+    vec3 start;
+    vec3 direction;  // unit length
+    vec3 normal;     // of the surface
+    vec3 ownBelow;   // ownFaces()
+    float rise;      // height above the surface's plane per distance
+    // Whether the border's texels fade into the nothing behind them, over half a texel on both sides of the volume's border.
+    // A cone that is cut off at the border loses up to half of a wall that stands there.
+    bool fades;
 };
 
-// Of a sample: those of neighbours are a step apart, and overlap or gap by as much.
+Cone coneFrom(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, bool fades) {
+    return Cone(start, direction, normal, ownBelow, dot(direction, normal), fades);
+}
+
+float heightAt(Cone cone, float distance) {
+    return VCT_GATHER_START + distance * cone.rise;
+}
+
+// The position in volume space at a distance.
+vec3 positionAt(Cone cone, float distance) {
+    return (cone.start + cone.direction * distance) / float(frame.gridSide);
+}
+
+struct ConeResult {
+    float distance;               // of the next sample
+    mediump vec3 radiance;        // relative to E/pi, over frame.radianceRange while the cone is traced
+    mediump float transmittance;
+    mediump float nearness;       // the sum of 1 / distance over what the cone met
+};
+
+const ConeResult coneBegin = ConeResult(VCT_GATHER_FIRST_SAMPLE, vec3(0.0), 1.0, 0.0);
+
+// Opacity of a gather's sample that is covered: samples of neighbours are a step apart, and overlap or gap by as much.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 
-// Which faces near a surface are its own, for traceCone(): a ray whose direction times the normal is less than this along an
-// axis does not meet that axis's faces. Those of the surface itself look to its normal's side; those of its back, if it is a
-// sheet seen from both sides or a thin plate, to the other, and any direction goes below 2.
+// Which faces near a surface are its own: a ray whose direction times the normal is less than this along an axis does not
+// meet that axis's faces. Those of the surface itself look to its normal's side; those of its back, if it is a sheet seen from
+// both sides or a thin plate, to the other, and any direction goes below 2.
 vec3 ownFaces(vec3 normal, bool hasBack) {
     return hasBack ? 2.0 * step(0.3, abs(normal)) : vec3(0.0);
 }
 
-// Level whose texels are as wide as a cone at that height above the plane of the surface that it starts from, in voxels: a
-// wider sample would contain that surface. Whole levels: a wall's coverage sums to 1 over samples that are a texel apart,
-// only if the texel's size is the footprint.
-float levelAt(float height, float spread) {
-    return max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
+// The share of a texel of that level around a position (volume space) that is inside of the volume; from 1 on all of it.
+float shareInside(vec3 position, float level) {
+    vec3 fromCentre = abs(position - 0.5);
+    return float(frame.gridSide) * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) + 0.5;
 }
 
-// One cone from a point near a surface with that normal; `ownBelow`: ownFaces(). Samples beyond `reach` are not taken. Lengths
-// in voxels. `spread`: scales its width.
-ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
-    float grid = float(frame.gridSide);
-    ConeResult result = ConeResult(vec3(0.0), 1.0, 0.0);
-    float distance = VCT_GATHER_FIRST_SAMPLE;
-    float rise = dot(direction, normal);
-    float level = levelAt(VCT_GATHER_START + distance * rise, spread);
-    if (!VCT_GATHER_FADES) {
-        // Where it leaves the volume (in the far corner's or the near one's planes).
-        vec3 away = (step(0.0, direction) * grid - start) / direction;
-        reach = min(reach, min(away.x, min(away.y, away.z)));
+// Radiance (premultiplied) and coverage that a cone meets at a distance, in texels of one level.
+mediump vec4 sampleLevel(Cone cone, float distance, vec3 position, float level) {
+    // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
+    bool isNear = heightAt(cone, distance) < VCT_GATHER_OWN_SURFACE * exp2(level);
+    bvec3 own = lessThan(cone.direction * cone.normal, isNear ? cone.ownBelow : vec3(-1.0));
+    mediump vec4 met = sampleFaces(position, cone.direction, mix(abs(cone.direction), vec3(0.0), own), level);
+    return cone.fades ? met * clamp(shareInside(position, level), 0.0, 1.0) : met;
+}
+
+// Adds the cone's next sample and advances by one step; true where the cone ends. `blend`: the sample's place between the
+// level and the next, which makes the footprint (1 + blend) texels wide. `opacity`: of a covered sample that is a texel wide.
+bool takeSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
+    float distance = result.distance;
+    vec3 position = positionAt(cone, distance);
+    result.distance += VCT_GATHER_STEP * exp2(level) * (1.0 + blend);
+    mediump vec4 met = sampleLevel(cone, distance, position, level);
+    if (blend > 0.0) {
+        // Each level is weighed by its own texel: then a wall's coverage sums to 1 over the samples that pass it.
+        mediump vec4 wider = sampleLevel(cone, distance, position, level + 1.0);
+        met = mix(met / max(met.a, 1.0), wider * (0.5 / max(wider.a, 1.0)), blend);
     }
-    while (distance < reach) {
-        COUNT(VCT_CONE_COUNTER);
-        float height = VCT_GATHER_START + distance * rise;
-        float stride = VCT_GATHER_STEP * exp2(level);
-        float next = levelAt(height + stride * rise, spread);
-        // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
-        bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
-        mediump vec3 share = mix(abs(direction), vec3(0.0), own);
-        vec3 position = (start + direction * distance) / grid;
-        mediump vec4 met = sampleFaces(position, direction, share, level);
-        if (VCT_GATHER_FADES) {
-            // Beyond the volume there is nothing: in the half texels on both sides of its border the border's texel fades
-            // into that. Of a wall on the border a cone that is cut off there loses up to half.
-            vec3 fromCentre = abs(position - 0.5);
-            float inside = grid * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) + 0.5;
-            if (inside <= 0.0) break;
-            met *= min(inside, 1.0);
-        }
-        // The next sample is wider than it is far away where the level rises: the two share what is between them.
-        mediump float opacity = (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity;
-        // Added, and cut off at what is left: multiplied transmittances let too much through.
-        mediump float taken = min(opacity * min(met.a, 1.0), result.transmittance);
-        result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
-        result.transmittance = result.transmittance - taken;
-        result.nearness = result.nearness + taken / distance;
-        if (result.transmittance < VCT_GATHER_THRESHOLD) break;
-        distance += stride;
-        level = next;
-    }
-    // A cone that ended early met, in the rest, what it met before.
+    // Opacity is added, and cut off at the transmittance: multiplied transmittances let too much through. A cone that meets
+    // the faces of a corner is covered once.
+    mediump float taken = min(opacity * (1.0 + blend) * min(met.a, 1.0), result.transmittance);
+    result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
+    result.transmittance = result.transmittance - taken;
+    result.nearness = result.nearness + taken / distance;
+    return result.transmittance < VCT_GATHER_THRESHOLD;
+}
+
+// The result of all samples. A cone that ended early met, in the rest, what it met before.
+ConeResult coneEnd(ConeResult result) {
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
     result.radiance = result.radiance * (frame.radianceRange / (ended ? met : 1.0));
     if (ended) result.transmittance = 0.0;
     return result;
+}
+
+// Level whose texels are as wide as a gather's cone at that height above the plane of the surface that it starts from, in
+// voxels: a wider sample would contain that surface. Whole levels: a wall's coverage sums to 1 over samples that are a texel
+// apart, only if the texel's size is the footprint.
+float levelAt(float height, float spread) {
+    return max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
+}
+
+// One cone of a gather. Samples beyond `reach` are not taken. `spread`: scales its width.
+ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
+    Cone cone = coneFrom(start, normal, ownBelow, direction, VCT_GATHER_FADES);
+    ConeResult result = coneBegin;
+    float level = levelAt(heightAt(cone, result.distance), spread);
+    if (!VCT_GATHER_FADES) {
+        // Where it leaves the volume (in the far corner's or the near one's planes).
+        vec3 away = (step(0.0, direction) * float(frame.gridSide) - start) / direction;
+        reach = min(reach, min(away.x, min(away.y, away.z)));
+    }
+    while (result.distance < reach) {
+        COUNT(VCT_COUNTER_IRRADIANCE_STEP);
+        if (cone.fades && shareInside(positionAt(cone, result.distance), level) <= 0.0) break;
+        float next = levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
+        // The next sample is wider than it is far away where the level rises: the two share the space between them.
+        if (takeSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
+        level = next;
+    }
+    return coneEnd(result);
 }

@@ -2,7 +2,6 @@
 // hemisphere the part fills has a closed form, and the cone finds how much of that is hidden ("next event estimation"). The
 // result depends only on where things are; it is renewed for a quarter of the faces in each step after something moved,
 // and for new faces at once.
-#define VCT_CONE_COUNTER VCT_COUNTER_EMITTERS_STEP
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/face_irradiance.glsl"
@@ -14,29 +13,18 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 const float coneWidth = 0.25;
 
 // A cone's transmittance at `reach`; `tangent` is that of its half angle. Lengths in voxels.
-mediump float transmittanceTo(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float tangent) {
-    float grid = float(frame.gridSide);
-    mediump float transmittance = 1.0;
-    float distance = VCT_GATHER_FIRST_SAMPLE;
-    float rise = dot(direction, normal);
-    while (distance < reach) {
-        COUNT(VCT_CONE_COUNTER);
-        float height = VCT_GATHER_START + distance * rise;
-        // No wider than what is left either: else it would meet the lamp.
-        float widest = min(VCT_GATHER_HEIGHT * height, 0.5 * (reach - distance));
-        float footprint = max(min(2.0 * distance * tangent, widest), 1.0);
-        float level = floor(log2(footprint));
-        bvec3 own = lessThan(direction * normal, height < VCT_GATHER_OWN_SURFACE * exp2(level) ? ownBelow : vec3(-1.0));
-        mediump vec3 share = mix(abs(direction), vec3(0.0), own);
-        mediump float met = sampleFaces((start + direction * distance) / grid, direction, share, level).a;
+mediump float transmittanceTo(Cone cone, float reach, float tangent) {
+    ConeResult result = coneBegin;
+    while (result.distance < reach) {
+        COUNT(VCT_COUNTER_EMITTERS_STEP);
+        // No wider than the rest of the way either: else it would meet the emitter.
+        float widest = min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
+        float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
         // The last sample reaches beyond the end.
-        float stride = VCT_GATHER_STEP * exp2(level);
-        mediump float within = min((reach - distance) / stride, 1.0);
-        transmittance = transmittance - within * sampleOpacity * min(met, 1.0);
-        if (transmittance < VCT_GATHER_THRESHOLD) return 0.0;
-        distance += stride;
+        mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
+        if (takeSample(result, cone, level, 0.0, within * sampleOpacity)) break;
     }
-    return transmittance;
+    return coneEnd(result).transmittance;
 }
 
 // Relative to E/pi over frame.radianceRange.
@@ -57,7 +45,8 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
         float reach = (distance - part.radiance.w / rising) * grid;
-        sum += light * transmittanceTo(start, plane.normal, ownBelow, towards, reach, coneWidth * part.place.w / distance);
+        Cone cone = coneFrom(start, plane.normal, ownBelow, towards, false);
+        sum += light * transmittanceTo(cone, reach, coneWidth * part.place.w / distance);
     }
     return sum;
 }

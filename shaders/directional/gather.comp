@@ -1,6 +1,5 @@
 // One step of the gather: the faces that choose_faces.comp has listed trace a few cones from the middle of their surface, and
 // add what they meet to their history. VCT_GATHER_OCCLUSION (true or false): they gather ambient visibility in place of light.
-#define VCT_CONE_COUNTER VCT_COUNTER_IRRADIANCE_STEP
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"

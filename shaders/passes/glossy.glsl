@@ -56,33 +56,11 @@ vec3 specularShare(vec3 f0, float roughness, float cosEye) {
     return f0 * (white - grazing) + grazing;
 }
 
-// Where a ray meets the faces of a corner, it is covered once. Beyond the volume there is nothing: in the half texels on
-// both sides of its border the border's texel fades into that. Without it, a wall on the border counts for one sample more or
-// less from ray to ray, and its reflection has hard edges.
-mediump vec4 sampleCovered(vec3 position, vec3 direction, float level) {
-    mediump vec4 value = sampleFaces(position, direction, abs(direction), level);
-    float texels = float(frame.gridSide) * exp2(-level);
-    vec3 inside = clamp(texels * (0.5 - abs(position - 0.5)) + 0.5, 0.0, 1.0);
-    return value * (inside.x * inside.y * inside.z / max(value.a, 1.0));
-}
-
-// Radiance (premultiplied) and coverage of one sample between two mip levels. Each level is weighed by its own texel:
-// then a wall's coverage sums to 1 over the samples that pass it. Lengths in voxels.
-mediump vec4 sampleBetween(vec3 position, vec3 direction, float footprint, float stride) {
-    float level = floor(log2(footprint));
-    float texel = exp2(level);
-    float part = footprint / texel - 1.0;
-    mediump vec4 value = sampleCovered(position, direction, level) * (stride / texel);
-    if (part > 0.0)
-        value = mix(value, sampleCovered(position, direction, level + 1.0) * (0.5 * stride / texel), part);
-    return value;
-}
-
-// What a cone meets of lamps, whose light the voxels do not hold: all of them as one, some way along it.
-struct LampsMet {
+// The compact emitters that a cone meets, as one at some distance. The voxels do not hold their light.
+struct EmitterHit {
     vec3 radiance;  // relative to E/pi, premultiplied by the coverage
     float coverage;
-    float distance;  // in voxels, to where their own voxels begin
+    float distance;  // in voxels, to where the emitters' own voxels begin
 };
 #ifdef VCT_EMITTERS
 #include "shared/emitters.glsl"
@@ -90,14 +68,14 @@ struct LampsMet {
 float overlap(float x, float halfSide, float wide) {
     return clamp((min(x + wide, halfSide) - max(x - wide, -halfSide)) / (2.0 * wide), 0.0, 1.0);
 }
-LampsMet lampsAlong(vec3 start, vec3 direction, float tangent) {
-    LampsMet met = LampsMet(vec3(0.0), 0.0, 0.0);
+EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
+    EmitterHit met = EmitterHit(vec3(0.0), 0.0, 0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
         float seen = seenArea(part, direction);
         vec3 offset = part.place.xyz - start / float(frame.gridSide);
         float along = dot(offset, direction);
-        // Of itself a lamp reflects nothing.
+        // A surface does not reflect the emitter that it belongs to.
         if (seen <= 0.0 || along * float(frame.gridSide) < 1.0) continue;
         float cone = max(along * tangent, 0.25 / float(frame.gridSide));
         float share;
@@ -120,48 +98,38 @@ LampsMet lampsAlong(vec3 start, vec3 direction, float tangent) {
     }
     met.distance /= max(met.coverage, 1e-6);
     float most = 1.0 / max(met.coverage, 1.0);
-    return LampsMet(met.radiance * most, met.coverage * most, met.distance);
+    return EmitterHit(met.radiance * most, met.coverage * most, met.distance);
 }
 #else
-LampsMet lampsAlong(vec3 start, vec3 direction, float tangent) {
-    return LampsMet(vec3(0.0), 0.0, 0.0);
+EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
+    return EmitterHit(vec3(0.0), 0.0, 0.0);
 }
 #endif
 
-// One cone along `direction`, as traceCone of directional/cones.glsl, whose whole levels and small footprints would
-// show as rings and steps: nothing averages these cones with their neighbours'. Lengths in voxels.
+// One cone along `direction`. Its footprint lies between two levels: nothing averages these cones with their neighbours',
+// and whole levels would show as rings and steps. Lengths in voxels.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
-    float voxel = 1.0 / float(frame.gridSide);
-    float widest = 0.25 * float(frame.gridSide);  // so that a cone gets away from the volume faster than it widens
-    mediump vec3 radiance = vec3(0.0), ofLamps = vec3(0.0);
-    mediump float transmittance = 1.0;
-    LampsMet lamps = lampsAlong(start, direction, tangent);
-    vec3 own = max(-direction * normal, 0.0);
-    float distance = VCT_GATHER_FIRST_SAMPLE + VCT_GATHER_OWN_SURFACE * (own.x + own.y + own.z);
-    // The volume's diagonal in the shortest steps: a bound for the driver, never reached.
-    for (int i = 0; i < 1024; ++i) {
-        vec3 p = (start + direction * distance) * voxel;
+    float grid = float(frame.gridSide);
+    Cone cone = coneFrom(start, normal, ownFaces(normal, false), direction, true);
+    ConeResult result = coneBegin;
+    EmitterHit hit = emittersAlongRay(start, direction, tangent);
+    while (result.distance < 2.0 * grid) {
         COUNT(VCT_COUNTER_SPECULAR_STEP);
-        float height = VCT_GATHER_START + distance * dot(direction, normal);
-        float footprint = clamp(min(2.0 * distance * tangent, height), 1.0, widest);
-        // The coarser texel is two footprints wide at most.
-        vec3 fromCentre = abs(p - 0.5);
-        if (max(fromCentre.x, max(fromCentre.y, fromCentre.z)) > 0.5 + footprint * voxel) break;
-        // Before the voxels of the lamps themselves.
-        if (lamps.coverage > 0.0 && distance > lamps.distance - footprint) {
-            ofLamps = lamps.radiance * transmittance;
-            transmittance = transmittance * (1.0 - lamps.coverage);
-            lamps.coverage = 0.0;
+        // A quarter of the volume at most: a cone gets away from the volume faster than it widens.
+        float footprint = clamp(min(2.0 * result.distance * tangent, heightAt(cone, result.distance)), 1.0, 0.25 * grid);
+        // Its light comes before its own voxels.
+        if (hit.coverage > 0.0 && result.distance > hit.distance - footprint) {
+            result.radiance = result.radiance + hit.radiance * (result.transmittance / frame.radianceRange);
+            result.transmittance = result.transmittance * (1.0 - hit.coverage);
+            hit.coverage = 0.0;
         }
-        float stride = VCT_GATHER_STEP * footprint;
-        mediump vec4 value = sampleBetween(p, direction, footprint, stride);
-        mediump float share = min(1.0, transmittance / max(value.a, 1e-4));
-        radiance = radiance + value.rgb * share;
-        transmittance = transmittance - value.a * share;
-        if (transmittance < VCT_GATHER_THRESHOLD) break;
-        distance += stride;
+        float level = floor(log2(footprint));
+        // The wider of the two texels has left the volume.
+        if (shareInside(positionAt(cone, result.distance), level + 1.0) <= 0.0) break;
+        if (takeSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
     }
-    return radiance * frame.radianceRange + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
+    return min(result.radiance * frame.radianceRange, 6e4) +
+           result.transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
 // The light that a surface at `position` (volume space) reflects specularly, but for lights without a size, relative to E/pi.

@@ -1,6 +1,5 @@
 // The last pass: the light of each pixel, in the five modes (thesis 4.6, 5.1.2) or a part of it alone. Each output has a
 // variant: VCT_MODE is its number, and VCT_SHOWS_* say what it reads (jni/engine/output.h).
-#define VCT_CONE_COUNTER VCT_COUNTER_SPECULAR_STEP
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow_slack.glsl"

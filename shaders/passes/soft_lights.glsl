@@ -1,17 +1,16 @@
-// Shadows of lights with a size, out of their maps: percentage-closer soft shadows (Fernando 2005). A search for what blocks
-// the light gives the width of the penumbra, over which the map's texels are then compared. A point or spot is a sphere, which is
-// a disc that faces the receiver; a directional light is a disc at the sky, as the sun is. Taps are places beside the
-// receiver, and each is looked up in the map that shows it, so a penumbra goes on from one side of a cube to the next.
+// Shadows of punctual lights with a size, out of their maps. The filter compares the maps' texels: these maps have no moments.
+// A point or spot is a sphere, which is a disc that faces the receiver; a directional light is a disc at the sky, as the sun is.
+// Taps are places beside the receiver, and each is looked up in the map that shows it, so a penumbra goes on from one side of a
+// cube to the next.
 //
 // "Nearness" is how far what blocks the light is from the receiver on the way to the light: its distance from the receiver over
 // that from a light that has a place, and its distance, in sides of the volume, for one that has none. The disc seen past
 // it covers nearness times the light's size around the receiver; depths in the map are proportional to it, but for a constant.
+#include "passes/penumbra.glsl"
 #include "shared/counters.glsl"
 
 const int sourceSearchTaps = 16;
 const int sourceFilterTaps = 32;  // a penumbra of more texels has steps of as many parts of the light
-// From one sample of a Vogel disc (1979) to the next: the golden angle.
-const mat2 sourceTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
 // A place beside the receiver as the light's map has it.
 struct Beside {
@@ -61,7 +60,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
 
     // Places close to each other in the middle: blockers may be anywhere on the way, and those close to the receiver
     // leave a narrow penumbra.
-    float blockers = 0.0, nearer = 0.0;
+    BlockerSearch search = BlockerSearch(0.0, 0.0);
     vec2 direction = vec2(1.0, 0.0);
     for (int tap = 0; tap < sourceSearchTaps; ++tap) {
         COUNT(VCT_COUNTER_BLOCKER_TAP);
@@ -69,18 +68,13 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         radius *= radius * reach;
         Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         float nearness = (there.depth - textureLod(lightMaps, there.inMap, 0.0).r) * there.perDepth;
-        if (nearness > there.least) {
-            // What is beside the light's cone does not block; it only tells of an edge that the other taps have missed.
-            float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
-            float within = clamp(penumbra / max(radius, 1e-6), 0.0, 1.0);
-            blockers += within * within;
-            nearer += within * within / max(penumbra, 1e-6);
-        }
-        direction = sourceTurn * direction;
+        float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
+        addTap(search, nearness > there.least ? penumbra : 0.0, radius);
+        direction = goldenTurn * direction;
     }
     // What touches the receiver is the hard shadow's.
-    if (blockers == 0.0) return hard;
-    float penumbra = min(blockers / nearer, reach);  // the harmonic mean, as for the sun (passes/soft_shadow.glsl)
+    if (search.weight == 0.0) return hard;
+    float penumbra = min(penumbraOf(search), reach);
     float share = clamp(0.5 * penumbra / texel - 0.5, 0.0, 1.0);
     if (share == 0.0) return hard;
 
@@ -93,14 +87,12 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
         Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
-        vec2 place = there.inMap.xy * mapSize - 0.5;
-        vec2 corner = floor(place);
-        vec2 f = place - corner;
-        vec4 nearness = (there.depth - textureGather(lightMaps, vec3((corner + 1.0) / mapSize, there.inMap.z))) * there.perDepth;
+        vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
+        vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(ofCone * radius)));
-        seen += 1.0 - mix(mix(blocked.w, blocked.z, f.x), mix(blocked.x, blocked.y, f.x), f.y);
-        direction = sourceTurn * direction;
+        seen += 1.0 - filterFootprint(blocked, fract(there.inMap.xy * mapSize - 0.5));
+        direction = goldenTurn * direction;
     }
     return mix(hard, seen / float(sourceFilterTaps), share);
 }

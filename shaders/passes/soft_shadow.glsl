@@ -1,18 +1,14 @@
-// The shadow of a sun with a size, out of the shadow map: percentage-closer soft shadows (Fernando 2005) for a
-// directional light. A search for what blocks the sun gives the width of the penumbra, over which the map's moments
-// (shared/moments.glsl) are then asked, as variance shadow maps are (Donnelly and Lauritzen 2006). Reads the hard shadow's four
-// texels, blockerTaps plain depths and, where something blocks, VCT_FILTER_TAPS places of two levels of the moments: the
-// price does not grow with the penumbra.
+// The shadow of a sun with a size, out of the shadow map. The filter reads the map's moments (shared/moments.glsl), as
+// variance shadow maps do (Donnelly and Lauritzen 2006). Reads the hard shadow's four texels, blockerTaps plain depths and,
+// where something blocks, VCT_FILTER_TAPS places of two levels of the moments: the cost does not grow with the penumbra.
 #include "shared/shadow.glsl"
-#include "shared/counters.glsl"
 #include "shared/moments.glsl"
+#include "passes/penumbra.glsl"
+#include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MOMENTS) uniform highp sampler2D shadowMoments;
 
 const int blockerTaps = 7;  // with 6 a penumbra has steps where the search loses its edge; 16 gain .001 in the courtyard
-
-// From one sample of a Vogel disc (1979) to the next: the golden angle.
-const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
 // Share of the sun's disc that a point sees. 0 where the surface faces away from the disc's centre; that the
 // horizon of a surface at grazing light hides up to half of the disc is left to n.l.
@@ -38,8 +34,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     slope *= min(1.0, steepest * sqrt(tan2) * perSteepness);
     // A comparison reads texels up to one texel away in each axis.
     float size = float(textureSize(shadowDepth, 0).x);  // the map is a square
-    float texelOfMap = 1.0 / size;
-    vec2 texel = texelOfMap * coneFromMap;
+    vec2 texel = coneFromMap / size;
     float rise = dot(abs(slope), texel);
     float bias = rise + roundingBias;
 
@@ -50,15 +45,11 @@ float softShadow(vec3 positionVolume, vec3 normal) {
 
     // The four texels around the receiver, each against the plane where the texel is, as in shadow.glsl. In a crease what
     // blocks touches the receiver: the bias lifts the taps over it, and past the surface's border they see the outside.
-    vec2 rising = slope * texel;
-    vec2 place = receiver.xy * size - 0.5;
-    vec2 f = fract(place);
-    vec4 above = textureGather(shadowDepth, (place - f + 1.0) * texelOfMap) - (receiver.z - dot(rising, f)) -
-                 vec4(rising.y, rising.x + rising.y, rising.x, 0.0);
-    float closest = min(min(above.x, above.y), min(above.z, above.w));
-    float farthest = max(max(above.x, above.y), max(above.z, above.w));
+    ShadowFootprint four = shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, vec2(size))), receiver,
+                                           vec2(size), slope * texel, bias);
+    float farthest = max(max(four.above.x, four.above.y), max(four.above.z, four.above.w));
     // What is farther away has a penumbra wider than a texel's radius, and is no matter of the crease.
-    bool touching = closest > -texel.x;
+    bool touching = four.closest > -texel.x;
     if (touching && farthest < -bias) return 0.0;
     // Past the surface's border, or all four so little nearer that the bias would hide it. The wall that shades a crease
     // is seen where the surface's normal points, which is down its slope: the taps go there, as far as a tap's filter
@@ -75,8 +66,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float toNearPlane = max(receiver.z, 1e-6);
     stepX *= toNearPlane;
     stepY *= toNearPlane;
-    float blockers = 0.0;
-    float near = 0.0;  // over the distance, as a share of the way to the near plane
+    BlockerSearch search = BlockerSearch(0.0, 0.0);
     vec2 direction = vec2(1.0, 0.0);
     for (int i = 0; i < blockerTaps; ++i) {
         COUNT(VCT_COUNTER_BLOCKER_TAP);
@@ -84,19 +74,13 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec2 offset = radius * direction;
         vec3 at = onPlane + stepX * offset.x + stepY * offset.y;
         float blocker = textureLod(shadowDepth, at.xy, 0.0).r;
-        float distance = (receiver.z - blocker) / toNearPlane;
-        // What is beside the cone does not block; it only tells of an edge that the other taps have missed.
-        float within = blocker < at.z ? clamp(distance / max(radius, 1e-6), 0.0, 1.0) : 0.0;
-        blockers += within * within;
-        near += within * within / max(distance, 1e-4);
+        addTap(search, blocker < at.z ? (receiver.z - blocker) / toNearPlane : 0.0, radius);
         direction = goldenTurn * direction;
     }
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
-    if (blockers > 0.0) {
-        // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it
-        // to where the sun is, and light the creases of a room; one too narrow hardens the edge of the farther one.
-        penumbra = blockers / near;
+    if (search.weight > 0.0) {
+        penumbra = penumbraOf(search);
     } else {
         // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
         // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.

@@ -56,12 +56,16 @@ vec2 footprintCorner(vec2 receiver, vec2 size) {
     return (floor(receiver * size - 0.5) + 1.0) / size;
 }
 
+// A footprint's four values between its texels, as a bilinear filter has them.
+float filterFootprint(vec4 four, vec2 f) {
+    return mix(mix(four.w, four.z, f.x), mix(four.x, four.y, f.x), f.y);
+}
+
 ShadowFootprint shadowFootprint(vec4 depths, vec3 receiver, vec2 size, vec2 slope, float slack) {
     vec2 texel = receiver.xy * size - 0.5;
     vec2 corner = floor(texel);
     vec2 f = texel - corner;
-    vec4 above =
-        depths - receiver.z - slope.x * (vec4(0.0, 1.0, 1.0, 0.0) - f.x) - slope.y * (vec4(1.0, 1.0, 0.0, 0.0) - f.y);
+    vec4 above = depths - (receiver.z - dot(slope, f)) - vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
     vec4 blocked = vec4(lessThan(above, vec4(-slack)));
     return ShadowFootprint(texel, corner, above, blocked, dot(blocked, vec4(1.0)),
                            min(min(above.x, above.y), min(above.z, above.w)));
@@ -87,8 +91,7 @@ float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver,
     float nextAbove = nextDepth - receiver.z - dot(slope, next - four.texel);
     bool crease = four.blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
     if (crease && min(four.closest, nextAbove) > -contact) return -1.0;
-    vec2 f = four.texel - four.corner;
-    return 1.0 - mix(mix(four.blocked.w, four.blocked.z, f.x), mix(four.blocked.x, four.blocked.y, f.x), f.y);
+    return 1.0 - filterFootprint(four.blocked, four.texel - four.corner);
 }
 
 // The light of a receiver in a map: texture coordinates and depth. `slope`: the depth that its plane gains per texel; `slack`:
