@@ -1,6 +1,7 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
 // the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*. VCT_CONE_COUNTER: what counts their steps.
 #include "shared/frame.glsl"
+#include "directional/face_range.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/counters.glsl"
@@ -97,7 +98,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     // A cone that ended early met, in the rest, what it met before.
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
-    result.radiance = result.radiance * (frame.radianceRange / (ended ? met : 1.0));
+    result.radiance = result.radiance * (faceRange.radiance / (ended ? met : 1.0));
     if (ended) result.transmittance = 0.0;
     return result;
 }

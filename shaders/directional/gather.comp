@@ -14,7 +14,7 @@ layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
-const uint sums = 3u + VCT_SKY_SUMS;
+const uint sums = 6u;
 shared uint groupSums[sums];
 
 struct Gathered {
@@ -56,7 +56,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, int co
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
-    return Gathered(gathered.light * (share / frame.radianceRange), gathered.sky * share, gathered.nearness * share);
+    return Gathered(gathered.light * share, gathered.sky * share, gathered.nearness * share);
 }
 
 // Into its own brick, and those of neighbours which hold it for their filter.
@@ -84,7 +84,7 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
     uint brick = brickAt(listed.voxel >> VCT_BRICK_LEVEL, listed.face >> 1, listed.face & 1);
     if (brick == 0u) return;
     uint at = blockSums(brick);
-    uvec4 units = uvec4(vec4(min(light, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
+    uvec4 units = uvec4(vec4(min(light / faceRange.sums, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
     for (uint c = 0u; c < 4u; ++c)
         atomicAdd(faceIrradianceData[at + c], units[c]);
 }
@@ -143,16 +143,17 @@ void main() {
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, int(isNew ? lightStep.conesOfNew : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
-            for (uint c = 0u; c < sums; ++c) {
-                float value = c < 3u ? now.light[c] : skyWord(now.sky, c - 3u);
-                atomicAdd(groupSums[c], uint(value * (surface.coverage * lightStep.sumUnits) + 0.5));
+            uvec3 fromFaces = inSumUnits(now.light * surface.coverage), sky = inSumUnits(skyLight(now.sky) * surface.coverage);
+            for (uint c = 0u; c < 3u; ++c) {
+                atomicAdd(groupSums[c], fromFaces[c]);
+                atomicAdd(groupSums[3u + c], sky[c]);
             }
         }
         addToBlock(listed, light, surface.coverage);
         FaceIrradiance mean = nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0);
         storeFaceIrradiance(id, mean);
         vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-        vec3 all = smoothed(mean.light, mean.nearness, listed, inVoxels) + emitterIrradiance(id);
+        vec3 all = min(smoothed(mean.light, mean.nearness, listed, inVoxels) + emitterIrradiance(id), largestLight);
         storeInBricks(listed, vec4(all, 1.0) * surface.coverage);
     }
     barrier();

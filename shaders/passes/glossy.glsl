@@ -161,7 +161,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (transmittance < VCT_GATHER_THRESHOLD) break;
         distance += stride;
     }
-    return radiance * frame.radianceRange + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
+    return radiance * faceRange.radiance + min(ofLamps, 6e4) + transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 
 // The light that a surface at `position` (volume space) reflects specularly, but for lights without a size, relative to E/pi.
