@@ -157,7 +157,7 @@ using GetProcAddress = void* (*)(const char* name);
 // unit, and whether these are enabled: GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST,
 // GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD. (Of what GL has per draw buffer, that of buffer 0 becomes
 // all of theirs.) It uses and leaves undefined: textures of units 0 to 15 and 31, whose samplers are 0
-// afterwards; images of units 0 to 3; uniform buffers 0 to 3 and shader storage buffers 0 to 4; and what is
+// afterwards; images of units 0 to 3; uniform buffers 0 to 5 and shader storage buffers 0 to 4; and what is
 // bound to GL_ARRAY_BUFFER, GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER,
 // GL_COPY_WRITE_BUFFER, GL_DRAW_INDIRECT_BUFFER and GL_DISPATCH_INDIRECT_BUFFER. Everything else is neither
 // read nor changed. While a function runs, no query and no transform feedback may be active. An error that

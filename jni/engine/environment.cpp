@@ -200,36 +200,11 @@ Environment::Environment(const Image& picture, const std::string& name) {
         levels_.push_back(coarser(levels_.back(), side));
 }
 
-float Environment::brightestReceived() const {
-    // Of a single step of the received light, in which a face looks into an eighth of its directions, and a
-    // sun may be in one of them (shaders/directional/irradiance.comp: the mean of the first steps).
-    constexpr float overTheMean = 4.0F;
-    float brightest = 0.0F;
-    for (const glm::vec3& texel : levels_.front())
-        brightest = std::max(brightest, largestComponent(texel));
-
-    int level = 0;
-    while (side(level) > 8)
-        ++level;
-    struct Patch {
-        glm::dvec3 direction, light;  // light: radiance times solid angle / halfTurn
-    };
-    std::vector<Patch> patches;
-    forEachTexel(side(level), [&](int face, int x, int y) {
-        const glm::dvec3 direction =
-            directionOf(face, faceCoordinate(x, side(level)), faceCoordinate(y, side(level)));
-        const glm::dvec3 radiance(levels_[level][patches.size()]);
-        patches.push_back(
-            {glm::normalize(direction), radiance * (texelSolidAngle(x, y, side(level)) / halfTurn)});
-    });
-    float received = 0.0F;
-    for (const Patch& normal : patches) {
-        glm::dvec3 sum(0.0);
-        for (const Patch& patch : patches)
-            sum += std::max(glm::dot(normal.direction, patch.direction), 0.0) * patch.light;
-        received = std::max(received, largestComponent(glm::vec3(sum)));
-    }
-    return std::min(brightest, overTheMean * received);
+float Environment::largestIrradiance() const {
+    glm::vec3 sum(0.0F);
+    for (const glm::vec3& texel : levels_.back())
+        sum += texel;
+    return 4.0F * largestComponent(sum / static_cast<float>(cubeFaces));
 }
 
 gl::Texture Environment::texture(float radianceUnit) const {
@@ -250,10 +225,6 @@ gl::Texture Environment::texture(float radianceUnit) const {
         }
     }
     return texture;
-}
-
-glm::vec3 brightestSky(const Settings& settings) {
-    return settings.environment ? glm::vec3(settings.environment->brightestReceived()) : settings.skyRadiance;
 }
 
 }  // namespace vct

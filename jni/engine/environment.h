@@ -33,10 +33,9 @@ class Environment {
     // Face by face in GL's order, rows from t = 0 on.
     const std::vector<glm::vec3>& texels(int level) const { return levels_[level]; }
 
-    // The brightest that anything can be that only this sky lights, in any channel: no brighter than the sky;
-    // and a surface receives in the mean over its hemisphere at most what the one that faces the sun does, of
-    // which a mean of few directions may be several times as much.
-    float brightestReceived() const;
+    // A bound of the irradiance over pi that a surface receives, in any channel: four times the mean over all
+    // directions, which is what a surface receives of a sky that is all in the direction of its normal.
+    float largestIrradiance() const;
 
     // RGBA16F, relative to `radianceUnit`. What halves cannot hold, a sun perhaps, is cut off in those levels
     // that are too fine for it, as skyRadiance is (frame_uniforms.cpp).
@@ -45,8 +44,5 @@ class Environment {
   private:
     std::vector<std::vector<glm::vec3>> levels_;
 };
-
-// The brightest that anything can be that only the settings' sky lights.
-glm::vec3 brightestSky(const Settings& settings);
 
 }  // namespace vct

@@ -1,9 +1,11 @@
 #include "engine/frame_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/environment.h"
 #include "scene/camera.h"
 
 namespace vct {
@@ -67,6 +69,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     // Cones and the picture hold radiance in halves, which end at 65504; beyond, a black surface would be
     // NaN.
     frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
+    const float sky =
+        settings.environment
+            ? settings.environment->largestIrradiance()
+            : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
+    frame.largestSky = std::min(sky / radianceUnit(light), 6e4F);
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
     // The map's axes in volume space; their lengths are coordinates per volume unit.
     const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));

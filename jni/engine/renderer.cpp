@@ -55,7 +55,6 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
-      faceRadianceRange_(faceRadianceRange(scene, light, brightestSky(settings), settings.grid)),
       largestBounceShare_(largestBounceShare(scene)),
       emissionRange_(largestEmission(scene) / radianceUnit(light)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
@@ -101,7 +100,6 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
         values.volumeFromWindow = glm::translate(values.volumeFromWindow, -glm::vec3(pictureShift_, 0.0F));
     }
     values.faceSumUnits = faceSumUnits(triangles_);
-    values.radianceRange = faceRadianceRange_;
     values.emissionRange = emissionRange_;
     values.largestBounceShare = largestBounceShare_;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);

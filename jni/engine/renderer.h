@@ -118,7 +118,7 @@ class Renderer {
     Bounds boundsWorld_;
     std::size_t triangles_;
     std::optional<gl::Texture> environment_;  // of a sky that is not the same in all directions
-    float faceRadianceRange_, largestBounceShare_, emissionRange_;
+    float largestBounceShare_, emissionRange_;
     Volume volume_;
     std::optional<Emitters>
         emitters_;  // where the scene has some, and voxels are of the kind that needs them

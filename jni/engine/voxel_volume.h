@@ -12,12 +12,13 @@
 
 namespace vct {
 
-// The textures of a volume that the last pass reads. A texture that an output does not need is null.
+// The textures and buffers of a volume that the last pass reads. One that an output does not need is null.
 struct VoxelLight {
     const gl::Texture* packed = nullptr;      // the thesis's voxels, for its cones
     const gl::Texture* irradiance = nullptr;  // what surfaces receive: shaders/directional/irradiance.glsl
     const gl::Texture* bricks = nullptr;      // where in `irradiance` a block's texels lie
     const gl::Texture* faces = nullptr;       // the directional voxels, for cones of glossy surfaces
+    const gl::Buffer* faceRange = nullptr;    // shared::FaceRange of `faces`
 };
 
 class VoxelVolume {

@@ -62,6 +62,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.push_back(variants[i]);
         variants.back().environment = sky;
     }
+    programs.push_back(chooseRangeProgram());
     // Compact emitters emit light.
     constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
         {{false, false}, {true, false}, {true, true}}};
@@ -146,6 +147,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
         for (const char* name : lightPrograms)
             add(Step::irradiance, lightProgram(name, gathered));
         if (gathered.emitters) add(Step::irradiance, emittersProgram(settings.gather, gathered));
+        add(Step::inject, chooseRangeProgram());
         add(Step::inject, injectProgram(lights, of == GatherOf::light));
         add(Step::mipmap, directionalMipmapperProgram());
         add(Step::irradiance,

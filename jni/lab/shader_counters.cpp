@@ -46,6 +46,7 @@ const std::vector<Stage>& stages() {
           {"level", 1, VCT_COUNTER_LIST_FACES_LEVEL},
           {"parent", 2, VCT_COUNTER_LIST_FACES_PARENT}}},
         {"directional/accumulate.frag", VCT_COUNTER_ACCUMULATE, {{"face", 0, VCT_COUNTER_ACCUMULATE_FACE}}},
+        {"directional/choose_range.comp", VCT_COUNTER_CHOOSE_RANGE, {}},
         {"directional/inject.comp",
          VCT_COUNTER_INJECT,
          {{"face", 0, VCT_COUNTER_INJECT_FACE},

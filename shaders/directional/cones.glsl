@@ -1,6 +1,7 @@
 // Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
 // the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*.
 #include "shared/frame.glsl"
+#include "directional/face_range.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/counters.glsl"
@@ -56,7 +57,7 @@ vec3 positionAt(Cone cone, float distance) {
 
 struct ConeResult {
     float distance;               // of the next sample
-    mediump vec3 radiance;        // relative to E/pi, over frame.radianceRange while the cone is traced
+    mediump vec3 radiance;        // relative to E/pi, over faceRange.radiance while the cone is traced
     mediump float transmittance;
     mediump float nearness;       // the sum of 1 / distance over what the cone met
 };
@@ -113,7 +114,7 @@ bool takeSample(inout ConeResult result, Cone cone, float level, mediump float b
 ConeResult coneEnd(ConeResult result) {
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
-    result.radiance = result.radiance * (frame.radianceRange / (ended ? met : 1.0));
+    result.radiance = result.radiance * (faceRange.radiance / (ended ? met : 1.0));
     if (ended) result.transmittance = 0.0;
     return result;
 }

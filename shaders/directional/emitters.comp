@@ -11,6 +11,8 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 // A cone's width over the part's own: a cone as wide as the part would meet what is beside it.
 const float coneWidth = 0.25;
+// Halves hold nothing below it.
+const float smallestLight = 6e-8;
 
 // A cone's transmittance at `reach`; `tangent` is that of its half angle. Lengths in voxels.
 mediump float transmittanceTo(Cone cone, float reach, float tangent) {
@@ -27,7 +29,7 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
     return coneEnd(result).transmittance;
 }
 
-// Relative to E/pi over frame.radianceRange.
+// Relative to E/pi.
 vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     float grid = float(frame.gridSide);
     vec3 sum = vec3(0.0);
@@ -39,8 +41,8 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         float area = seenArea(part, towards);
         // Form factor of a small disc (near to it, of one that faces the surface).
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
-        vec3 light = part.radiance.rgb * (share / frame.radianceRange);
-        if (max(light.r, max(light.g, light.b)) < 1e-5) continue;
+        vec3 light = part.radiance.rgb * share;
+        if (max(light.r, max(light.g, light.b)) < smallestLight) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
         // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);

@@ -1,7 +1,6 @@
-// What each face of the base level receives: its history, a mean over steps, by the face's id. Light is relative to E/pi over
-// frame.radianceRange. Before the faces come sums over all of them of what the last steps found, behind them sums over
-// the faces of each block.
-#include "shared/layout.h"
+// What each face of the base level receives: its history, a mean over steps, by the face's id. Light is relative to E/pi.
+// Before the faces come sums over all of them of what the last steps found, behind them sums over the faces of each block.
+#include "directional/face_range.glsl"
 
 layout(std140, binding = VCT_UBO_LIGHT) uniform LightBlock {
     LightStep lightStep;
@@ -37,12 +36,16 @@ float historyLength(uint id) {
     return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
 }
 
+// Halves end there.
+const float largestLight = 6e4;
+
 void storeFaceIrradiance(uint id, FaceIrradiance value) {
     uint at = irradianceIndex(id);
-    faceIrradianceData[at] = packHalf2x16(value.light.rg);
-    faceIrradianceData[at + 1u] = packHalf2x16(vec2(value.light.b, value.steps));
-    faceIrradianceData[at + 2u] = packHalf2x16(value.atStart.rg);
-    faceIrradianceData[at + 3u] = packHalf2x16(vec2(value.atStart.b, value.nearness));
+    vec3 light = min(value.light, largestLight), atStart = min(value.atStart, largestLight);
+    faceIrradianceData[at] = packHalf2x16(light.rg);
+    faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, value.steps));
+    faceIrradianceData[at + 2u] = packHalf2x16(atStart.rg);
+    faceIrradianceData[at + 3u] = packHalf2x16(vec2(atStart.b, value.nearness));
 }
 
 // Irradiance changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
@@ -68,6 +71,7 @@ vec3 emitterIrradiance(uint id) {
 }
 void storeEmitterIrradiance(uint id, vec3 light) {
     uint at = irradianceIndex(id) + 4u;
+    light = min(light, largestLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
 }
@@ -78,14 +82,18 @@ vec3 emitterIrradiance(uint id) {
 void storeEmitterIrradiance(uint id, vec3 light) {}
 #endif
 
-// The sums of a step, each weighted by coverage: irradiance before it, what faces reflect of that, and what they send of
-// their own, three words each; what they received in it from other faces; and what they saw of the sky
-// (directional/sky_light.glsl), one word or three.
+// The sums of a step, each weighted by coverage, three words each: irradiance before it, what faces reflect of that, and what
+// they send of their own; what they received in it from other faces, and from the sky.
 #define VCT_SUM_BEFORE 0u
 #define VCT_SUM_REFLECTED 3u
 #define VCT_SUM_DIRECT 6u
 #define VCT_SUM_RECEIVED 9u
 #define VCT_SUM_SKY 12u
+
+// A value in fixed point, for these sums: integers add up to the same in any order. The bound keeps a product in 32 bits.
+uvec3 inSumUnits(vec3 value) {
+    return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + 0.5);
+}
 
 uint lightSums(uint step) {
     return step % 3u * VCT_LIGHT_SUMS;

@@ -10,7 +10,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
-const uint sums = 3u + VCT_SKY_SUMS;
+const uint sums = 6u;
 shared uint groupSums[sums];
 
 struct Gathered {
@@ -51,7 +51,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
-    return Gathered(gathered.light * (share / frame.radianceRange), gathered.sky * share, gathered.nearness * share);
+    return Gathered(gathered.light * share, gathered.sky * share, gathered.nearness * share);
 }
 
 // Of all faces of its block that look the same way: directional/light_blocks.comp.
@@ -59,7 +59,7 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
     uint brick = brickAt(listed.voxel >> VCT_BRICK_LEVEL, listed.face >> 1, listed.face & 1);
     if (brick == 0u) return;
     uint at = blockSums(brick);
-    uvec4 units = uvec4(vec4(min(light, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
+    uvec4 units = uvec4(vec4(min(light / faceRange.sums, 1.0), 1.0) * (coverage * VCT_BLOCK_UNITS) + 0.5);
     for (uint c = 0u; c < 4u; ++c)
         atomicAdd(faceIrradianceData[at + c], units[c]);
 }
@@ -108,10 +108,11 @@ void main() {
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             // A face stands for those whose turn it is not.
-            float units = surface.coverage * lightStep.sumUnits / (before.steps == 0.0 ? 1.0 : rate);
-            for (uint c = 0u; c < sums; ++c) {
-                float value = c < 3u ? now.light[c] : skyWord(now.sky, c - 3u);
-                atomicAdd(groupSums[c], uint(value * units + 0.5));
+            float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
+            uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
+            for (uint c = 0u; c < 3u; ++c) {
+                atomicAdd(groupSums[c], fromFaces[c]);
+                atomicAdd(groupSums[3u + c], sky[c]);
             }
         }
         addToBlock(listed, light, surface.coverage);

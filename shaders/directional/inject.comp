@@ -4,13 +4,11 @@
 //
 // and the surface that the gather and look-ups read, of static and dynamic geometry together. VCT_BOUNCES: face irradiance
 // is known. Without it faces send what they emit and their direct light alone.
+#include "directional/face_range.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
-#ifdef VCT_BOUNCES
-#include "directional/sky_light.glsl"
-#endif
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
 #else
@@ -71,6 +69,12 @@ bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 no
     return back.coverage > 0.5 * min(sums.coverage, 1.0) && dot(unpackPlane(back.plane).normal, normal) < -0.8;
 }
 
+// The larger one of a number and a colour's largest component. No NaN passes the comparison.
+float largerOf(float before, vec3 color) {
+    float largest = max(color.r, max(color.g, color.b));
+    return largest > before ? min(largest, 6e4) : before;
+}
+
 #ifdef VCT_BOUNCES
 #include "directional/light_balance.glsl"
 #endif
@@ -91,8 +95,14 @@ FaceMaterial materialOf(FaceSums sums, float normalComponent) {
     return FaceMaterial(sums.albedo * (aspect / max(sums.coverage, 1.0)), sums.emission * aspect);
 }
 
+// Of the radiance before it is stored and cut off, for the next step's range (directional/choose_range.comp).
+shared uint groupLargestRadiance;
+
 void main() {
     COUNT(VCT_COUNTER_INJECT);
+    if (gl_LocalInvocationIndex == 0u) groupLargestRadiance = 0u;
+    barrier();
+    float radianceMeasured = 0.0;
 #ifdef VCT_BOUNCES
     beginBalance();
 #endif
@@ -116,13 +126,17 @@ void main() {
         float slackShare = isCurved(sums.plane) ? curvedSlack : flatSlack;
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
-        radiance = min(radiance / frame.radianceRange, 1.0);
 #ifdef VCT_BOUNCES
         radiance = withBounces(id, coverage, radiance, material.albedo);
 #endif
+        radianceMeasured = largerOf(radianceMeasured, radiance);
+        radiance = min(radiance / faceRange.radiance, 1.0);
         ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
         imageStore(faces, texel, ditherToUnorm8(vec4(radiance, coverage), texel, frameIndex));
     }
+    atomicMax(groupLargestRadiance, floatBitsToUint(radianceMeasured));
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) atomicMax(largestRadiance, groupLargestRadiance);
 #ifdef VCT_BOUNCES
     endBalance();
 #endif

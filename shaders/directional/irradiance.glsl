@@ -1,8 +1,8 @@
 // The light that the voxels' faces received, where a surface looks it up. It lies in bricks: of each face that is not empty
 // of the level whose voxels are blocks of 4^3, the 4^3 faces of the base level that look the same way, and one more on each
 // side, so that the texture unit can filter between them. A texel holds the face's coverage in alpha, and in rgb the mean
-// over the hemisphere, weighted by the cosine, relative to E/pi over frame.radianceRange, times alpha: in halves, as in 8 bits the
-// filter itself would make stairs of it, which swim as the camera moves.
+// over the hemisphere, weighted by the cosine, relative to E/pi, times alpha: in halves, as in 8 bits the filter itself would
+// make stairs of it, which swim as the camera moves.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "shared/counters.glsl"
@@ -30,8 +30,8 @@ mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
-// What the faces towards one side of an axis received around a position (in voxels), relative to frame.radianceRange and
-// premultiplied by their coverage, and that coverage. `block`: where that is, or one that is no more than half a voxel away.
+// What the faces towards one side of an axis received around a position (in voxels), premultiplied by their coverage, and
+// that coverage. `block`: where that is, or one that is no more than half a voxel away.
 mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
     return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
 }
@@ -41,15 +41,15 @@ vec3 towardsCorner(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
-// What a surface at a position (volume space) receives, relative to frame.radianceRange: from the faces on the normal's side of
-// each axis, by the square of the normal, as from an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
+// What a surface at a position (volume space) receives, relative to E/pi: from the faces on the normal's side of each axis,
+// by the square of the normal, as from an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
 // Where the voxel of a surface has no face of it, other places are tried. On the border of two blocks it may have been
 // rounded into the other, whose brick reaches as far: eight tries at that. And a surface so thin that voxels missed it takes
 // the mean of what its block's faces received that look the same way, or else the other way: six faces with eight fetches
 // each, between eight texels; and if there are none, those of the blocks around it. All of them go through the one fetch
 // below, as a second would hold its registers in every pixel for the few that need it.
-mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
+mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
     // What looks this little along an axis has received nearly the same along the others.
     const float leastWeight = 0.02;
     // Of less coverage than this nothing is known.
@@ -91,12 +91,7 @@ mediump vec3 meanOfFaces(vec3 positionVolume, vec3 normal) {
     return sum.rgb / max(sum.a, 1e-4);
 }
 
-// Relative to E/pi.
-mediump vec3 receivedAt(vec3 position, vec3 normal) {
-    return meanOfFaces(position, normal) * frame.radianceRange;
-}
-
 // 1 - ambient occlusion, where that is what the faces have gathered.
 mediump float ambientVisibilityAt(vec3 position, vec3 normal) {
-    return meanOfFaces(position, normal).r;
+    return receivedAt(position, normal).r;
 }

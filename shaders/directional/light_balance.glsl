@@ -2,14 +2,10 @@
 // at once that brings closed rooms to their balance.
 #include "directional/gather_turns.glsl"
 
-shared uint groupSums[9];
+shared uint groupSums[9], groupLargestIrradiance;
 vec3 balanceFactor;
 uvec3 sumBefore, sumReflected, sumDirect;
-
-// Whole numbers before they are added: then their order does not matter.
-uvec3 inUnits(vec3 value) {
-    return uvec3(value * lightStep.sumUnits + 0.5);
-}
+float irradianceMeasured = 0.0;
 
 vec3 sumAt(uint at) {
     return vec3(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u]);
@@ -27,7 +23,7 @@ vec3 globalEnergyCorrection() {
     vec3 fromFaces = sumAt(sums + VCT_SUM_RECEIVED);
     vec3 reflected = sumAt(sums + VCT_SUM_REFLECTED);
     vec3 direct = sumAt(sums + VCT_SUM_DIRECT);
-    vec3 sky = skyLight(skySum(sums + VCT_SUM_SKY));
+    vec3 sky = sumAt(sums + VCT_SUM_SKY);
     vec3 share = fromFaces / max(direct + reflected, 1.0);
     // A room where nothing is absorbed would have no bound.
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
@@ -40,22 +36,25 @@ vec3 globalEnergyCorrection() {
 // At the start of every invocation.
 void beginBalance() {
     if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
+    if (gl_LocalInvocationIndex == 0u) groupLargestIrradiance = 0u;
     barrier();
     sumBefore = sumReflected = sumDirect = uvec3(0u);
     balanceFactor = lightStep.amplitude > 0.0 ? globalEnergyCorrection() : vec3(1.0);
 }
 
-// A face's radiance with what it reflects of its irradiance. `direct`: without; both relative to frame.radianceRange.
+// A face's radiance with what it reflects of its irradiance. `direct`: without; both relative to E/pi.
 vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
-    mean.light = min(mean.light * balanceFactor, 1.0);
-    mean.atStart = min(mean.atStart * balanceFactor, 1.0);
+    mean.light = min(mean.light * balanceFactor, largestLight);
+    mean.atStart *= balanceFactor;
     storeFaceIrradiance(id, mean);
-    vec3 reflecting = lightStep.reflected * albedo;
+    irradianceMeasured = largerOf(irradianceMeasured, mean.light);
+    // The gain makes up for what cones lose. No face reflects more than it receives.
+    vec3 reflecting = min(lightStep.reflected * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
-    sumBefore += inUnits(coverage * mean.light);
-    sumReflected += inUnits(reflecting * mean.light);
-    sumDirect += inUnits(min(own, 1.0));
+    sumBefore += inSumUnits(coverage * mean.light);
+    sumReflected += inSumUnits(reflecting * mean.light);
+    sumDirect += inSumUnits(min(own, faceRange.radiance));
     return own + reflecting * mean.light;
 }
 
@@ -66,7 +65,9 @@ void endBalance() {
         atomicAdd(groupSums[VCT_SUM_REFLECTED + uint(c)], sumReflected[c]);
         atomicAdd(groupSums[VCT_SUM_DIRECT + uint(c)], sumDirect[c]);
     }
+    atomicMax(groupLargestIrradiance, floatBitsToUint(irradianceMeasured));
     barrier();
+    if (gl_LocalInvocationIndex == 0u) atomicMax(largestIrradiance, groupLargestIrradiance);
     if (gl_LocalInvocationIndex < 9u)
         atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);

@@ -1,6 +1,6 @@
 // Directional coverage voxels: six faces per voxel in one filterable 3D texture. Face f (a direction along an axis)
 // holds, of the surface in the voxel that looks towards f: alpha, the share of the voxel's cross-section that it
-// covers, and rgb, its radiance relative to E/pi over frame.radianceRange, premultiplied by alpha. One-sided: a
+// covers, and rgb, its radiance relative to E/pi over faceRange.radiance, premultiplied by alpha. One-sided: a
 // surface seen from behind neither lights nor blocks.
 //
 // The texture has 3 x 2 blocks of the grid: the axis along x, the side along y (0: towards +axis, 1: towards -axis).

@@ -119,7 +119,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         float footprint = clamp(min(2.0 * result.distance * tangent, heightAt(cone, result.distance)), 1.0, 0.25 * grid);
         // Its light comes before its own voxels.
         if (hit.coverage > 0.0 && result.distance > hit.distance - footprint) {
-            result.radiance = result.radiance + hit.radiance * (result.transmittance / frame.radianceRange);
+            result.radiance = result.radiance + hit.radiance * (result.transmittance / faceRange.radiance);
             result.transmittance = result.transmittance * (1.0 - hit.coverage);
             hit.coverage = 0.0;
         }
@@ -128,7 +128,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         if (shareInside(positionAt(cone, result.distance), level + 1.0) <= 0.0) break;
         if (takeSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
     }
-    return min(result.radiance * frame.radianceRange, 6e4) +
+    return min(result.radiance * faceRange.radiance, 6e4) +
            result.transmittance * skyTowards(direction, 3.1415927 * tangent * tangent);
 }
 

@@ -45,11 +45,13 @@ using glm::vec4;
 #define VCT_UBO_LIGHT 2
 #define VCT_UBO_PUNCTUAL_LIGHTS 3
 #define VCT_UBO_EMITTERS 4
+#define VCT_UBO_FACE_RANGE 5
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACES 2
+#define VCT_SSBO_FACE_RANGE 2  // no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
 // Of the passes over vertices, which bind all of theirs anew (jni/engine/deformer.h).
@@ -125,7 +127,8 @@ using glm::vec4;
 #define VCT_COUNTER_CHOOSE_FACES_FACE 61
 #define VCT_COUNTER_FILL_BRICKS 62
 #define VCT_COUNTER_FILL_BRICKS_FACE 63
-#define VCT_COUNTER_COUNT 64
+#define VCT_COUNTER_CHOOSE_RANGE 64
+#define VCT_COUNTER_COUNT 65
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -238,7 +241,7 @@ struct FrameUniforms {
     float shadowConeSine;      // of half the cone's angle
     float aoDistance;          // of the volume's side
     float faceSumUnits;        // fixed-point units of a whole face (directional/face_sums.glsl)
-    float radianceRange;       // what the faces' 8 bits store as 1, relative to E/pi
+    float largestSky;          // bound of the irradiance that the sky gives a surface, relative to E/pi
     float largestBounceShare;  // of the light, that a bounce passes on
     int gridSide;              // voxels along a side, a power of two
     float emissionRange;       // what the sums of emission store as 1, relative to E/pi
@@ -277,6 +280,13 @@ struct EmitterPartUniforms {
 struct EmitterBlock {
     ivec4 count;  // x: of parts
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
+};
+
+// The ranges of the directional voxels in a light step, relative to E/pi (directional/choose_range.comp).
+struct FaceRange {
+    float radiance;  // what the faces' 8 bits store as 1
+    float sums;      // what the integer sums over all faces count as 1
+    float unused0, unused1;
 };
 
 // One step of the received light towards its final value (jni/engine/directional/irradiance.h).
@@ -345,7 +355,10 @@ struct LevelCommands {
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
     uint dynamicList;  // the list of the dynamic objects in their present pose
-    uint unused0, unused1, unused2;
+    // What the last injection of light measured: bits of floats above 0, which order as integers do. The largest radiance
+    // that a face was to store, and the largest irradiance that a face had.
+    uint largestRadiance, largestIrradiance;
+    uint unused0;
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.

@@ -31,10 +31,13 @@ Settings directionalSettings() {
 }
 
 // World units are voxels, whatever the scene's size: a wall may be larger than the volume.
-std::vector<FaceLevel> facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
+FrameInspector inspectorOf(const Context& context, Scene scene, const DirectionalLight& light) {
     scene.boundsWorld = boundsForVoxelsAsWorld(directionalGrid);
     const Camera camera = frameScene(scene, 1.0);
-    return FrameInspector(context, std::move(scene), light, directionalSettings(), camera).faceLevels();
+    return {context, std::move(scene), light, directionalSettings(), camera};
+}
+std::vector<FaceLevel> facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
+    return inspectorOf(context, std::move(scene), light).faceLevels();
 }
 
 // A quad with this normal around a point; `side` in voxels. Its edges run along no axis, so that what a
@@ -112,7 +115,9 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
             scene.materials[0].baseColor = glm::vec4(1.0F, 0.5F, 0.25F, 1.0F);
             const glm::dvec3 towardsLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
             const DirectionalLight light = lightFrom(towardsLight);
-            const FaceLevel base = facesOf(context, scene, light)[0];
+            FrameInspector frame = inspectorOf(context, scene, light);
+            const FaceLevel base = frame.faceLevels()[0];
+            const double range = frame.faceRange();
             const glm::ivec3 voxel(32, 20, 32);
             for (int face = 0; face < faceCount; ++face) {
                 const double facing = faceDirection(face).y;
@@ -122,8 +127,7 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
                     const double radiance =
                         covered ? std::max(0.0, facing * towardsLight.y) * scene.materials[0].baseColor[c]
                                 : 0.0;
-                    EXPECT_NEAR(base.at(voxel, face)[c],
-                                255.0 * radiance / faceRadianceRange(scene, light, glm::vec3(0.0F), 64), 1.0)
+                    EXPECT_NEAR(base.at(voxel, face)[c], 255.0 * radiance / range, 1.0)
                         << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
                         << ", light from y " << lightY;
                 }
@@ -187,7 +191,9 @@ TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
     const Context context = openContext(Backend::egl);
     const Scene scene = coincidentQuads(620000, 2.0);
     const DirectionalLight light = lightFrom({0, 1, 0});
-    const FaceLevel base = facesOf(context, scene, light)[0];
+    FrameInspector frame = inspectorOf(context, scene, light);
+    const FaceLevel base = frame.faceLevels()[0];
+    const double range = frame.faceRange();
     int covered = 0;
     base.forEachVoxel([&](const glm::ivec3& voxel) {
         for (int face = 0; face < faceCount; ++face) {
@@ -197,8 +203,7 @@ TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
             ASSERT_EQ(face, 2) << faceName(face);
             ASSERT_EQ(value.a, 255);
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(value[c], 255.0 * 0.625 / faceRadianceRange(scene, light, glm::vec3(0.0F), 64),
-                            1.0);
+                ASSERT_NEAR(value[c], 255.0 * 0.625 / range, 1.0);
         }
     });
     EXPECT_GE(covered, 1);

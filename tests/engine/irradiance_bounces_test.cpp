@@ -32,7 +32,7 @@ ReceivedByWalls receivedByWalls(const Context& context, const Scene& scene, int 
     ReceivedByWalls result;
     double weights = 0.0;
     for (const auto& [entry, face] : frame.received(true)) {
-        const double received = face.light.g * frame.radianceRange();
+        const double received = face.light.g;
         EXPECT_TRUE(std::isfinite(received) && received >= 0.0);
         weights += face.coverage;
         result.mean += face.coverage * received;

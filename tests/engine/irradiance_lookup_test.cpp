@@ -66,7 +66,6 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
         const Image image = frame.view(Output::indirectLight);
         const CpuLookUp faces(frame.received(false));
         const std::vector<SurfacePixel>& pixels = frame.pixels();
-        const double range = frame.radianceRange();
         int looked = 0, surfaces = 0;
         double largest = 0.0, sum = 0.0, differences = 0.0;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -80,7 +79,7 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
             ++looked;
             for (int c = 0; c < 3; ++c) {
                 if (pixel.albedo[c] < 0.05) continue;
-                const double light = image.pixels[i][c] / pixel.albedo[c] / range;
+                const double light = image.pixels[i][c] / pixel.albedo[c];
                 largest = std::max(largest, std::abs(light - right[c]) / (right[c] + 1e-3));
                 sum += right[c];
                 differences += light - right[c];

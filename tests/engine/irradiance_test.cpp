@@ -180,7 +180,7 @@ TEST(Gather, WhiteFurnaceIsOne) {
         // gaps.
         Spread faces;
         for (const auto& [entry, face] : frame.received(false))
-            faces.add(face.light.g * frame.radianceRange());
+            faces.add(face.light.g);
         EXPECT_NEAR(faces.mean, 1.0, 0.075 + turnedLoss);
         EXPECT_LE(faces.max, 1.1);
         EXPECT_GE(faces.min, 0.6 - 2.0 * turnedLoss);
@@ -279,7 +279,9 @@ TEST_P(GatherAtBorder, AFaceReceivesWhatTheCpusConesFind) {
     const std::map<std::uint32_t, FacePlane> planes = readPlanes(frame.renderer().directional()->voxels());
     double sum = 0.0, difference = 0.0;
     int looked = 0, nth = 0, off = 0;
-    for (const auto& [entry, face] : frame.received(true)) {
+    const ReceivedFaces received = frame.received(true);
+    const double range = frame.faceRange();
+    for (const auto& [entry, face] : received) {
         if (++nth % 37 != 0) continue;
         // Of a face that has received nothing yet.
         const int cones = 8;
@@ -287,7 +289,7 @@ TEST_P(GatherAtBorder, AFaceReceivesWhatTheCpusConesFind) {
             planes.find(shared::packFace(shared::unpackFaceVoxel(entry), shared::unpackFace(entry) ^ 1U));
         const CpuFaceCones::Gathered right =
             cpu.gather(entry, planes.at(entry), back == planes.end() ? nullptr : &back->second, 0, cones);
-        const double far = glm::length(face.light - right.light);
+        const double far = glm::length(face.light / range - right.light);
         sum += glm::length(right.light);
         difference += far;
         // Rounding may decide whether a sample is near its own surface, or a cone done.
@@ -316,8 +318,7 @@ TEST(Gather, ALampRightUnderACeilingSendsAllItsLight) {
         scene = finished(std::move(scene));
         FrameInspector frame(context, scene, noLight(), mobileAt(16), lookAt({0, 0.5, 0}, {0, 0, 0.01}, 40));
         for (const auto& [entry, face] : frame.received(true))
-            if (shared::unpackFace(entry) == 2)
-                received[ceiling ? 1 : 0] += face.coverage * face.light.g * frame.radianceRange();
+            if (shared::unpackFace(entry) == 2) received[ceiling ? 1 : 0] += face.coverage * face.light.g;
     }
     // Cones that pass the lamp's edge meet the ceiling, or nothing.
     EXPECT_NEAR(received[1] / received[0], 1.0, 0.1);

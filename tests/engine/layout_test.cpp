@@ -62,5 +62,6 @@ TEST(UniformBlocks, FollowStd140) {
     EXPECT_EQ(offsetof(LevelCommands, faceGroupsX), 24U);
     EXPECT_EQ(sizeof(CommandLists), VCT_LISTS * sizeof(LevelCommands) + 16U);
     EXPECT_EQ(sizeof(LightStep) % 16, 0U);
+    EXPECT_EQ(sizeof(FaceRange), 16U);
     EXPECT_EQ(offsetof(LevelCommands, groupsX), 4U);
 }

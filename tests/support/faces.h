@@ -15,7 +15,7 @@ constexpr int faceCount = 6;
 glm::dvec3 faceDirection(int face);
 const char* faceName(int face);
 
-// One level. rgb: premultiplied radiance relative to E/pi over faceRadianceRange(), a: coverage.
+// One level. rgb: premultiplied radiance relative to DirectionalVoxels::range(), a: coverage.
 class FaceLevel {
   public:
     explicit FaceLevel(int side)

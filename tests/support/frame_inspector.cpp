@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
 #include "gl/read_back.h"
@@ -151,8 +150,10 @@ Spread FrameInspector::spreadOf(Output output) {
     return spread;
 }
 
-double FrameInspector::radianceRange() const {
-    return faceRadianceRange(scene_, light_, brightestSky(settings_), settings_.grid);
+double FrameInspector::faceRange() const {
+    shared::FaceRange range{};
+    renderer_.directional()->voxels().range().read(&range, sizeof range);
+    return range.radiance;
 }
 
 Words FrameInspector::packedVoxels() {

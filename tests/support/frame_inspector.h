@@ -50,12 +50,12 @@ class FrameInspector {
     // An output's red channel over the surfaces.
     Spread spreadOf(Output output);
 
-    double radianceRange() const;  // of the light that faces store as 1
-
     // The base level of the packed voxels; and that level replaced, whose other levels follow on the CPU.
     Words packedVoxels();
     void replacePackedVoxels(const Words& base);
 
+    // The radiance that faces store as 1 in the last frame, relative to E/pi.
+    double faceRange() const;
     // Of directional voxels: the faces, which shine with what they received only once received() was asked
     // for; and what each face received, converged with all bounces or with one.
     std::vector<FaceLevel> faceLevels();

@@ -12,8 +12,7 @@
 namespace vct::test {
 
 struct ReceivedLight {
-    glm::dvec3 light{
-        0.0};  // mean over the hemisphere, relative to E/pi over faceRadianceRange(); or ambientVisibility
+    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi; or ambientVisibility
     double steps = 0.0;     // that the mean remembers
     double coverage = 0.0;  // of the face
     std::array<std::uint32_t, 4> words{};

@@ -118,6 +118,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     };
     VoxelLight light;
     light.faces = &voxels_.faces();
+    light.faceRange = &voxels_.range();
     const bool occlusion = reads(inputs.output).ambientVisibility;
     if (!occlusion && !reads(inputs.output).indirectLight) {
         if (!isInjected_) inject(nullptr);

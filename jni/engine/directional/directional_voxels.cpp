@@ -4,28 +4,10 @@
 #include <cstddef>
 
 #include "core/error.h"
-#include "engine/frame_uniforms.h"
-#include "engine/lamp_light.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
 
 namespace vct {
-
-namespace {
-
-double areaWorld(const Mesh& mesh, const Instance& instance) {
-    const glm::dmat3 linear(instance.worldFromObject);
-    double area = 0.0;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a = mesh.vertices[mesh.indices[i]].position;
-        const glm::dvec3 ab = glm::dvec3(mesh.vertices[mesh.indices[i + 1]].position) - a;
-        const glm::dvec3 ac = glm::dvec3(mesh.vertices[mesh.indices[i + 2]].position) - a;
-        area += 0.5 * glm::length(glm::cross(linear * ab, linear * ac));
-    }
-    return area;
-}
-
-}  // namespace
 
 gl::ProgramDescription clearDynamicProgram(bool emission) {
     return {"directional/clear_dynamic", {"directional/clear_dynamic.comp"}, emissionDefines(emission)};
@@ -44,35 +26,6 @@ float faceSumUnits(std::size_t triangles) {
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
 }
 
-float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
-                        int grid) {
-    const Volume volume = volumeAround(scene.boundsWorld, grid);
-    const std::vector<EmitterPart> emitters = emitterParts(scene, volume);
-    const std::vector<bool> isLamp = lampsAmong(scene, emitters);
-    const LampLight lamps = lampLight(scene, emitters, volume.voxelSize());
-    // What all emitters send, and what all surfaces absorb of it.
-    double sent = lamps.fluxOverPi, absorbed = 0.0;
-    auto brightest = static_cast<float>(lamps.brightest);
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[instance.mesh];
-        const Material& material = scene.materials[mesh.material];
-        const float emission = std::max({material.emissive.r, material.emissive.g, material.emissive.b});
-        const float albedo = std::max({material.baseColor.r, material.baseColor.g, material.baseColor.b});
-        const double area = areaWorld(mesh, instance);
-        if (!isLamp[static_cast<std::size_t>(&instance - scene.instances.data())]) {
-            brightest = std::max(brightest, emission);
-            sent += area * emission;
-        }
-        absorbed += area * (1.0 - std::min(albedo, 0.95F));
-    }
-    const float sky = std::max({skyRadiance.r, skyRadiance.g, skyRadiance.b});
-    const float circulating = absorbed > 0.0 ? static_cast<float>(sent / absorbed) : 0.0F;
-    const float range =
-        std::max(light.intensity > 0.0F && light.color != glm::vec3(0.0F) ? 2.0F : 0.0F,
-                 (brightest + std::min(circulating, 20.0F * brightest) + sky) / radianceUnit(light));
-    return range > 0.0F ? range : 1.0F;
-}
-
 DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
                                      bool dynamicObjects, bool emission)
     : emission_(emission),
@@ -81,6 +34,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
                                  index_.levels())) {
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
+    const shared::FaceRange unknown{};
+    range_ = gl::Buffer("range of voxel faces", GL_UNIFORM_BUFFER, sizeof unknown, &unknown, GL_DYNAMIC_COPY);
     if (!dynamicObjects) return;
     clearDynamic_ = gl::Program(shaders, clearDynamicProgram(emission));
     clearLevel_ = gl::Program(shaders, clearLevelProgram());
@@ -99,6 +54,7 @@ Resources DirectionalVoxels::resources() const {
     Resources resources = index_.resources();
     add(resources, faces_);
     add(resources, faceData_);
+    add(resources, range_);
     for (const gl::Texture& texture : dynamicIndices_)
         add(resources, texture);
     return resources;
@@ -248,6 +204,7 @@ std::vector<std::uint32_t> DirectionalVoxels::readFaceList(int level) const {
 void DirectionalVoxels::bindLists() const {
     index_.bindLists();
     faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
+    range_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
 }
 
 void DirectionalVoxels::bindLevel(int unit, int level) const {

@@ -15,13 +15,6 @@ namespace vct {
 // triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
 float faceSumUnits(std::size_t triangles);
 
-// The radiance that the faces' 8 bits store as 1, relative to E/pi: that of a white wall in the sun and by
-// bounces, or of the brightest emitter or white wall beside a lamp, and what circulates of the light of all
-// of them, as in a closed room, and the sky (scene's unit). Brighter radiance is cut off. Above 0, also in
-// the dark.
-float faceRadianceRange(const Scene& scene, const DirectionalLight& light, const glm::vec3& skyRadiance,
-                        int grid);
-
 gl::ProgramDescription clearDynamicProgram(bool emission);
 gl::ProgramDescription clearLevelProgram();
 gl::ProgramDescription resetListsProgram();
@@ -44,8 +37,10 @@ class DirectionalVoxels {
     int grid() const { return index_.grid(); }
     int levels() const { return faces_.levels(); }
 
-    // RGBA8, 3 x 2 blocks of grid^3, sampled trilinearly.
+    // RGBA8, 3 x 2 blocks of grid^3, sampled trilinearly. Radiance is relative to range().
     const gl::Texture& faces() const { return faces_; }
+    // A shared::FaceRange, for shaders/directional/face_range.glsl: it stays on the GPU.
+    const gl::Buffer& range() const { return range_; }
     // The occupied voxels of the static geometry, and the lists of everything.
     const VoxelPyramid& index() const { return index_; }
     // The words of all faces, and the lists of faces.
@@ -86,7 +81,7 @@ class DirectionalVoxels {
     std::vector<std::uint32_t> readFaceList(int level) const;
 
     void bindLevel(int unit, int level) const;
-    // The lists of voxels and faces, and the faces' words, for shaders.
+    // The lists of voxels and faces, the faces' words and their range, for shaders.
     void bindLists() const;
 
   private:
@@ -100,7 +95,7 @@ class DirectionalVoxels {
     VoxelPyramid index_;
     gl::Texture faces_;
     std::vector<gl::Texture> dynamicIndices_;  // of the present pose and the one before, in turn
-    gl::Buffer faceData_;
+    gl::Buffer faceData_, range_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;
     gl::Program clearDynamic_, clearLevel_, resetLists_;  // where there are dynamic objects

@@ -83,6 +83,9 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
+    const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
+    if (of == GatherOf::occlusion)
+        visibilityRange_.emplace("range of visibility", GL_UNIFORM_BUFFER, sizeof one, &one, GL_STATIC_DRAW);
 }
 
 void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
@@ -227,13 +230,14 @@ void Irradiance::uploadUniforms(const GatherStep& step, bool allBounces) const {
     values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
     values.smoothing = step.smoothing;
-    values.sumUnits = std::min(65536.0F, 2147483648.0F / static_cast<float>(std::max(idCapacity_, 1U)));
+    values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
 }
 
 void Irradiance::bind(const DirectionalVoxels& voxels) const {
     voxels.bindLists();
+    if (visibilityRange_) visibilityRange_->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
     faceIrradiance_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_IRRADIANCE);
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_LIGHT);
     voxels.faces().bind(VCT_TEX_FACES);

@@ -79,6 +79,7 @@ class Irradiance {
     int emitterSteps_ = emitterUpdatePeriod;  // until all faces have traced cones to the emitters again
     bool placesBricks_ = true;                // in the next step
     gl::Buffer uniforms_, faceIrradiance_;
+    std::optional<gl::Buffer> visibilityRange_;  // in place of the light's range, for ambient visibility
     std::optional<gl::Texture> irradiance_, bricks_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;

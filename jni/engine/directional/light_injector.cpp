@@ -7,24 +7,38 @@
 
 namespace vct {
 
+gl::ProgramDescription chooseRangeProgram() {
+    return {"choose_range", {"directional/choose_range.comp"}, {}};
+}
+
 gl::ProgramDescription injectProgram(const LightFeatures& sources, bool bounces) {
     std::vector<std::string> defines = emissionDefines(sources.emission);
     if (sources.punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
     if (!bounces) return {"inject, direct light", {"directional/inject.comp"}, defines};
     defines.emplace_back("VCT_BOUNCES");
-    for (const std::string& define : lightDefines(sources))
-        defines.push_back(define);
+    if (sources.emitters) defines.emplace_back("VCT_EMITTERS");
     return {"inject", {"directional/inject.comp"}, defines};
 }
 
 LightInjector::LightInjector(gl::ShaderLibrary shaders, const LightFeatures& sources)
-    : shaders_(std::move(shaders)), sources_(sources) {}
+    : shaders_(std::move(shaders)), sources_(sources), chooseRange_(shaders_, chooseRangeProgram()) {}
 
 void LightInjector::run(const DirectionalVoxels& voxels, const DirectLight& light,
                         const Irradiance* irradiance, std::uint32_t frameIndex) {
+    if (!std::exchange(isMeasured_, true)) inject(voxels, light, nullptr, frameIndex);
+    inject(voxels, light, irradiance, frameIndex);
+}
+
+void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& light,
+                           const Irradiance* irradiance, std::uint32_t frameIndex) {
     const gl::DebugGroup group("inject");
-    // The last frame fetched the faces that are written here.
+    // The last frame fetched the faces and read the range that are written here.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    voxels.bindLists();
+    voxels.range().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_RANGE);
+    chooseRange_.use();
+    gl::DispatchCompute(1, 1, 1);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
     std::optional<gl::Program>& program = irradiance != nullptr ? bounces_ : direct_;
     if (!program) program.emplace(shaders_, injectProgram(sources_, irradiance != nullptr));
     program->use();

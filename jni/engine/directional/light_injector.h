@@ -12,6 +12,7 @@ namespace vct {
 
 class Irradiance;
 
+gl::ProgramDescription chooseRangeProgram();
 // `bounces`: faces also reflect their irradiance.
 gl::ProgramDescription injectProgram(const LightFeatures& sources, bool bounces);
 
@@ -20,13 +21,19 @@ class LightInjector {
     LightInjector(gl::ShaderLibrary shaders, const LightFeatures& sources);
 
     // `irradiance`: null where faces reflect direct light alone; else its step has begun. `frameIndex` seeds
-    // the dither. Afterwards the base level is ready to be fetched as a texture.
+    // the dither. Afterwards the base level is ready to be fetched as a texture. Its range is that of the
+    // radiance of the last run; the first run measures direct light before it stores anything.
     void run(const DirectionalVoxels& voxels, const DirectLight& light, const Irradiance* irradiance,
              std::uint32_t frameIndex);
 
   private:
+    void inject(const DirectionalVoxels& voxels, const DirectLight& light, const Irradiance* irradiance,
+                std::uint32_t frameIndex);
+
     gl::ShaderLibrary shaders_;
     LightFeatures sources_;
+    gl::Program chooseRange_;
+    bool isMeasured_ = false;
     std::optional<gl::Program> direct_, bounces_;  // compiled when first asked for
 };
 

@@ -72,6 +72,7 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
         indirect.bricks->bind(VCT_TEX_BRICKS);
     }
     if (indirect.faces != nullptr) indirect.faces->bind(VCT_TEX_FACES);
+    if (indirect.faceRange != nullptr) indirect.faceRange->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
     return radiance_;

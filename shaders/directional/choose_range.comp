@@ -1,0 +1,31 @@
+// Chooses the ranges of a light step before its light is injected, by what the last injection measured. The faces have 8 bits,
+// so their range is little above the largest radiance: a fourth of a power of two, which stays while it fits. Thus noise in
+// the radiance does not change it, and a static scene converges to one range.
+#include "shared/commands.glsl"
+#include "shared/counters.glsl"
+#include "shared/frame.glsl"
+
+layout(local_size_x = 1) in;
+layout(std430, binding = VCT_SSBO_FACE_RANGE) buffer FaceRangeBlock {
+    FaceRange faceRange;
+};
+
+const float headroom = 1.0625;
+// A range is replaced by a smaller one that is more than two steps of a fourth of a power of two below it.
+const float mostAbove = 1.5;
+const float smallest = 1e-7;
+
+void main() {
+    COUNT(VCT_COUNTER_CHOOSE_RANGE);
+    float largest = uintBitsToFloat(largestRadiance);
+    if (largest > 0.0) {
+        float fitting = exp2(ceil(4.0 * log2(headroom * max(largest, smallest))) / 4.0);
+        if (faceRange.radiance < fitting || faceRange.radiance > mostAbove * fitting) faceRange.radiance = fitting;
+    } else if (faceRange.radiance == 0.0) {
+        // Nothing sends light yet. What the sky lights is at most as bright as the sky.
+        faceRange.radiance = max(frame.largestSky, smallest);
+    }
+    faceRange.sums = max(max(faceRange.radiance, frame.largestSky), uintBitsToFloat(largestIrradiance));
+    largestRadiance = 0u;
+    largestIrradiance = 0u;
+}
