@@ -16,9 +16,7 @@ void main() {
         faceIrradianceData[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
     barrier();
     uint sums = lightSums(lightStep.frame);
-    // From 1024 on they begin at 0 again: a multiple of all directions.
-    if (gl_GlobalInvocationID.x == 0u)
-        faceIrradianceData[sums + VCT_SUM_TURNS] = floatBitsToUint(mod(turnsBefore() + turnRate(true), 1024.0));
+    if (gl_GlobalInvocationID.x < 2u) countTurns(gl_GlobalInvocationID.x == 0u);
     uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {

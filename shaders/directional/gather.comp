@@ -98,7 +98,7 @@ void main() {
         // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
         // crawls. It traces more cones, and its history is longer.
         float close = closeness(before.nearness);
-        float memory = max(lightStep.memory * rate, min(lightStep.memory, VCT_LEAST_TURNS));
+        float memory = lightStep.memory * sqrt(rate);
         float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
         uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
         // A face without a history traces more cones, unless there is hardly anything of it.

@@ -7,7 +7,8 @@
 #define VCT_SUM_LOOKED_UP_CONES 15u  // cones that a turn takes of all faces that pixels have looked up lately
 #define VCT_SUM_OTHER_CONES 16u
 #define VCT_SUM_CHOSEN 17u  // faces that gather in the step
-#define VCT_SUM_TURNS 18u   // bits of a float: turns of the faces that pixels look up, up to this step and with it
+#define VCT_SUM_TURNS 18u   // bits of two floats: turns of the faces that pixels have looked up lately, and of the others,
+                            // this step included
 
 // Bit of an entry in the list of the faces that gather.
 const uint lookedUpFlag = 0x80000000u;
@@ -22,9 +23,14 @@ float turnRate(bool lookedUp) {
     return min(budget / (ofLookedUp + 0.25 * ofOthers), 1.0) * (lookedUp ? 1.0 : 0.25);
 }
 
-// Of the faces that pixels look up, before this step.
-float turnsBefore() {
-    return uintBitsToFloat(faceIrradianceData[lightSums(lightStep.frame + 2u) + VCT_SUM_TURNS]);
+float turnsBefore(bool lookedUp) {
+    uint before = lightSums(lightStep.frame + 2u) + VCT_SUM_TURNS;
+    return uintBitsToFloat(faceIrradianceData[before + (lookedUp ? 0u : 1u)]);
+}
+// From 256 on they begin at 0 again: by then a face has come to all directions.
+void countTurns(bool lookedUp) {
+    uint now = lightSums(lightStep.frame) + VCT_SUM_TURNS;
+    faceIrradianceData[now + (lookedUp ? 0u : 1u)] = floatBitsToUint(mod(turnsBefore(lookedUp) + turnRate(lookedUp), 256.0));
 }
 
 // The number of a face's turn, and whether it gathers in this step. The 16 faces of a flat block look into 16 directions in a
@@ -37,9 +43,8 @@ struct Turn {
 Turn turnOf(ivec3 voxel, int axis, bool lookedUp) {
     ivec2 inBlock = faceInBlock(voxel, axis);
     ivec3 block = voxel >> VCT_BRICK_LEVEL;
-    float before = turnsBefore() + 1.0;
-    if (!lookedUp) before = 0.25 * before + float((5 * block.x + 11 * block.y + 3 * block.z) & 15) / 16.0;
-    before -= float(inBlock.x + 4 * inBlock.y) / 16.0;
+    float before = turnsBefore(lookedUp) + 1.0 - float(inBlock.x + 4 * inBlock.y) / 16.0;
+    if (!lookedUp) before += float((185 * block.x + 407 * block.y + 111 * block.z) & 255) / 256.0;
     float number = floor(before + turnRate(lookedUp));
     return Turn(uint(number), number > floor(before));
 }

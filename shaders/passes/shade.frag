@@ -5,6 +5,7 @@
 #include "shared/shadow_slack.glsl"
 #include "shared/sky.glsl"
 #include "shared/surface.glsl"
+#include "passes/penumbra.glsl"
 
 const int mode = VCT_MODE;
 

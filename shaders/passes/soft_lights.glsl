@@ -6,7 +6,6 @@
 // "Nearness" is how far what blocks the light is from the receiver on the way to the light: its distance from the receiver over
 // that from a light that has a place, and its distance, in sides of the volume, for one that has none. The disc seen past
 // it covers nearness times the light's size around the receiver; depths in the map are proportional to it, but for a constant.
-#include "passes/penumbra.glsl"
 #include "shared/counters.glsl"
 
 const int sourceSearchTaps = 16;

@@ -3,7 +3,6 @@
 // where something blocks, VCT_FILTER_TAPS places of two levels of the moments: the cost does not grow with the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/moments.glsl"
-#include "passes/penumbra.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MOMENTS) uniform highp sampler2D shadowMoments;

@@ -216,13 +216,12 @@ using glm::vec4;
 #define VCT_FACE_MASK 63u
 // The gather (directional/face_irradiance.glsl): sums over all faces, for three steps in turn; and bricks of texels, one
 // for each face that is not empty of the level whose voxels are blocks of 4^3, with a border for the filter.
-#define VCT_LIGHT_SUMS 19u
-#define VCT_LIGHT_HEADER 57u  // words: three such steps
+#define VCT_LIGHT_SUMS 20u
+#define VCT_LIGHT_HEADER 60u  // words: three such steps
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
 #define VCT_BRICK_TEXELS 6
 #define VCT_CONES_OF_CREASES 4    // that a face looks into in a step, at least, where something is near
-#define VCT_LEAST_TURNS 3.0       // that a face's history holds, at least, where faces take turns
 #define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)

@@ -53,23 +53,29 @@ Scene room() {
     return load(builder);
 }
 
-// What the shaders count in a frame where that cube moves.
-std::vector<std::uint32_t> countsInTheRoom(const Context& context, bool revoxelize) {
+Settings roomSettings(int grid, bool revoxelize) {
     Settings settings = mobileSettings();
-    settings.grid = 128;
+    settings.grid = grid;
     settings.shadowMapSize = 512;
     settings.countInvocations = true;
     settings.revoxelize = revoxelize;
+    return settings;
+}
+
+// Counts of the shaders in frames where that cube moves.
+std::vector<std::uint32_t> countsInTheRoom(const Context& context, const Settings& settings, Output output,
+                                           int frames = 1) {
     const Scene scene = room();
     PlayingScene stage(context, scene, settings);
-    const auto frameAt = [&](double seconds) { stage.frameAt(seconds, Output::ao); };
-    for (const double seconds : {0.0, 0.1, 0.2})
-        frameAt(seconds);
+    const auto frameAt = [&](double seconds) { stage.frameAt(seconds, output); };
+    for (int i = 0; i < 6; ++i)
+        frameAt(0.05 * i);
     std::vector<std::uint32_t> counts(VCT_COUNTER_COUNT);
     const gl::Buffer counters("counters", GL_SHADER_STORAGE_BUFFER, counts.size() * sizeof counts[0],
                               counts.data(), GL_DYNAMIC_COPY);
     counters.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COUNTERS);
-    frameAt(0.3);
+    for (int i = 0; i < frames; ++i)
+        frameAt(0.3 + 0.05 * i);
     counters.read(counts.data(), counters.bytes());
     return counts;
 }
@@ -77,11 +83,24 @@ std::vector<std::uint32_t> countsInTheRoom(const Context& context, bool revoxeli
 // By the fragments of both passes over the triangles, and the faces that are listed.
 TEST(DynamicObjects, OneOfAHundredIsVoxelizedAlone) {
     const Context context = openContext(Backend::egl);
-    const std::vector<std::uint32_t> part = countsInTheRoom(context, false),
-                                     all = countsInTheRoom(context, true);
+    const std::vector<std::uint32_t> part = countsInTheRoom(context, roomSettings(128, false), Output::ao),
+                                     all = countsInTheRoom(context, roomSettings(128, true), Output::ao);
     for (const int visits : {VCT_COUNTER_MARK_FACES, VCT_COUNTER_ACCUMULATE, VCT_COUNTER_LIST_FACES_FACE}) {
         EXPECT_GT(part[visits], 20U) << visits;
         EXPECT_LT(50 * part[visits], all[visits]) << visits;
+    }
+}
+
+// The faces of 128^3 voxels are four times those of 64^3, and take turns as much more rarely.
+TEST(DynamicObjects, ConesOfAFrameKeepToTheBudgetWhateverTheGrid) {
+    const Context context = openContext(Backend::egl);
+    for (const int grid : {64, 128}) {
+        Settings settings = roomSettings(grid, true);
+        settings.gather.coneBudget = 2000;
+        const std::vector<std::uint32_t> counts = countsInTheRoom(context, settings, Output::gi, 8);
+        EXPECT_GT(counts[VCT_COUNTER_CHOOSE_FACES_FACE], 8U * 10000U) << grid;
+        EXPECT_GT(counts[VCT_COUNTER_IRRADIANCE_CONE], 8U * 1400U) << grid;
+        EXPECT_LT(counts[VCT_COUNTER_IRRADIANCE_CONE], 8U * 2600U) << grid;
     }
 }
 

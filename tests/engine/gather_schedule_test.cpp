@@ -57,12 +57,14 @@ TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
         schedule.advance(noChange);
     const GatherStep changed = schedule.advance(otherLight);
     EXPECT_EQ(changed.cones, 1U);
+    EXPECT_EQ(changed.coneBudget, static_cast<std::uint32_t>(GatherSettings().coneBudget));
     EXPECT_EQ(changed.smoothing, 1.0F);
     EXPECT_LE(changed.history, 15.0F);
     EXPECT_EQ(changed.roundShare, 0.0F);
     EXPECT_FALSE(schedule.isConverged());
     const GatherStep after = schedule.advance(noChange);
     EXPECT_EQ(after.cones, 8U);
+    EXPECT_EQ(after.coneBudget, 0U);
     EXPECT_LT(after.history, changed.history);
     EXPECT_LT(after.smoothing, 1.0F);
     int steps = 2;

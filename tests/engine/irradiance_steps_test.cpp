@@ -116,7 +116,8 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     const DirectionalLight light = chooseLight(scene);
-    const Settings settings = mobileSettings();
+    Settings settings = mobileSettings();
+    settings.gather.coneBudget = 1 << 20;  // every face gathers in every step
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = makeRenderer(context, scene, light, settings);
     renderer.render({{Output::gi}, camera, LightSteps::all});
