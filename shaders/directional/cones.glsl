@@ -37,7 +37,7 @@ struct Cone {
     vec3 normal;     // of the surface
     vec3 ownBelow;   // ownFaces()
     float rise;      // height above the surface's plane per distance
-    // Whether the border's texels fade into the nothing behind them, over half a texel on both sides of the volume's border.
+    // The border's texels fade into the nothing behind them, over half a texel on both sides of the volume's border.
     // A cone that is cut off at the border loses up to half of a wall that stands there.
     bool fades;
 };
@@ -67,9 +67,9 @@ const ConeResult coneBegin = ConeResult(VCT_GATHER_FIRST_SAMPLE, vec3(0.0), 1.0,
 // Opacity of a gather's sample that is covered: samples of neighbours are a step apart, and overlap or gap by as much.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 
-// Which faces near a surface are its own: a ray whose direction times the normal is less than this along an axis does not
-// meet that axis's faces. Those of the surface itself look to its normal's side; those of its back, if it is a sheet seen from
-// both sides or a thin plate, to the other, and any direction goes below 2.
+// A ray near a surface does not meet the surface's own faces: those of an axis along which its direction times the normal is
+// less than this. The faces of the surface look to its normal's side; those of its back, if it is a sheet seen from both sides
+// or a thin plate, to the other, and any direction is less than 2.
 vec3 ownFaces(vec3 normal, bool hasBack) {
     return hasBack ? 2.0 * step(0.3, abs(normal)) : vec3(0.0);
 }
@@ -132,7 +132,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     ConeResult result = coneBegin;
     float level = levelAt(heightAt(cone, result.distance), spread);
     if (!VCT_GATHER_FADES) {
-        // Where it leaves the volume (in the far corner's or the near one's planes).
+        // The cone leaves the volume through a plane of its far corner or its near one.
         vec3 away = (step(0.0, direction) * float(frame.gridSide) - start) / direction;
         reach = min(reach, min(away.x, min(away.y, away.z)));
     }

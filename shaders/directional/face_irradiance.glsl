@@ -1,4 +1,4 @@
-// What each face of the base level receives: its history, a mean over steps, by the face's id. Light is relative to E/pi.
+// The irradiance of each face of the base level: its history, a mean over steps, by the face's id. Light is relative to E/pi.
 // Before the faces come sums over all of them of what the last steps found, behind them sums over the faces of each block.
 #include "directional/face_range.glsl"
 
@@ -36,7 +36,7 @@ float historyLength(uint id) {
     return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
 }
 
-// Halves end there.
+// Brighter light is cut off: halves end at 65504.
 const float largestLight = 6e4;
 
 void storeFaceIrradiance(uint id, FaceIrradiance value) {
@@ -49,7 +49,7 @@ void storeFaceIrradiance(uint id, FaceIrradiance value) {
 }
 
 // Irradiance changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
-// 1 where that is a voxel away, as along creases, 0 from four voxels on.
+// Closeness is 1 where that is a voxel away, as along creases, and 0 from four voxels on.
 float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
@@ -57,10 +57,10 @@ bool isNearSurfaces(FaceIrradiance mean) {
     return closeness(mean.nearness) > 0.5;
 }
 
-// The place of a voxel in its block, across a face's axis.
-ivec2 faceInBlock(ivec3 voxel, int axis) {
+// The place of a face among the 16 of a flat block, row by row across its axis.
+int placeInBlock(ivec3 voxel, int axis) {
     ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
-    return ivec2(across.x & 3, across.y & 3);
+    return (across.x & 3) + 4 * (across.y & 3);
 }
 
 // What a face receives of the compact emitters (directional/emitters.comp) is no mean: it is the same in all steps.

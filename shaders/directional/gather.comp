@@ -32,8 +32,8 @@ vec3 gatherDirection(int i) {
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    ivec2 inBlock = faceInBlock(voxel, axis);
-    int first = int(firstDirection) + inBlock.x + 4 * inBlock.y;
+    int place = placeInBlock(voxel, axis);
+    int first = int(firstDirection) + place;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -41,7 +41,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
         // From half a level less to half a level more, evenly; the same for a direction of a face in each round.
-        int chance = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * (inBlock.x + 4 * inBlock.y);
+        int chance = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
         float spread = exp2(float(chance & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;

@@ -41,9 +41,8 @@ struct Turn {
     bool isNow;
 };
 Turn turnOf(ivec3 voxel, int axis, bool lookedUp) {
-    ivec2 inBlock = faceInBlock(voxel, axis);
     ivec3 block = voxel >> VCT_BRICK_LEVEL;
-    float before = turnsBefore(lookedUp) + 1.0 - float(inBlock.x + 4 * inBlock.y) / 16.0;
+    float before = turnsBefore(lookedUp) + 1.0 - float(placeInBlock(voxel, axis)) / 16.0;
     if (!lookedUp) before += float((185 * block.x + 407 * block.y + 111 * block.z) & 255) / 256.0;
     float number = floor(before + turnRate(lookedUp));
     return Turn(uint(number), number > floor(before));

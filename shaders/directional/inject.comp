@@ -69,7 +69,7 @@ bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 no
     return back.coverage > 0.5 * min(sums.coverage, 1.0) && dot(unpackPlane(back.plane).normal, normal) < -0.8;
 }
 
-// The larger one of a number and a colour's largest component. No NaN passes the comparison.
+// The larger one of a number and a colour's largest component. NaN never passes the comparison.
 float largerOf(float before, vec3 color) {
     float largest = max(color.r, max(color.g, color.b));
     return largest > before ? min(largest, 6e4) : before;
@@ -95,7 +95,7 @@ FaceMaterial materialOf(FaceSums sums, float normalComponent) {
     return FaceMaterial(sums.albedo * (aspect / max(sums.coverage, 1.0)), sums.emission * aspect);
 }
 
-// Of the radiance before it is stored and cut off, for the next step's range (directional/choose_range.comp).
+// The largest radiance before it is stored and cut off, for the next step's range (directional/choose_range.comp).
 shared uint groupLargestRadiance;
 
 void main() {

@@ -30,8 +30,8 @@ mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
-// What the faces towards one side of an axis received around a position (in voxels), premultiplied by their coverage, and
-// that coverage. `block`: where that is, or one that is no more than half a voxel away.
+// The irradiance around a position (in voxels) of the faces towards one side of an axis, premultiplied by their coverage, and
+// that coverage. `block`: the position's, or one that is no more than half a voxel away.
 mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
     return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
 }
@@ -41,7 +41,7 @@ vec3 towardsCorner(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
-// What a surface at a position (volume space) receives, relative to E/pi: from the faces on the normal's side of each axis,
+// The irradiance of a surface at a position (volume space), relative to E/pi: of the faces on the normal's side of each axis,
 // by the square of the normal, as from an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
 // Where the voxel of a surface has no face of it, other places are tried. On the border of two blocks it may have been

@@ -15,8 +15,9 @@ vec3 sumAt(uint at) {
 // mean delays it. So all face irradiance is scaled by what the last step's sums say. Of all light that faces send, those sums
 // give the share k that other faces receive; in balance the irradiance is k (direct + reflected) + sky, and a factor s on the
 // irradiance before solves that for all faces together, as a coarse grid of one cell does in a multigrid solver. The mean
-// of that step has moved by its own share already, where faces take turns by as much less; here it comes as near to the balance as `towardsBalance` says: half the
-// way while the light is found, and in rounds no more than the mean does, as the directions of one step favour some light.
+// of that step has moved by its own share already, and by as much less where faces take turns; here it comes as near to the
+// balance as `towardsBalance` says: half the way while the light is found, and in rounds no more than the mean does, as the
+// directions of one step favour some light.
 vec3 globalEnergyCorrection() {
     uint sums = lightSums(lightStep.frame + 2u);  // of the step before
     vec3 before = sumAt(sums + VCT_SUM_BEFORE);
@@ -33,7 +34,7 @@ vec3 globalEnergyCorrection() {
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 
-// At the start of every invocation.
+// Every invocation begins with it.
 void beginBalance() {
     if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex == 0u) groupLargestIrradiance = 0u;
@@ -58,7 +59,7 @@ vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     return own + reflecting * mean.light;
 }
 
-// At the end of every invocation.
+// Every invocation ends with it.
 void endBalance() {
     for (int c = 0; c < 3; ++c) {
         atomicAdd(groupSums[VCT_SUM_BEFORE + uint(c)], sumBefore[c]);

@@ -18,7 +18,7 @@ void main() {
     vec3 position = surfacePosition(vec2(pixel) + 0.5, depth) * float(frame.gridSide);
     vec3 normal = surfaceNormal(pixel);
     ivec3 lastBlock = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-    // Where a surface lies on the border of two blocks, rounding decides in which of them its faces are.
+    // Rounding decides in which of two blocks the faces of a surface on their border are, so both are marked.
     for (int i = 0; i < 6; ++i) {
         int axis = i % 3;
         if (abs(normal[axis]) < 0.14) continue;

@@ -291,7 +291,7 @@ struct FaceRange {
 // One step of the received light towards its final value (jni/engine/directional/irradiance.h).
 struct LightStep {
     uint frame;          // counts steps
-    uint direction;      // the first of the set that this step looks into
+    uint direction;      // the first of the set that a step without a budget looks into
     uint cones;          // how many
     uint conesOfNew;     // of a face that has received nothing yet
     uint beginsRound;    // 1 where this step is the first of a round
@@ -354,8 +354,8 @@ struct LevelCommands {
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
     uint dynamicList;  // the list of the dynamic objects in their present pose
-    // What the last injection of light measured: bits of floats above 0, which order as integers do. The largest radiance
-    // that a face was to store, and the largest irradiance that a face had.
+    // The last injection of light measured the largest radiance that a face was to store, and the largest irradiance of a
+    // face: bits of floats, which have the order of integers from 0 on.
     uint largestRadiance, largestIrradiance;
     uint unused0;
 };

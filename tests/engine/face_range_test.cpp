@@ -47,25 +47,6 @@ TEST(FaceRange, FitsTheBrightestFace) {
     }
 }
 
-// A scene that is as many times brighter has the same picture, only brighter: its range follows.
-TEST(FaceRange, GrowsWithTheLight) {
-    const Context context = openContext(Backend::egl);
-    Scene scene = loadGltf(asset("night.glb"));
-    const auto pictureAt = [&](float scale) {
-        Scene scaled = scene;
-        for (Material& material : scaled.materials)
-            material.emissive *= scale;
-        for (PunctualLight& light : scaled.punctualLights)
-            light.intensity *= scale;
-        Renderer renderer = makeRenderer(context, scaled, chooseLight(scaled), mobileAt(32));
-        renderer.render({{Output::indirectLight}, chooseCamera(scaled, ""), LightSteps::all});
-        return meanOf(renderer.radiance()) / scale;
-    };
-    const double right = pictureAt(1.0F);
-    EXPECT_NEAR(pictureAt(1.0F / 64.0F), right, 0.01 * right);
-    EXPECT_NEAR(pictureAt(64.0F), right, 0.01 * right);
-}
-
 // The range of a step is that of the light before it. A lamp that lights up is cut off for a step, and in a
 // step after it goes out few of the 8 bits are used: neither may show as a flash.
 TEST(FaceRange, NoFrameIsBrighterOrDarkerThanTheLightBeforeAndAfterASwitch) {

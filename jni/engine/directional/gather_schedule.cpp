@@ -17,9 +17,6 @@ constexpr float maxHistoryAfterChange = 9.0F;
 constexpr std::uint32_t initialCones = 8;
 // The longest history, in steps: what a few cones add to it then is hardly seen.
 constexpr float maxHistory = 192.0F;
-// The 16 faces of a block look into 16 directions in a row (shaders/directional/gather.comp): in the next
-// step these are others. Odd, so that each face comes to all of them.
-constexpr std::uint32_t directionsOfBlock = 17;
 // Once the changes have ended, so much less of a face's light is its block's in each step.
 constexpr float smoothingDecay = 0.25F;
 
@@ -80,7 +77,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
 
     lastShare_ = share;
     history_ = history_ == 0.0F ? float{VCT_STEPS_OF_NEW} : std::min(history_ + 1.0F, maxHistory);
-    direction_ += changed ? directionsOfBlock : static_cast<std::uint32_t>(cones_);
+    if (!changed) direction_ += static_cast<std::uint32_t>(cones_);
     ++frame_;
     stepsLeft_ = std::max(stepsLeft_ - 1, 0);
     // A few cones in rebuilt voxels change converged light little.

@@ -11,7 +11,7 @@ namespace vct {
 // The way in which one light step gathers (shaders/shared/layout.h: LightStep).
 struct GatherStep {
     std::uint32_t frame = 0;        // number of the step
-    std::uint32_t direction = 0;    // the first of the set of directions that this step visits
+    std::uint32_t direction = 0;    // the first of the set of directions that a step without a budget visits
     std::uint32_t cones = 0;        // per face
     std::uint32_t conesOfNew = 0;   // per face without a history
     std::uint32_t coneBudget = 0;   // cones of the whole step, for which faces take turns; 0: no limit

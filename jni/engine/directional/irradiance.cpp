@@ -104,12 +104,10 @@ void Irradiance::invalidate() {
 
 void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     const gl::DebugGroup group("begin light step");
-    const GatherStep step = schedule_.advance(std::exchange(pending_, {}));
-    frameIndex_ = step.frame;
-    coneBudget_ = step.coneBudget;
+    step_ = schedule_.advance(std::exchange(pending_, {}));
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels.grid(), voxels.capacities()[VCT_BRICK_LEVEL]);
-    uploadUniforms(step, allBounces);
+    uploadUniforms(allBounces);
     // The last frame fetched what is written here, and all before wrote what is fetched.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -136,8 +134,8 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gather_.use();
-    if (coneBudget_ > 0)
-        gl::DispatchCompute((coneBudget_ + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP, 1, 1);
+    if (step_.coneBudget > 0)
+        gl::DispatchCompute((step_.coneBudget + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP, 1, 1);
     else
         voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -148,6 +146,8 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     fillBricks_.use();
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     voxels.index().dispatchOverFaces(0);
+    // The last pass of the frame fetches the bricks.
+    gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const {
@@ -210,26 +210,26 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     gl::zeroTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
 }
 
-void Irradiance::uploadUniforms(const GatherStep& step, bool allBounces) const {
+void Irradiance::uploadUniforms(bool allBounces) const {
     shared::LightStep values{};
-    values.frame = step.frame;
-    values.direction = step.direction;
-    values.cones = step.cones;
-    values.conesOfNew = step.conesOfNew;
-    values.beginsRound = step.beginsRound ? 1 : 0;
-    values.shareInRound = step.roundShare;
+    values.frame = step_.frame;
+    values.direction = step_.direction;
+    values.cones = step_.cones;
+    values.conesOfNew = step_.conesOfNew;
+    values.beginsRound = step_.beginsRound ? 1 : 0;
+    values.shareInRound = step_.roundShare;
     values.bricksAlong = bricksAlong_;
     // Each face's history is shortened to what the light's allows.
-    values.memory = std::max(step.history, 1.0F);
-    values.inherited = step.history;
-    values.leastHistory = step.leastHistory;
+    values.memory = std::max(step_.history, 1.0F);
+    values.inherited = step_.history;
+    values.leastHistory = step_.leastHistory;
     values.reflected = allBounces ? settings_.bounceGain : 0.0F;
-    values.amplitude = step.amplitude;
-    values.towardsBalance = step.energyCorrection;
-    values.coneBudget = step.coneBudget;
+    values.amplitude = step_.amplitude;
+    values.towardsBalance = step_.energyCorrection;
+    values.coneBudget = step_.coneBudget;
     values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
-    values.smoothing = step.smoothing;
+    values.smoothing = step_.smoothing;
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);

@@ -44,7 +44,7 @@ class Irradiance {
     // whose faces gather first.
     void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
     // The number of the step, which seeds the dither of what it stores.
-    std::uint32_t frameIndex() const { return frameIndex_; }
+    std::uint32_t frameIndex() const { return step_.frame; }
 
     // For shaders/directional/irradiance.glsl; null before the first step.
     const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
@@ -66,7 +66,7 @@ class Irradiance {
 
     void reserveBricks(int grid, std::uint32_t count);
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
-    void uploadUniforms(const GatherStep& step, bool allBounces) const;
+    void uploadUniforms(bool allBounces) const;
     void placeBricks(const DirectionalVoxels& voxels) const;
     void chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const;
 
@@ -83,8 +83,7 @@ class Irradiance {
     std::optional<gl::Texture> irradiance_, bricks_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;
-    std::uint32_t frameIndex_ = 0;
-    std::uint32_t coneBudget_ = 0;  // of the step
+    GatherStep step_;
 };
 
 }  // namespace vct
