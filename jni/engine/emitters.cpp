@@ -11,7 +11,7 @@ namespace vct {
 namespace {
 
 // Of a part, in voxels: what is wider is divided.
-constexpr double largestRadius = 5.0;
+constexpr double maxRadius = 5.0;
 // The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
 constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
@@ -258,7 +258,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), largestRadius * volume.voxelSize());
+        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
         if (!parts.empty()) lamps.push_back(std::move(parts));
     }
     std::stable_sort(lamps.begin(), lamps.end(),

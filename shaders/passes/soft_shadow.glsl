@@ -55,9 +55,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
     // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
     const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
-    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
+    const float borderShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
     const float aside = 2.0;          // in texels
-    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+    if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
     // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
@@ -79,14 +79,14 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
     if (search.weight > 0.0) {
-        penumbra = penumbraOf(search);
+        penumbra = penumbraWidth(search);
     } else {
         // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
         // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.
         vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
         float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
-        const float leastShare = 0.001;
-        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        const float minShare = 0.001;
+        if (nearer <= max(sqrt(minShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
         penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
     }
 

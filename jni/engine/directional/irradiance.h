@@ -53,7 +53,7 @@ class Irradiance {
     // The history of each face, by its id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words of each face in it: two more if the scene has compact emitters.
-    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
+    std::uint32_t irradianceWords() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
 
     // For shaders of a step.
