@@ -26,8 +26,8 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 
 // The coarsest grid of Settings::gridRange with two voxels across the narrowest parts of the scene. If the
 // driver does not support it, or it needs more than `bytes`, a coarser one. If the driver supports none, the
-// coarsest one, for which the constructor of Renderer reports what the driver lacks. The narrowest parts are
-// those that make up 2 % of the surface, because otherwise a single screw could decide.
+// coarsest one, for which the constructor of Renderer reports what the driver lacks. The narrowest parts
+// make up 2 % of the surface, because otherwise a single screw could decide.
 //
 // With two voxels across, a part fills at least one voxel alone. The width of a part depends on the kind of
 // voxels (scene/parts.h measures the sides):
