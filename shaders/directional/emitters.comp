@@ -29,7 +29,7 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
     return coneEnd(result).transmittance;
 }
 
-// Irradiance over pi by all emitters, relative to E/pi.
+// Irradiance by all emitters, relative to E.
 vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     float grid = float(frame.gridSide);
     vec3 sum = vec3(0.0);

@@ -1,4 +1,4 @@
-// The history of each base-level face's irradiance, by the face's id. Light is relative to E/pi. The buffer
+// The history of each base-level face's irradiance, by the face's id. Irradiance is relative to E. The buffer
 // begins with sums over all faces for the last steps; after the histories come sums over the faces of each
 // block.
 #include "directional/face_range.glsl"
