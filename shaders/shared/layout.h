@@ -407,8 +407,8 @@ VCT_FUNCTION uvec3 voxelColor(uint word) {
 }
 #define VCT_BASE_COUNT 8u     // count of a base-level voxel, so that the first mip is no special case
 #define VCT_COLOR_STEPS 31u   // colour of one child in its parent: 0..31; the sum of eight fits 8 bits
-// The word that a voxel adds to its parent's (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c), with
-// c its colour normalised by its count, i.e. floor(colour / count).
+// The word that a voxel adds to its parent's (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c).
+// Here c is the voxel's colour normalised by its count, so the result is floor(colour / count).
 VCT_FUNCTION uint childContribution(uint word) {
     uint count = voxelCount(word);
     uint light = voxelLight(word) > (count >> 1) ? 1u : 0u;
