@@ -1,12 +1,12 @@
-// glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX of alpha = roughness^2, Schlick's Fresnel
-// term): the sun and other lights as they stand there; of what is around, one cone along the mirror
-// direction, and what the surface received.
+// glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX with alpha = roughness^2, Schlick's Fresnel
+// term). The sun and the punctual lights use the formulas of the appendix. Indirect specular light comes from
+// one cone along the mirror direction and, for rough surfaces, from face irradiance.
 #include "shared/frame.glsl"
 #include "shared/sky.glsl"
 #include "directional/cones.glsl"
 
-// From here to there the cone gives way to the gather, whose cones together fit a wide lobe better than one
-// cone does (docs/levers.md).
+// Between these roughnesses the cone is blended with face irradiance, because many cones of a gather fit a
+// wide lobe better than one cone does (docs/levers.md).
 const float roughFrom = 0.3;
 const float roughTo = 0.9;
 

@@ -1,12 +1,12 @@
-// Shadows of punctual lights with a size, out of their maps. The filter compares the maps' texels: these maps
-// have no moments. A point or spot is a sphere, which is a disc that faces the receiver; a directional light
-// is a disc at the sky, as the sun is. Taps are places beside the receiver, and each is looked up in the map
-// that shows it, so a penumbra goes on from one side of a cube to the next.
+// Soft shadows of punctual lights from their maps. These maps have no moments, so the filter compares texels.
+// A point or spot light is a sphere, seen as a disc from the receiver; a directional light is a disc in the
+// sky, as the sun is. Taps are positions beside the receiver. Each is looked up in the map that shows it, so
+// that penumbrae continue from one face of a cube to the next.
 //
-// "Nearness" is how far what blocks the light is from the receiver on the way to the light: its distance from
-// the receiver over that from a light that has a place, and its distance, in sides of the volume, for one
-// that has none. The disc seen past it covers nearness times the light's size around the receiver; depths in
-// the map are proportional to it, but for a constant.
+// The "nearness" of a blocker is the penumbra that it leaves, divided by the light's size. For point and spot
+// lights it is the blocker's distance from the receiver divided by its distance from the light; for
+// directional lights it is the distance from the receiver in sides of the volume. Depths in the map are
+// proportional to it, up to a constant.
 #include "shared/counters.glsl"
 
 const int sourceSearchTaps = 16;
