@@ -16,8 +16,8 @@ using ReadShader = std::function<std::string(const std::string& path)>;
 // Reads shaders from a folder on disk.
 ReadShader shadersFromFolder(const std::string& folder);
 
-// The language of the assembled sources. 3.00 is for the app's messages on drivers that cannot run the
-// engine.
+// The language of the assembled sources. Version 3.00 is for the app's head-up display, which also has to
+// work on drivers that cannot run the engine.
 enum class Language {
     essl300,  // "#version 300 es"
     essl310,  // "#version 310 es" with the extensions that the stage needs
