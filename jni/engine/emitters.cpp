@@ -139,7 +139,7 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     const double c = std::cos(turn), s = std::sin(turn);
     const double first = std::sqrt(std::max(c * c * uu + 2.0 * c * s * uv + s * s * vv, 0.0));
     const double second = std::sqrt(std::max(s * s * uu - 2.0 * c * s * uv + c * c * vv, 0.0));
-    // A single piece has no moments; a square stands for it.
+    // A single piece has no moments and is treated as a square.
     const double shape = first > 0.0 && second > 0.0 ? std::clamp(first / second, 0.01, 100.0) : 1.0;
     return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
 }

@@ -3,8 +3,8 @@
 //
 // The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
 // Shadow maps and voxels depend on the scene's state and not on the camera. Each is created when an output
-// first needs it, remembers the state that it was made for, and is rebuilt only when the state changes, or
-// in every frame if Settings::revoxelize asks for that, to measure it.
+// first needs it, stores the state that it was made for, and is rebuilt only when the state changes, or in
+// every frame if Settings::revoxelize asks for that, to measure it.
 #include <algorithm>
 #include <limits>
 #include <string>

@@ -106,8 +106,8 @@ class GpuScene {
     SceneFeatures features_;
     Voxelization voxelization_;
     glm::dmat4 volumeFromWorld_;
-    std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
-    // Indices into draws_, in an order that does not depend on that of the instances.
+    std::vector<Draw> draws_;  // sorted by material features
+    // Indices into draws_ in an order that does not depend on the order of the scene's instances.
     std::vector<std::size_t> visibleDraws_;
     std::vector<Moving> moving_;
     std::vector<MovingMesh> movingMeshes_;

@@ -12,8 +12,8 @@ layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
 // Premultiplied radiance and coverage of the faces that a ray meets around a position (volume space) at a
-// whole mip level. These are the faces that look against the ray, one per axis. `share`: component of the
-// direction along each axis; 0 excludes the axis.
+// whole mip level. These are the faces opposite to the ray's direction, one per axis. `share`: component of
+// the direction along each axis; 0 excludes the axis.
 //
 // A face covers the ray by its component, so that three faces of a corner cover it by up to 1.73. Radiance is
 // weighted by the square, as in an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"). A
@@ -61,7 +61,7 @@ struct ConeResult {
     float distance;               // to the next sample
     mediump vec3 radiance;        // relative to E/pi; divided by faceRange.radiance until coneEnd()
     mediump float transmittance;
-    mediump float nearness;       // sum of 1 / distance, weighted by the opacity of the samples
+    mediump float nearness;       // sum of 1 / distance over the samples, weighted by opacity
 };
 
 const ConeResult coneBegin = ConeResult(VCT_GATHER_FIRST_SAMPLE, vec3(0.0), 1.0, 0.0);

@@ -109,7 +109,7 @@ void main() {
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.conesOfNew : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
-            // A face that has its turn also stands for faces that do not.
+            // A face that gathers in this step also represents faces that do not.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
             uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {

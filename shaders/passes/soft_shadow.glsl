@@ -100,7 +100,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // the middle is chosen so that the variance of the whole kernel is that of a disc, R^2/4. The variance of
     // the filter alone is .42 wide^2.
     float radius = penumbra * coneInTexels;
-    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // texels of the map, up to one of the coarsest level
+    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // in texels of the map
     float level = log2(0.5 * wide);
     float ofRadius = wide / max(radius, 1e-6);
     float distance = sqrt(max(0.6 - 0.835 * ofRadius * ofRadius, 0.25 * ofRadius * ofRadius));

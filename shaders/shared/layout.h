@@ -51,7 +51,7 @@ using glm::vec4;
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACES 2
-#define VCT_SSBO_FACE_RANGE 2  // no pass needs both
+#define VCT_SSBO_FACE_RANGE 2  // shared with VCT_SSBO_FACES; no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
 // Storage blocks of the passes over vertices, which bind all of their buffers (jni/engine/deformer.h).
@@ -138,18 +138,18 @@ using glm::vec4;
 #define VCT_TEX_DYNAMIC_VOXELS 4   // present pose; passes that read the G-buffer do not need it
 #define VCT_TEX_PREVIOUS_VOXELS 5  // last pose; passes that read the G-buffer do not need it
 #define VCT_TEX_G_ALBEDO 4
-#define VCT_TEX_GLOSS 4  // no pass needs both
+#define VCT_TEX_GLOSS 4  // shared with VCT_TEX_G_ALBEDO; no pass needs both
 #define VCT_TEX_G_NORMAL 5
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
-#define VCT_TEX_LAST_LOOKUPS 7  // no pass needs both
+#define VCT_TEX_LAST_LOOKUPS 7  // shared with VCT_TEX_G_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_DEPTH 8  // the shadow map, read without comparison
 #define VCT_TEX_FACES 9
 #define VCT_TEX_IRRADIANCE 10  // the bricks of directional/irradiance.glsl, and their locations
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
-#define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
+#define VCT_TEX_BLOCK_LIGHT 12  // shared with VCT_TEX_G_GLOSS; no pass needs both
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
 #define VCT_TEX_SHADOW_MOMENTS 15
@@ -158,7 +158,7 @@ using glm::vec4;
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_FACES 2
-#define VCT_IMAGE_IRRADIANCE 2  // ES 3.1 guarantees four units, and no pass needs both
+#define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_BLOCK_LIGHT 2
 #define VCT_IMAGE_LAST_LOOKUPS 2

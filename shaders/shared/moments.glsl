@@ -1,4 +1,3 @@
-
 // Moments of a shadow map: mean and variance of the depth around a texel (Donnelly and Lauritzen 2006). The
 // variance itself is stored, not the mean of squares, because half floats would round their small difference
 // to nothing.

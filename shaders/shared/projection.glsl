@@ -1,3 +1,4 @@
+// The projection of triangles for voxelization.
 #include "shared/dominant_axis.h"
 
 // Projects a position onto a side of the volume, one pixel per column of voxels. Axes are permuted

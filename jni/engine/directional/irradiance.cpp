@@ -47,7 +47,7 @@ gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures
 LightFeatures featuresFor(GatherOf of, const LightFeatures& sources) {
     if (of == GatherOf::light) return sources;
     LightFeatures emission;
-    emission.emission = sources.emission;  // decides how many words a face has
+    emission.emission = sources.emission;  // affects the number of words per face
     return emission;
 }
 

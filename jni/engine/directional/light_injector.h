@@ -34,7 +34,7 @@ class LightInjector {
     LightFeatures sources_;
     gl::Program chooseRange_;
     bool isMeasured_ = false;
-    std::optional<gl::Program> direct_, bounces_;  // compiled when first asked for
+    std::optional<gl::Program> direct_, bounces_;  // compiled on first use
 };
 
 }  // namespace vct
