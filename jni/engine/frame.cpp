@@ -1,5 +1,5 @@
-// Renders one frame in the order of the thesis (Wahlén 2016): shadow maps, G-buffer, lit voxels, and a last
-// pass that computes the light of every pixel.
+// Renders one frame in the order of the thesis (README.md names it): shadow maps, G-buffer, lit voxels, and a
+// last pass that computes the light of every pixel.
 //
 // The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
 // Shadow maps and voxels depend on the scene's state and not on the camera. Each is created when an output
