@@ -64,10 +64,10 @@ struct InstanceDescription {
 
 // The sun. Other light comes from emission and from the sky.
 struct Sun {
-    std::array<double, 3> towardsSun{0, 1, 0};  // direction towards the sun; any length but 0
-    std::array<float, 3> color{1, 1, 1};        // multiplies the illuminance; the largest component must be 1
-    float illuminance = 3.14159265F;            // on a surface that faces the sun, for example in lux
-    float diameterDegrees = 5.0F;               // full opening angle of its disc, 0.1 to 170
+    std::array<double, 3> directionToSun{0, 1, 0};  // direction towards the sun; any length but 0
+    std::array<float, 3> color{1, 1, 1};  // multiplies the illuminance; the largest component must be 1
+    float illuminance = 3.14159265F;      // on a surface that faces the sun, for example in lux
+    float diameterDegrees = 5.0F;         // full opening angle of its disc, 0.1 to 170
 };
 
 struct Box {
@@ -134,9 +134,9 @@ struct Pictures {
     // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, relative to the
     // sun's illuminance. With the presets mobile and quality, a surface that neither is glossy nor emits has
     // the radiance, in units of radianceUnit(),
-    //     baseColor * (max(dot(normal, towardsSun), 0) * sunVisibility * sun.color + irradiance),
-    // with `normal` and `towardsSun` at unit length and sunVisibility from the picture of that name. With the
-    // preset thesis this does not hold.
+    //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun.color + irradiance),
+    // with `normal` and `directionToSun` at unit length and sunVisibility from the picture of that name. With
+    // the preset thesis this does not hold.
     unsigned irradiance = 0;
     // These have the same value in r, g and b:
     unsigned ambientVisibility = 0;  // 1 - ambient occlusion; not a part of radiance with mobile and quality
@@ -178,15 +178,15 @@ class GlobalIllumination {
     // Moves an instance in the next picture. `instance`: index into SceneDescription::instances, with `moves`
     // set.
     void setTransform(std::size_t instance, const Matrix& worldFromObject);
-    // Turns the sun in the next picture. `towardsSun`: any length but 0. Colour, illuminance and diameter are
-    // fixed.
-    void setSun(const std::array<double, 3>& towardsSun);
+    // Turns the sun in the next picture. `directionToSun`: any length but 0. Colour, illuminance and diameter
+    // are fixed.
+    void setSun(const std::array<double, 3>& directionToSun);
     // Recreates the pictures and the G-buffer in another size. Voxels and their light are kept.
     void resize(int width, int height);
 
     // After a change, indirect light converges over about 16 frames. `oneStep` takes one step per call, for
-    // interactive use; `settled` takes all remaining steps, for a still picture.
-    enum class Light { oneStep, settled };
+    // interactive use; `converged` takes all remaining steps, for a still picture.
+    enum class Light { oneStep, converged };
     // Draws the pictures. `gBuffer` is a G-buffer of the caller's that shows the scene from the same View;
     // without it the library draws its own.
     Pictures render(const View& view, Light light = Light::oneStep);

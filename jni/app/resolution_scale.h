@@ -11,7 +11,7 @@ namespace vct::app {
 // too, so that noise does not move it to and fro.
 class ResolutionScale {
   public:
-    static constexpr double mostMs = 15.0;    // of 60 frames a second, less what the system needs to show one
+    static constexpr double maxMs = 15.0;     // of 60 frames a second, less what the system needs to show one
     static constexpr double enoughMs = 12.0;  // up to which it rises
     static constexpr double largestDivisor = 4.0;  // where it stays however long frames take
 

@@ -15,9 +15,9 @@ constexpr double largestRadius = 5.0;
 // Cones towards a part end this many voxels before its surface, because nearer voxels may be the emitter's.
 constexpr double freeVoxels = 2.0;
 // An instance with more parts than this is no compact emitter.
-constexpr std::size_t mostPartsOfLamp = 16;
+constexpr std::size_t maxPartsPerEmitter = 16;
 // Triangles are cut into pieces, about this many per instance, before the pieces are grouped into parts.
-constexpr double piecesOfInstance = 256.0;
+constexpr double piecesPerInstance = 256.0;
 
 // One side of a piece of a triangle.
 struct Piece {
@@ -74,7 +74,7 @@ class Pieces {
     void cut(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = 0.5 * doubleArea(first);
         const double n =
-            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesOfInstance)), 1.0, 16.0);
+            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesPerInstance)), 1.0, 16.0);
         for (double row = 0.0; row < n; ++row) {
             for (double column = 0.0; column < 2.0 * (n - row) - 1.0; ++column) {
                 // Every second piece is upside down.
@@ -144,7 +144,7 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
 }
 
-EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
+EmitterPart aggregate(std::size_t instance, const std::vector<Piece>& pieces) {
     EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0,
                      0.0,      glm::dvec3(0.0)};
     for (const Piece& piece : pieces) {
@@ -171,7 +171,7 @@ EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
 
 // True if the pieces show about the same area to every side: no axis has much more than a third of the
 // squared normals' sum.
-bool looksToAllSides(const std::vector<Piece>& pieces) {
+bool isIsotropic(const std::vector<Piece>& pieces) {
     glm::dvec3 squares(0.0);
     for (const Piece& piece : pieces)
         squares += piece.facing * piece.facing / std::max(glm::length(piece.facing), 1e-300);
@@ -180,7 +180,7 @@ bool looksToAllSides(const std::vector<Piece>& pieces) {
 }
 
 // Groups the pieces by the axis direction that they face most; at most six groups, none empty.
-std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
+std::vector<std::vector<Piece>> splitByFacing(const std::vector<Piece>& pieces) {
     std::vector<std::vector<Piece>> sides(6);
     for (const Piece& piece : pieces) {
         const glm::dvec3 size = glm::abs(piece.facing);
@@ -193,7 +193,7 @@ std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
 }
 
 // Splits the pieces at the middle of their longest axis.
-std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
+std::vector<std::vector<Piece>> splitAtMedian(std::vector<Piece> pieces) {
     glm::dvec3 low(pieces[0].centre), high(low);
     for (const Piece& piece : pieces) {
         low = glm::min(low, piece.centre);
@@ -207,20 +207,20 @@ std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
     return {{pieces.begin(), second}, {second, pieces.end()}};
 }
 
-// Divides an instance's pieces into parts. Returns none if there would be more than mostPartsOfLamp.
+// Divides an instance's pieces into parts. Returns none if there would be more than maxPartsPerEmitter.
 std::vector<EmitterPart> partsOf(std::size_t instance, std::vector<Piece> pieces, double largest) {
     std::vector<EmitterPart> done;
     std::vector<std::vector<Piece>> left{std::move(pieces)};
     while (!left.empty()) {
-        if (done.size() + left.size() > mostPartsOfLamp) return {};
+        if (done.size() + left.size() > maxPartsPerEmitter) return {};
         const std::vector<Piece> group = std::move(left.back());
         left.pop_back();
-        const EmitterPart part = together(instance, group);
+        const EmitterPart part = aggregate(instance, group);
         std::vector<std::vector<Piece>> divided;
         if (part.radius > largest)
-            divided = halves(group);
-        else if (glm::length(part.facing) < 0.8 * part.area && !looksToAllSides(group))
-            divided = bySide(group);
+            divided = splitAtMedian(group);
+        else if (glm::length(part.facing) < 0.8 * part.area && !isIsotropic(group))
+            divided = splitByFacing(group);
         if (divided.size() < 2)
             done.push_back(part);
         else
@@ -270,7 +270,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
     return all;
 }
 
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts) {
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {
     std::vector<bool> lamps(scene.instances.size());
     for (const EmitterPart& part : parts)
         lamps[part.instance] = true;
@@ -279,7 +279,7 @@ std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>&
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
                    float radianceUnit)
-    : lamps_(lampsAmong(scene, parts)),
+    : instances_(emittingInstances(scene, parts)),
       volume_(volume),
       radianceUnit_(radianceUnit),
       uniforms_("emitters", GL_UNIFORM_BUFFER, sizeof(shared::EmitterBlock), nullptr, GL_DYNAMIC_DRAW) {
@@ -310,8 +310,8 @@ void Emitters::upload(const Pose* pose) const {
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
         shared::EmitterPartUniforms& to = block.part[i];
-        to.place = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
-                             part.radius * larger / volume_.side);
+        to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
+                                part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),

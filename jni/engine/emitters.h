@@ -34,7 +34,7 @@ struct EmitterPart {
 // triangles can be cut that small.
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume);
 // For each of the scene's instances: true if it is a compact emitter.
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts);
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts);
 
 // The parts in the present pose, as uniforms for shaders/shared/emitters.glsl.
 class Emitters {
@@ -47,7 +47,7 @@ class Emitters {
     void setPose(const Pose& pose);
     void bind() const { uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_EMITTERS); }
     // For each of the scene's instances: true if it is a compact emitter.
-    const std::vector<bool>& lamps() const { return lamps_; }
+    const std::vector<bool>& instances() const { return instances_; }
     const gl::Buffer& uniforms() const { return uniforms_; }
 
   private:
@@ -59,7 +59,7 @@ class Emitters {
     void upload(const Pose* pose) const;
 
     std::vector<Placed> parts_;
-    std::vector<bool> lamps_;
+    std::vector<bool> instances_;
     Volume volume_;
     float radianceUnit_;
     gl::Buffer uniforms_;

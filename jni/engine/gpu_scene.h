@@ -24,10 +24,10 @@ enum class ScenePart { all, dynamicOnly, staticOnly };
 
 class GpuScene {
   public:
-    // Uploads the scene in its rest pose. `lamps`: for each instance, true if it is a compact emitter
-    // (emitters.h); empty if there are none. `radianceUnit`: emission is stored relative to it. With
+    // Uploads the scene in its rest pose. `emitterInstances`: for each instance, true if it is a compact
+    // emitter (emitters.h); empty if there are none. `radianceUnit`: emission is stored relative to it. With
     // Voxelization::sortedAxes the triangles of each instance are sorted by axis (axis_sort.h).
-    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& emitterInstances,
              const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization);
 
     // Sets the pose for the next draws. Uploads the data of the objects that moved, and no other.
@@ -64,7 +64,7 @@ class GpuScene {
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
         IndexRange triangles;
-        std::array<IndexRange, 3> trianglesAlong;  // by axis, with Voxelization::sortedAxes
+        std::array<IndexRange, 3> trianglesByAxis;  // by axis, with Voxelization::sortedAxes
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
     };

@@ -65,7 +65,7 @@ class Renderer {
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Sets the unit vector towards the sun (world space) for the next frames. The sun's irradiance is fixed,
     // because emission is stored relative to it.
-    void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
+    void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
     // Switches one of Scene::punctualLights on or off for the next frames.
     void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
     // Sets the full opening angle of the sun's disc for the next frames. Throws vct::Error if it is out of

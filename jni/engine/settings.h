@@ -37,7 +37,7 @@ enum class Voxels {
 };
 
 // The quantity that faces gather: indirect light, or ambient visibility within the AO distance.
-enum class GatherOf { light, occlusion };
+enum class GatherPurpose { light, occlusion };
 
 // How faces of directional voxels gather. Lengths are in voxels of the finest level. docs/levers.md has the
 // measurements behind the values.
@@ -73,7 +73,7 @@ struct GatherSettings {
 
 // Weight of new light in a history of k steps: w / (k + w), where w is this constant. 1 would give the plain
 // mean, in which the first steps, which lack the later bounces, would count as much as the others.
-constexpr float irradianceForgetting = 6.0F;
+constexpr float recentStepWeight = 6.0F;
 
 // The coarsest and the finest grid that chooseGrid() may choose (grid_choice.h).
 struct GridRange {

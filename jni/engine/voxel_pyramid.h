@@ -42,7 +42,7 @@ class VoxelPyramid {
     // before and after.
     void clear();
     // Clears the whole texture.
-    void zeroTexture() const { gl::zeroTexture3d(texture_, grid_); }
+    void clearTexture() const { gl::clearTexture3d(texture_, grid_); }
 
     // The commands of empty lists.
     const shared::CommandLists& initialCommands() const { return initialCommands_; }

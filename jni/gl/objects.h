@@ -61,9 +61,9 @@ class Texture {
     static Texture makeCube(const std::string& label, GLenum format, int side, int levels);
 
     // A 2D texture with another owner. It is neither changed nor deleted.
-    static Texture ownedElsewhere(GLuint name);
+    static Texture wrapExternal(GLuint name);
 
-    GLuint name() const { return ownedElsewhere_ != 0 ? ownedElsewhere_ : handle_.get(); }
+    GLuint name() const { return isExternal_ != 0 ? isExternal_ : handle_.get(); }
     GLenum target() const { return target_; }
     GLenum format() const { return format_; }
     int width() const { return width_; }
@@ -82,7 +82,7 @@ class Texture {
     static Texture create(const std::string& label, GLenum target, GLenum format, int width, int height,
                           int depth, int levels);
     Handle<&DeleteTextures> handle_;
-    GLuint ownedElsewhere_ = 0;
+    GLuint isExternal_ = 0;
     GLenum target_ = GL_TEXTURE_2D;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
@@ -106,7 +106,7 @@ class PlainSampler {
 std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
 
 // Clears all levels of a 3D texture to 0. Its format must be renderable.
-void zeroTexture3d(const Texture& texture, int depth);
+void clearTexture3d(const Texture& texture, int depth);
 
 // A buffer. Creation throws as Texture's does, and also if a storage buffer exceeds the driver's block size.
 class Buffer {
@@ -154,7 +154,7 @@ class Framebuffer {
     // One layer of an array texture as the depth target, without colour targets.
     Framebuffer(const std::string& label, const Texture& depths, GLint layer);
     // The default framebuffer of the current context.
-    static Framebuffer ofWindow(int width, int height);
+    static Framebuffer window(int width, int height);
     ~Framebuffer();
     Framebuffer(Framebuffer&&) = default;
     Framebuffer& operator=(Framebuffer&&) = default;

@@ -58,7 +58,7 @@ bool isNearSurfaces(FaceIrradiance mean) {
 }
 
 // The index of a face among the 4 x 4 faces of its block's layer, row by row across its axis.
-int placeInBlock(ivec3 voxel, int axis) {
+int indexInBlock(ivec3 voxel, int axis) {
     ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
     return (across.x & 3) + 4 * (across.y & 3);
 }
@@ -87,7 +87,7 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 #define VCT_SUM_BEFORE 0u     // irradiance before the step
 #define VCT_SUM_REFLECTED 3u  // the light that faces reflect of it
 #define VCT_SUM_DIRECT 6u     // emission and reflected direct light
-#define VCT_SUM_RECEIVED 9u   // irradiance by other faces, as gathered in the step
+#define VCT_SUM_FROM_FACES 9u   // irradiance by other faces, as gathered in the step
 #define VCT_SUM_SKY 12u       // irradiance by the sky, as gathered in the step
 
 // Converts a value to fixed point for these sums. The sum of integers does not depend on their order. The

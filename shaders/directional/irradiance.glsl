@@ -22,7 +22,7 @@ vec3 inBrickOf(vec3 position, ivec3 block) {
 }
 
 // The filtered content of a brick at an offset from its first texel; 0 if there is no brick.
-mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
+mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
     // scales.
     const vec3 texelsOfUnit = float(VCT_BRICK_TEXELS) / vec3(1 << 20, 1 << 10, 1);
@@ -34,12 +34,12 @@ mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
 
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
-mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
-    return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
+mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
+    return irradianceInBrick(brickAt(block, axis, side), inBrickOf(position, block));
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
-vec3 towardsCorner(uint i) {
+vec3 cornerOffset(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
@@ -53,7 +53,7 @@ vec3 towardsCorner(uint i) {
 // block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
 // faces, the blocks around it follow. All tries share the fetch in the loop, because a second fetch would
 // cost registers in every pixel.
-mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
+mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float leastWeight = 0.02;
     // With less coverage the result is unknown.
@@ -68,17 +68,17 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
         do {
-            COUNT(VCT_COUNTER_RECEIVED_AXIS);
+            COUNT(VCT_COUNTER_IRRADIANCE_AXIS);
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * receivedInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
+            sum += weight * irradianceInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
         } while (axes > 0);
         // The eight fetches of a block's face belong together.
         bool whole = i <= borderTries || (i & 7u) == 0u;
         if (i == tries || whole && sum.a >= leastCoverage) break;
-        COUNT(VCT_COUNTER_RECEIVED_NEARBY);
+        COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
         uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
@@ -88,8 +88,8 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * towardsCorner(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
-        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * towardsCorner(i) + 3.0;
+        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
+        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);
@@ -97,5 +97,5 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
 
 // Ambient visibility (1 - ambient occlusion), if the faces have gathered it in place of light.
 mediump float ambientVisibilityAt(vec3 position, vec3 normal) {
-    return receivedAt(position, normal).r;
+    return sampleIrradiance(position, normal).r;
 }

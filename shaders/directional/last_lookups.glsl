@@ -5,9 +5,9 @@
 layout(binding = VCT_TEX_LAST_LOOKUPS) uniform highp usampler3D lastLookups;
 
 // Number of steps that count as recent. A single step marks only some of the blocks that its pixels look up.
-const uint lookupMemory = 16u;
+const uint lookupLifetime = 16u;
 
 bool isLookedUp(ivec3 blockTexel) {
     uint last = texelFetch(lastLookups, blockTexel, 0).r;
-    return last != 0u && lightStep.frame + 1u - last < lookupMemory;
+    return last != 0u && lightStep.frame + 1u - last < lookupLifetime;
 }

@@ -21,12 +21,12 @@ vec3 sumAt(uint at) {
 //
 // One factor on the irradiance solves this for the sum over all faces, as a grid of one cell does in a
 // multigrid solver. The histories have already moved by the weight of that step, less if faces take turns.
-// The correction covers the share lightStep.towardsBalance of the rest: half in the first steps, and in
+// The correction covers the share lightStep.energyCorrection of the rest: half in the first steps, and in
 // rounds no more than the step's weight, because the directions of a single step favour some of the light.
 vec3 globalEnergyCorrection() {
     uint sums = lightSums(lightStep.frame + 2u);  // the previous step's
     vec3 before = sumAt(sums + VCT_SUM_BEFORE);
-    vec3 fromFaces = sumAt(sums + VCT_SUM_RECEIVED);
+    vec3 fromFaces = sumAt(sums + VCT_SUM_FROM_FACES);
     vec3 reflected = sumAt(sums + VCT_SUM_REFLECTED);
     vec3 direct = sumAt(sums + VCT_SUM_DIRECT);
     vec3 sky = sumAt(sums + VCT_SUM_SKY);
@@ -35,7 +35,7 @@ vec3 globalEnergyCorrection() {
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
-    vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
+    vec3 factor = (1.0 + lightStep.energyCorrection * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 
@@ -57,7 +57,7 @@ vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     storeFaceIrradiance(id, mean);
     irradianceMeasured = largerOf(irradianceMeasured, mean.light);
     // The gain compensates for light that cones lose. A face never reflects more than it receives.
-    vec3 reflecting = min(lightStep.reflected * albedo, coverage);
+    vec3 reflecting = min(lightStep.bounceGain * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
     sumBefore += inSumUnits(coverage * mean.light);
     sumReflected += inSumUnits(reflecting * mean.light);

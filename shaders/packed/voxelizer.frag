@@ -35,7 +35,7 @@ void main() {
     // A single-sided surface is black from behind; a double-sided one is lit on the side that faces the
     // light.
     vec3 normal = safeNormalize(fragmentNormal);
-    float facing = dot(normal, frame.towardsLight.xyz);
+    float facing = dot(normal, frame.directionToLight.xyz);
     float cosTheta = materialIsDoubleSided ? abs(facing) : max(facing, 0.0);
     bool lit = shadowMapLight(fragmentPosition, cosTheta) >= 0.5;
     vec3 radiance = cosTheta * baseColor.rgb * frame.lightColor.rgb;  // thesis eq. 4.4

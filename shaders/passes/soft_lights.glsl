@@ -22,7 +22,7 @@ struct Beside {
 };
 
 Beside besideReceiver(int i, vec3 position, vec3 normal, vec3 aside) {
-    vec4 place = punctual.light[i].place;
+    vec4 place = punctual.light[i].position;
     vec3 beside = position + aside;
     vec3 away = beside * place.w - place.xyz;
     float distance = length(away);
@@ -52,9 +52,9 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     float size = light.cone.z;
     // The largest penumbra, in sides of the volume. Blockers nearer to the light than an eighth of the
     // distance, or than four times its radius, get a penumbra that is too narrow.
-    float distance = length(position * light.place.w - light.place.xyz);
+    float distance = length(position * light.position.w - light.position.xyz);
     float reach = size * nearestMap;
-    if (light.place.w > 0.0) reach = min(reach, min(7.0 * size, 0.25 * distance));
+    if (light.position.w > 0.0) reach = min(reach, min(7.0 * size, 0.25 * distance));
     mat3 across = frameAround(towards);
 
     // Taps are denser in the middle, because blockers close to the receiver have narrow penumbrae.
@@ -78,7 +78,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
 
     // Only blockers within the cone count, to exclude a wall that rises from the receiver's plane. The full
     // cone would also exclude blockers that are nearer to the receiver than their mean.
-    const float ofCone = 0.5;
+    const float coneShare = 0.5;
     vec2 mapSize = vec2(textureSize(lightMaps, 0).xy);
     float seen = 0.0;
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
@@ -88,7 +88,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
         vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
-        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(ofCone * radius)));
+        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(coneShare * radius)));
         seen += 1.0 - filterFootprint(blocked, fract(there.inMap.xy * mapSize - 0.5));
         direction = goldenTurn * direction;
     }

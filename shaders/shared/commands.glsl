@@ -37,9 +37,9 @@ uvec3 activeVoxel(uint level, uint i) {
 
 // The number of voxels to clear in a level of side^3 voxels, and the i-th one. If the list overflowed, these
 // are all voxels, because occupied voxels are missing in the list.
-uint voxelsToEmpty(uint level, uint side) {
+uint voxelsToClear(uint level, uint side) {
     return overflowed(level) ? side * side * side : activeVoxelCount(level);
 }
-uvec3 voxelToEmpty(uint level, uint side, uint i) {
+uvec3 voxelToClear(uint level, uint side, uint i) {
     return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side)) : activeVoxel(level, i);
 }

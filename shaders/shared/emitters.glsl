@@ -7,6 +7,6 @@ layout(std140, binding = VCT_UBO_EMITTERS) uniform EmittersBlock {
 
 // The projected area of a distant part, seen along the unit vector `towards` it: the projected flat area, and
 // a quarter of the closed convex area (Cauchy).
-float seenArea(EmitterPartUniforms part, vec3 towards) {
+float projectedArea(EmitterPartUniforms part, vec3 towards) {
     return max(-dot(part.facing.xyz, towards), 0.0) + part.facing.w;
 }

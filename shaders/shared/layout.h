@@ -76,7 +76,7 @@ using glm::vec4;
 #define VCT_COUNTER_SHADOW_STEP 10
 #define VCT_COUNTER_BLOCKER_TAP 11
 #define VCT_COUNTER_FILTER_TAP 12
-#define VCT_COUNTER_RECEIVED_AXIS 13
+#define VCT_COUNTER_IRRADIANCE_AXIS 13
 #define VCT_COUNTER_MARK_FACES 14
 #define VCT_COUNTER_LIST_FACES 15
 #define VCT_COUNTER_LIST_FACES_VOXEL 16
@@ -101,14 +101,14 @@ using glm::vec4;
 #define VCT_COUNTER_BRICKS_CLEAR 35
 #define VCT_COUNTER_BRICKS_CLEAR_TEXEL 36
 #define VCT_COUNTER_BRICKS_CLEAR_PLACE 37
-#define VCT_COUNTER_BRICKS_PLACE 38
-#define VCT_COUNTER_BRICKS_PLACE_FACE 39
+#define VCT_COUNTER_PLACE_BRICKS 38
+#define VCT_COUNTER_PLACE_BRICKS_FACE 39
 #define VCT_COUNTER_IRRADIANCE 40
 #define VCT_COUNTER_IRRADIANCE_FACE 41
 #define VCT_COUNTER_IRRADIANCE_CONE 42
 #define VCT_COUNTER_IRRADIANCE_STEP 43
 #define VCT_COUNTER_FILL_BRICKS_TEXEL 44
-#define VCT_COUNTER_RECEIVED_NEARBY 45
+#define VCT_COUNTER_IRRADIANCE_NEARBY 45
 #define VCT_COUNTER_LIGHT_BLOCKS 46
 #define VCT_COUNTER_SPECULAR_STEP 47
 #define VCT_COUNTER_SHADOW_MOMENTS 48
@@ -219,8 +219,8 @@ using glm::vec4;
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4            // 2^VCT_BRICK_LEVEL voxels
 #define VCT_BRICK_TEXELS 6          // the voxels and a border for the filter
-#define VCT_CONES_OF_CREASES 4      // minimum number of cones per step of a face near other surfaces
-#define VCT_STEPS_OF_NEW 6.0        // history length of a face after its first step
+#define VCT_MIN_CREASE_CONES 4      // minimum number of cones per step of a face near other surfaces
+#define VCT_INITIAL_HISTORY 6.0        // history length of a face after its first step
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
 #define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
@@ -231,7 +231,7 @@ struct FrameUniforms {
     mat4 volumeFromWindow;  // from pixels and the depth buffer's depth
     mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
     vec4 eye;               // xyz: volume space
-    vec4 towardsLight;      // xyz: unit length
+    vec4 directionToLight;      // xyz: unit length
     vec4 lightColor;        // rgb: largest component 1
     vec4 skyRadiance;       // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
@@ -248,7 +248,7 @@ struct FrameUniforms {
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the
 // volume.
 struct PunctualLightUniforms {
-    vec4 place;      // xyz: position in volume space, w: 1; directional: unit vector towards the light, w: 0
+    vec4 position;   // xyz: position in volume space, w: 1; directional: unit vector towards the light, w: 0
     vec4 backwards;  // xyz: unit vector against the light's axis; w: 1 / range^2, or 0 without a range
     vec4 intensity;  // rgb: irradiance of a surface that faces it at distance 1, relative to the sun's E
     vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
@@ -270,8 +270,8 @@ struct PunctualLightBlock {
 
 // A part of a compact emitter (jni/engine/emitters.h). Lengths and areas in sides of the volume.
 struct EmitterPartUniforms {
-    vec4 place;     // xyz: middle, volume space; w: radius
-    vec4 facing;    // xyz: sum of the triangles' normals, each as long as its area; w: see seenArea()
+    vec4 position;  // xyz: middle, volume space; w: radius
+    vec4 facing;    // xyz: sum of the triangles' normals, each as long as its area; w: see projectedArea()
     vec4 side;      // xyz: half a side of the rectangle that fits the part; zero if it is round
     vec4 radiance;  // rgb: relative to E/pi; w: distance from the middle at which cones end
 };
@@ -292,19 +292,19 @@ struct LightStep {
     uint frame;          // number of the step
     uint direction;      // index of the first direction, if the step has no budget
     uint cones;          // per face
-    uint conesOfNew;     // per face without a history
+    uint initialCones;     // per face without a history
     uint beginsRound;    // 1 if the step is the first of a round
     uint bricksAlong;    // bricks along x and y of their texture
-    float shareInRound;  // weight of the step in its round; 0 outside of rounds
-    float memory;        // maximum history length, in steps
-    float inherited;     // maximum history length that a new face takes over from other faces
-    float towardsBalance;  // share of the global energy correction that the step applies
-    float reflected;     // gain of the light that faces reflect; 0: the first bounce only
+    float roundShare;  // weight of the step in its round; 0 outside of rounds
+    float maxHistory;        // maximum history length, in steps
+    float maxInheritedHistory;     // maximum history length that a new face takes over from other faces
+    float energyCorrection;  // share of the global energy correction that the step applies
+    float bounceGain;     // gain of the light that faces reflect; 0: the first bounce only
     float amplitude;     // weight that the previous step had in the histories
     float sumUnits;      // fixed-point units of 1 in the sums over all faces
     uint blockSums;      // word of the irradiance buffer where the blocks' sums begin
     float smoothing;     // maximum weight of the block's mean in a face's irradiance, 0..1
-    float leastHistory;  // minimum history length after the step; large once the light has converged
+    float minHistory;  // minimum history length after the step; large once the light has converged
     uint coneBudget;     // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
     uint chosenFaces;    // word of the irradiance buffer where the list of gathering faces begins
     uint unused0, unused1;

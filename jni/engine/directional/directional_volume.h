@@ -30,7 +30,7 @@ class DirectionalVolume final : public VoxelVolume {
 
     const DirectionalVoxels& voxels() const { return voxels_; }
     // Null if no output has needed it yet.
-    const Irradiance* irradiance(GatherOf of) const;
+    const Irradiance* irradiance(GatherPurpose of) const;
 
   private:
     void voxelizeStatic(const GpuScene& scene);
@@ -38,7 +38,7 @@ class DirectionalVolume final : public VoxelVolume {
     // Grows the face lists if dynamic objects did not fit, and removes these objects. Returns true if it
     // did. Throws vct::Error if the list of their voxels overflowed, because its capacity is fixed.
     bool growIfNeeded(const shared::CommandLists& found);
-    Irradiance& irradianceFor(GatherOf of);
+    Irradiance& irradianceFor(GatherPurpose of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;

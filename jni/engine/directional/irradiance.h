@@ -17,17 +17,17 @@ float largestBounceShare(const Scene& scene);
 
 // `name`: carry_over, clear_bricks, place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
                                      const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const GatherSettings& settings, const LightFeatures& sources);
 // The features that matter to a gather. Ambient visibility depends on no light.
-LightFeatures featuresFor(GatherOf of, const LightFeatures& sources);
+LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources);
 
 class Irradiance {
   public:
     // `lightFrames`: as in GatherSchedule.
-    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool dynamicObjects, const LightFeatures& sources);
+    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
+               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
 
     // Reports a change of the voxels, which the next step takes into account.
     void onVoxelsChanged(const GatherSchedule::Change& change);

@@ -39,7 +39,7 @@ class PunctualLights {
     // The present states of all lights.
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Positions in volume space with w = 1; for directional lights the direction towards the light and w = 0.
-    std::vector<glm::dvec4> places() const;
+    std::vector<glm::dvec4> positions() const;
 
     // Draws the shadow maps of the lights that are on if the light, or a dynamic object within its range, has
     // changed.
@@ -53,7 +53,7 @@ class PunctualLights {
 
   private:
     struct Light {
-        PunctualLight asGiven;
+        PunctualLight definition;
         bool usesCube;
         int firstMap;
         // The state and the placements in range that the maps were drawn for.
