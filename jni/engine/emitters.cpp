@@ -11,7 +11,7 @@ namespace vct {
 namespace {
 
 // Largest radius of a part, in voxels; a larger part is divided.
-constexpr double largestRadius = 5.0;
+constexpr double maxRadius = 5.0;
 // Cones towards a part end this many voxels before its surface, because nearer voxels may be the emitter's.
 constexpr double freeVoxels = 2.0;
 // An instance with more parts than this is no compact emitter.
@@ -258,7 +258,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), largestRadius * volume.voxelSize());
+        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
         if (!parts.empty()) lamps.push_back(std::move(parts));
     }
     std::stable_sort(lamps.begin(), lamps.end(),

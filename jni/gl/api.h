@@ -52,7 +52,7 @@ using Proc = void (*)();
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user);
 
 // A string of the current context, such as GL_RENDERER; "unknown" if the driver has none.
-std::string stringOf(GLenum name);
+std::string glString(GLenum name);
 // GL_EXTENSIONS of the current context.
 std::vector<std::string> extensionNames();
 

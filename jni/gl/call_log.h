@@ -49,6 +49,6 @@ struct CallSummary {
     // are left out, because they differ between renderers that do the same.
     std::set<std::string> bindings;
 };
-CallSummary summaryOf(const std::vector<Call>& calls);
+CallSummary summarize(const std::vector<Call>& calls);
 
 }  // namespace vct::gl

@@ -37,6 +37,6 @@ GLenum shaderStage(const std::string& path);
 
 // Replaces positions in a driver's log, such as "2:35(12): error: x", "2(35) : error x" or "ERROR: 2:35: x",
 // by "shared/frame.glsl:35: ...".
-std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files);
+std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files);
 
 }  // namespace vct::gl

@@ -95,7 +95,7 @@ mediump vec4 sampleLevel(Cone cone, float distance, vec3 position, float level) 
 // Adds the cone's next sample and advances by one step. Returns true if the cone ends. `blend`: position of
 // the sample between `level` and the next one; the footprint is (1 + blend) texels of `level` wide.
 // `opacity`: opacity of a fully covered sample that is one texel wide.
-bool takeSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
+bool addSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
     float distance = result.distance;
     vec3 position = positionAt(cone, distance);
     result.distance += VCT_GATHER_STEP * exp2(level) * (1.0 + blend);
@@ -145,7 +145,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         if (cone.fades && shareInside(positionAt(cone, result.distance), level) <= 0.0) break;
         float next = levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
         // Before the level rises, this sample and the next, wider one overlap.
-        if (takeSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
+        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
         level = next;
     }
     return coneEnd(result);

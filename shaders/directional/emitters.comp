@@ -12,7 +12,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 // Width of a cone relative to its part. A cone as wide as the part would meet surfaces beside it.
 const float coneWidth = 0.25;
 // The smallest positive half float.
-const float smallestLight = 6e-8;
+const float minStoredLight = 6e-8;
 
 // A cone's transmittance at the distance `reach`, in voxels. `tangent`: tangent of its half angle.
 mediump float transmittanceTo(Cone cone, float reach, float tangent) {
@@ -24,7 +24,7 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
         float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
         // The last sample counts in proportion to its part before the end.
         mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
-        if (takeSample(result, cone, level, 0.0, within * sampleOpacity)) break;
+        if (addSample(result, cone, level, 0.0, within * sampleOpacity)) break;
     }
     return coneEnd(result).transmittance;
 }
@@ -43,7 +43,7 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         // for a disc that faces the surface.
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
         vec3 light = part.radiance.rgb * share;
-        if (max(light.r, max(light.g, light.b)) < smallestLight) continue;
+        if (max(light.r, max(light.g, light.b)) < minStoredLight) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
         // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);

@@ -13,7 +13,7 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 struct FaceIrradiance {
     vec3 light;      // mean irradiance; for ambient occlusion the ambient visibility in all channels
     float steps;     // history length; 0: no history
-    vec3 atStart;    // `light` at the beginning of the present round
+    vec3 roundStart;    // `light` at the beginning of the present round
     float nearness;  // mean of 1 / distance to the surrounding surfaces, in voxels
 };
 // Words per face.
@@ -37,15 +37,15 @@ float historyLength(uint id) {
 }
 
 // Upper limit of stored light. The largest half float is 65504.
-const float largestLight = 6e4;
+const float maxStoredLight = 6e4;
 
 void storeFaceIrradiance(uint id, FaceIrradiance value) {
     uint at = irradianceIndex(id);
-    vec3 light = min(value.light, largestLight), atStart = min(value.atStart, largestLight);
+    vec3 light = min(value.light, maxStoredLight), roundStart = min(value.roundStart, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, value.steps));
-    faceIrradianceData[at + 2u] = packHalf2x16(atStart.rg);
-    faceIrradianceData[at + 3u] = packHalf2x16(vec2(atStart.b, value.nearness));
+    faceIrradianceData[at + 2u] = packHalf2x16(roundStart.rg);
+    faceIrradianceData[at + 3u] = packHalf2x16(vec2(roundStart.b, value.nearness));
 }
 
 // Irradiance varies the faster along a surface, the nearer the surrounding surfaces are (Ward, Rubinstein and
@@ -72,7 +72,7 @@ vec3 emitterIrradiance(uint id) {
 }
 void storeEmitterIrradiance(uint id, vec3 light) {
     uint at = irradianceIndex(id) + 4u;
-    light = min(light, largestLight);
+    light = min(light, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
 }
@@ -92,7 +92,7 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 
 // Converts a value to fixed point for these sums. The sum of integers does not depend on their order. The
 // upper limit keeps the product within 32 bits.
-uvec3 inSumUnits(vec3 value) {
+uvec3 quantizeSum(vec3 value) {
     return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + 0.5);
 }
 

@@ -73,9 +73,9 @@ FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float ne
     float steps = max(known + stepsNow, lightStep.minHistory), share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
     nearness = mix(before.nearness, nearness, share);
     if (lightStep.roundShare == 0.0 || known == 0.0)
-        return FaceIrradiance(mix(before.light, light, share), steps, before.atStart, nearness);
-    vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
-    return FaceIrradiance(max(before.light + (light - atStart) * lightStep.roundShare, 0.0), steps, atStart, nearness);
+        return FaceIrradiance(mix(before.light, light, share), steps, before.roundStart, nearness);
+    vec3 roundStart = lightStep.beginsRound != 0u ? before.light : before.roundStart;
+    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps, roundStart, nearness);
 }
 
 void main() {
@@ -111,7 +111,7 @@ void main() {
         if (!occlusion) {
             // A face that gathers in this step also represents faces that do not.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
-            uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
+            uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {
                 atomicAdd(groupSums[c], fromFaces[c]);
                 atomicAdd(groupSums[3u + c], sky[c]);

@@ -129,7 +129,7 @@ void main() {
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
 #ifdef VCT_BOUNCES
-        radiance = withBounces(id, coverage, radiance, material.albedo);
+        radiance = addBounces(id, coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);

@@ -17,7 +17,7 @@ uint brickAt(ivec3 block, int axis, int side) {
 
 // The offset from a brick's first texel to a position in the block, or up to half a voxel beside it. In
 // voxels.
-vec3 inBrickOf(vec3 position, ivec3 block) {
+vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
@@ -35,7 +35,7 @@ mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
 mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    return irradianceInBrick(brickAt(block, axis, side), inBrickOf(position, block));
+    return irradianceInBrick(brickAt(block, axis, side), positionInBrick(position, block));
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -55,15 +55,15 @@ vec3 cornerOffset(uint i) {
 // cost registers in every pixel.
 mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
-    const float leastWeight = 0.02;
+    const float minWeight = 0.02;
     // With less coverage the result is unknown.
-    const mediump float leastCoverage = 0.03;
+    const mediump float minCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 9u * 48u;
 
     vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
-    vec3 inBrick = inBrickOf(position, block);
-    int axes = int(dot(step(leastWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
+    vec3 inBrick = positionInBrick(position, block);
+    int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
     float instead = 0.0;  // replaces the normal's component along the axis, if not 0
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
@@ -77,7 +77,7 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         } while (axes > 0);
         // The eight fetches of a block's face belong together.
         bool whole = i <= borderTries || (i & 7u) == 0u;
-        if (i == tries || whole && sum.a >= leastCoverage) break;
+        if (i == tries || whole && sum.a >= minCoverage) break;
         COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
@@ -89,7 +89,7 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
         block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
-        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * cornerOffset(i) + 3.0;
+        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);

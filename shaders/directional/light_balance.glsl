@@ -50,18 +50,18 @@ void beginBalance() {
 
 // A face's radiance: `direct` and the reflected irradiance, both relative to E/pi. Also applies the global
 // correction to the face's history, and adds to the sums.
-vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
+vec3 addBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
-    mean.light = min(mean.light * balanceFactor, largestLight);
-    mean.atStart *= balanceFactor;
+    mean.light = min(mean.light * balanceFactor, maxStoredLight);
+    mean.roundStart *= balanceFactor;
     storeFaceIrradiance(id, mean);
     irradianceMeasured = largerOf(irradianceMeasured, mean.light);
     // The gain compensates for light that cones lose. A face never reflects more than it receives.
     vec3 reflecting = min(lightStep.bounceGain * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
-    sumBefore += inSumUnits(coverage * mean.light);
-    sumReflected += inSumUnits(reflecting * mean.light);
-    sumDirect += inSumUnits(min(own, faceRange.radiance));
+    sumBefore += quantizeSum(coverage * mean.light);
+    sumReflected += quantizeSum(reflecting * mean.light);
+    sumDirect += quantizeSum(min(own, faceRange.radiance));
     return own + reflecting * mean.light;
 }
 

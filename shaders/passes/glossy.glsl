@@ -133,7 +133,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         float level = floor(log2(footprint));
         // The cone ends when the wider of the two texels is outside of the volume.
         if (shareInside(positionAt(cone, result.distance), level + 1.0) <= 0.0) break;
-        if (takeSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
+        if (addSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
     }
     return min(result.radiance * faceRange.radiance, 6e4) +
            result.transmittance * sampleSky(direction, 3.1415927 * tangent * tangent);

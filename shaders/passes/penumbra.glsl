@@ -25,6 +25,6 @@ void addTap(inout BlockerSearch search, float penumbra, float radius) {
 // The harmonic mean of the penumbrae, so that the blocker nearest to the receiver decides. A penumbra that is
 // too wide leaks light into the creases of a room. One that is too narrow only hardens the edge of a farther
 // blocker.
-float penumbraOf(BlockerSearch search) {
+float penumbraWidth(BlockerSearch search) {
     return search.weight / search.weightPerPenumbra;
 }

@@ -59,9 +59,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // stay on the plane, so this changes nothing if the plane is lit. In a lit crease one of the texels is
     // the surface itself, up to rounding.
     const float gridRounding = 0.01;  // rounding of corners, relative to the plane's rise over a tap's filter
-    const float pastShare = 0.5;      // relative to the bias; a round surface of flat triangles is off by less
+    const float borderShare = 0.5;      // relative to the bias; a round surface of flat triangles is off by less
     const float aside = 2.0;          // texels
-    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+    if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
     // Blockers may be anywhere between the receiver and the map's near plane. The radii of the taps grow
@@ -83,15 +83,15 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
     if (search.weight > 0.0) {
-        penumbra = penumbraOf(search);
+        penumbra = penumbraWidth(search);
     } else {
         // A thin blocker can be between the texels of the search, but the moments around the cone's axis
         // include it. They are assumed to be of one blocker and the receiver. On a slope, half of the
         // receiver itself is nearer too.
         vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
         float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
-        const float leastShare = 0.001;
-        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        const float minShare = 0.001;
+        if (nearer <= max(sqrt(minShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
         penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
     }
 

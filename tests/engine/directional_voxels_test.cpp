@@ -226,7 +226,7 @@ TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
     renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
     const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
     for (std::size_t level = 1; level < levels.size(); ++level)
-        EXPECT_LE(largestDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
+        EXPECT_LE(maxDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
 }
 
 // Each level's list of voxels and of faces against the faces that are not zero.

@@ -18,7 +18,7 @@ namespace {
 
 std::set<std::string> groupsOf(const gl::CallLog& log) {
     std::set<std::string> groups;
-    for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
+    for (const auto& [group, calls] : gl::summarize(log.calls()).byGroup)
         groups.insert(group);
     return groups;
 }
@@ -47,7 +47,7 @@ TEST(ReceivedLight, AStaticScenesStandsStillAndCostsNoDispatch) {
         for (const Camera& from : {camera, lookAt({0.3, 0.2, 1.0}, {0, 0, 0}, 70), camera}) {
             const gl::CallLog log;
             renderer.render({{mode}, from});
-            const gl::CallSummary calls = gl::summaryOf(log.calls());
+            const gl::CallSummary calls = gl::summarize(log.calls());
             EXPECT_EQ(calls.dispatches, 0) << outputName(mode);
             EXPECT_EQ(calls.passes, (std::set<std::string>{"G-buffer", "cone trace"})) << outputName(mode);
         }
@@ -157,7 +157,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     EXPECT_LE(last, 0.055 * change);
     const gl::CallLog log;
     renderer.render({{Output::gi}, camera});
-    EXPECT_EQ(gl::summaryOf(log.calls()).dispatches, 0);
+    EXPECT_EQ(gl::summarize(log.calls()).dispatches, 0);
 }
 
 // A box passes over the floor within a second and stands far from where it was.

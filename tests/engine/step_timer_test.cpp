@@ -69,7 +69,7 @@ TEST(StepTimer, MakesNoQueriesWhereNobodyReadsThem) {
     const auto queries = [&](int bits, Clocks clocks) {
         gl::CallLog log;
         timesOf(bits, 2, clocks);
-        const std::map<std::string, int> calls = gl::summaryOf(log.calls()).byName;
+        const std::map<std::string, int> calls = gl::summarize(log.calls()).byName;
         return calls.count("GenQueries") + calls.count("BeginQuery") + calls.count("EndQuery");
     };
     const int bits = context.capabilities.gpuTimerBits;

@@ -39,7 +39,7 @@ std::string madeBy(Renderer& renderer, Output mode, const Camera& camera) {
     const gl::CallLog log;
     renderer.render({{mode}, camera});
     std::set<std::string> groups;
-    for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
+    for (const auto& [group, calls] : gl::summarize(log.calls()).byGroup)
         groups.insert(group);
     for (const char* ofEveryFrame : {"", "G-buffer", "cone trace"})
         groups.erase(ofEveryFrame);

@@ -65,7 +65,7 @@ class DirectionalVoxels {
     // Clears everything, and allocates buffers for these capacities.
     void reset(const FaceCapacities& capacities);
     // Marks the listed faces as static. The lists return to these counts for each pose. Waits for the GPU.
-    void keepStatic();
+    void markStatic();
     // Removes the dynamic objects and grows the lists to these capacities. Waits for the GPU.
     void growDynamic(const FaceCapacities& capacities);
     // Removes the dynamic objects of the last pose. Faces that they shared with static geometry keep their

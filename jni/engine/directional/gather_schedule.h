@@ -54,11 +54,11 @@ class GatherSchedule {
     };
     Round round(bool changed) const;
 
-    int cones_, coneBudget_, lightFrames_, settlingRound_, refinementSteps_;
+    int cones_, coneBudget_, lightFrames_, convergenceRound_, refinementSteps_;
     int stepsLeft_ = 0;
-    bool isSettling_ = true;  // nothing changed before the last step
-    float history_ = 0.0F;    // length of the histories, in steps
-    float lastShare_ = 0.0F;  // weight of the last step in the histories
+    bool lastStepUnchanged_ = true;  // nothing changed before the last step
+    float history_ = 0.0F;           // length of the histories, in steps
+    float lastShare_ = 0.0F;         // weight of the last step in the histories
     float smoothing_ = 0.0F;
     std::uint32_t frame_ = 0, direction_ = 0;
 };

@@ -172,7 +172,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     const bool isFirst = idCapacity_ == 0;
     // The buffer holds the histories, the sums of blocks, and the list of the faces that gather.
     const std::size_t words =
-        VCT_LIGHT_HEADER + (wordsOfFace() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
+        VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
@@ -182,7 +182,8 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
-        const std::size_t kept = VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{std::min(ids, idCapacity_)};
+        const std::size_t kept =
+            VCT_LIGHT_HEADER + irradianceWords() * std::size_t{std::min(ids, idCapacity_)};
         gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
                               static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
     }
@@ -229,8 +230,8 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.amplitude = step_.amplitude;
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
-    values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
-    values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
+    values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
+    values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);

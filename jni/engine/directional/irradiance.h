@@ -52,7 +52,7 @@ class Irradiance {
     // The histories by face id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words per face in faceIrradiance(); the light of compact emitters takes two of six.
-    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
+    std::uint32_t irradianceWords() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
     // Binds the buffers and textures that the shaders of a step use.
     void bind(const DirectionalVoxels& voxels) const;

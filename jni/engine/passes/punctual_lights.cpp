@@ -109,7 +109,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         if (!states_[i].on) continue;
-        std::vector<Placement> placements = inReach(light, states_[i], now.placements);
+        std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
         if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
@@ -190,8 +190,8 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     }
 }
 
-std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
-                                               const std::vector<Placement>& placements) const {
+std::vector<Placement> PunctualLights::placementsInRange(const Light& light, const PunctualLightState& state,
+                                                         const std::vector<Placement>& placements) const {
     if (!std::isfinite(light.definition.range)) return placements;
     const glm::dvec3 position(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;

@@ -62,8 +62,8 @@ class PunctualLights {
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
-                                   const std::vector<Placement>& placements) const;
+    std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
+                                             const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
 
     std::vector<Light> lights_;
