@@ -1,9 +1,8 @@
-// A room with a box and a ball that floats, in a sun that moves. The program draws its own G-buffer; the
-// library adds what the surfaces receive of each other's light, and the sun's soft shadow; the program shades
-// with both.
+// A room with a box and a floating ball under a moving sun. The program draws its own G-buffer, the library
+// computes irradiance and the sun's soft shadow, and the program shades with both.
 //
-// embed                                     in a window
-// embed --headless FRAMES --out FILE.ppm    the last of so many frames, without one
+// embed                                     opens a window
+// embed --headless FRAMES --out FILE.ppm    draws so many frames without a window and writes the last one
 #include <GLES3/gl31.h>
 #include <vct/vct.h>
 
@@ -30,7 +29,7 @@ void main() {
     gl_Position = clipFromWorld * worldFromObject * vec4(position, 1.0);
 })";
 
-// What follows is normalEncodingGlsl(), and then this:
+// The fragment shader of the G-buffer, without its beginning: normalEncodingGlsl() comes before it.
 const char* gBufferFragment = R"(
 in vec3 worldNormal;
 layout(location = 2) uniform vec3 baseColor;
@@ -96,7 +95,7 @@ GLuint texture(GLenum format, int width, int height) {
     return name;
 }
 
-// The textures that the program draws to; made anew for another size.
+// The textures that the program draws to. They are recreated when the window's size changes.
 struct Targets {
     GLuint albedo, normal, depth, picture, gBuffer = 0, shaded = 0;
     Targets(int width, int height)
@@ -123,7 +122,7 @@ struct Targets {
     }
 };
 
-// A shape in the program's own buffers.
+// A shape in the program's own GL buffers.
 struct Drawable {
     GLuint vertexArray = 0;
     GLsizei count = 0;
@@ -202,7 +201,7 @@ void run(int framesWithoutWindow, const std::string& out) {
     const Shape ballShape = ball(0.4F);
     const Matrix4 boxPlace = translation({-0.8F, -0.8F, -0.6F});
 
-    // The scene is given once, and read by the constructor.
+    // The constructor of GlobalIllumination reads the scene once.
     vct::SceneDescription scene;
     scene.materials.resize(2);
     scene.materials[0].baseColor = {0.8F, 0.8F, 0.8F};
@@ -245,7 +244,7 @@ void run(int framesWithoutWindow, const std::string& out) {
         glViewport(0, 0, options.width, options.height);
         drawGBuffer(*targets, gBufferProgram, drawables, product(clipFromCamera, cameraFromWorld));
 
-        // In each frame: what has moved, and the pictures.
+        // Each frame passes the movements to the library and gets its pictures.
         renderer.setSun({directionToSun[0], directionToSun[1], directionToSun[2]});
         renderer.setTransform(2, vct::Matrix::of(drawables[2].worldFromObject.data()));
         const vct::View view{vct::Matrix::of(cameraFromWorld.data()), vct::Matrix::of(clipFromCamera.data())};

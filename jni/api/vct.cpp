@@ -69,8 +69,8 @@ std::vector<Output> outputsFor(const Options& options) {
     return outputs;
 }
 
-// The last row tells a perspective or an orthographic projection from a transposed one, whose picture would
-// be of something else without an error. The tolerance is for products, which round.
+// Checks the last row of a projection, to reject transposed matrices, which would give a wrong picture
+// without an error. The tolerance allows for rounding in matrix products.
 glm::dmat4 projectionOf(const Matrix& matrix) {
     glm::dmat4 result;
     for (int i = 0; i < 16; ++i)
@@ -104,7 +104,7 @@ Camera cameraOf(const View& view) {
     return camera;
 }
 
-// A texture of the caller's G-buffer, bound to a unit to look at it.
+// Throws vct::Error if a texture of the caller's G-buffer has the wrong size or format.
 void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
     gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
     GLint width = 0, height = 0, format = 0;
@@ -164,10 +164,10 @@ struct GlobalIllumination::Implementation {
     }
 
     std::vector<Output> outputs;
-    std::vector<int> nodes;  // of each instance; -1: it does not move
+    std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
     std::optional<Renderer> renderer;
-    std::optional<gl::PlainSampler> plain;  // for the caller's G-buffer
+    std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
 
 GlobalIllumination::GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,

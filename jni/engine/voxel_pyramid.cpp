@@ -82,7 +82,7 @@ Resources VoxelPyramid::resources() const {
 
 void VoxelPyramid::clear() {
     const gl::DebugGroup group("sparse clear");
-    // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
+    // Shaders of the last frame wrote the lists and the commands that this dispatch reads.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     sparseClear_.use();
@@ -95,10 +95,9 @@ void VoxelPyramid::clear() {
     setCommands(initialCommands_);
 }
 
-// The CPU uploads them. A copy from a buffer that has them would be wrong on a PowerVR Rogue, where
-// dispatches that came before read what the copy brings (Skia, GrGLCaps.cpp,
-// fTransferFromBufferToBufferSupport, driver 1.13@5720833): the clear of this frame would find empty lists,
-// and leave the voxels of the last one.
+// Uploads from the CPU. A copy between buffers is unsafe on PowerVR Rogue, where earlier dispatches may read
+// the copied values (Skia, GrGLCaps.cpp, fTransferFromBufferToBufferSupport, driver 1.13@5720833): clear()
+// would find empty lists and leave the voxels of the last frame.
 void VoxelPyramid::setCommands(const shared::CommandLists& commands) const {
     commands_.bind(GL_COPY_WRITE_BUFFER);
     gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof commands, &commands);

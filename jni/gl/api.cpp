@@ -44,8 +44,8 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
             "no GL context is current in this thread (glGetString(GL_VERSION) is null): make one current "
             "first, of OpenGL ES 3.1 or desktop OpenGL 4.5, and give the getProcAddress that belongs to it");
 
-    // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
-    // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
+    // Drivers return stubs for entry points that the context does not have, so a pointer that is not null
+    // does not mean that KHR_debug exists. In ES 3.1 it is an extension with a suffix.
     const Version version = parseVersion(glString(GL_VERSION));
     const std::vector<std::string> extensions = extensionNames();
     const auto hasExtension = [&](const char* name) {

@@ -40,7 +40,7 @@ Shader compile(const ShaderLibrary& library, const ProgramDescription& descripti
 Program::Program(const ShaderLibrary& library, const ProgramDescription& description)
     : handle_(CreateProgram()) {
     for (const std::string& path : description.shaders) {
-        // Attached shaders live on until the program is deleted.
+        // GL keeps attached shaders until the program is deleted.
         const Shader shader = compile(library, description, path);
         AttachShader(handle_.get(), shader.get());
     }

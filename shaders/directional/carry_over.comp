@@ -1,5 +1,5 @@
-// After dynamic objects were voxelized in a new pose: their faces take over the history of the same faces in the last
-// pose, or of their neighbours there, or of the static geometry beside them.
+// Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
+// the mean of a neighbouring voxel's faces, dynamic in the last pose or static.
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 

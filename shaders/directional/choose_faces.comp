@@ -1,4 +1,5 @@
-// Lists the faces that gather in this step: those whose turn it is, and those without a history (directional/gather_turns.glsl).
+// Lists the faces that gather in this step: faces that have a turn (directional/gather_turns.glsl), and faces
+// without a history.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 #include "directional/gather_turns.glsl"
@@ -7,7 +8,7 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-shared uint groupCones[2];  // of one turn: of the faces that pixels have looked up lately, and of the others
+shared uint groupCones[2];  // cones of one turn: of the faces that pixels look up, and of the others
 
 void main() {
     COUNT(VCT_COUNTER_CHOOSE_FACES);

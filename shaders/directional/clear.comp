@@ -1,4 +1,5 @@
-// Before dynamic objects are voxelized in a new pose: empties a level above the base level where only they were.
+// Clears the faces that only dynamic objects cover at a level above the base level, before a new pose is
+// voxelized.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 

@@ -1,4 +1,5 @@
-// Empties the bricks of face irradiance, and the texture of where they are. A column of texels for each invocation.
+// Clears the bricks of face irradiance and the texture of their locations. Each invocation clears a column of
+// texels.
 #include "shared/counters.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

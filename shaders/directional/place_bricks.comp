@@ -1,4 +1,4 @@
-// Gives each face that is not empty of the blocks' level a brick of face irradiance.
+// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 #include "directional/face_irradiance.glsl"

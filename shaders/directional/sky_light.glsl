@@ -1,5 +1,5 @@
-// The sky in the received light. Where it is the same in all directions, how much of it a face sees says what it receives of
-// it; of a picture of all directions it is what the cones saw.
+// The sky's part of face irradiance. For a sky of one colour, cones accumulate the visible share of the
+// hemisphere. For a sky that depends on direction, they accumulate its radiance.
 #include "shared/sky.glsl"
 
 #ifdef VCT_ENVIRONMENT
@@ -12,7 +12,7 @@ vec3 skyLight(VisibleSky seen) {
     return seen;
 }
 #else
-#define VisibleSky float  // of the hemisphere
+#define VisibleSky float  // share of the hemisphere
 VisibleSky visibleSky(vec3 direction, float solidAngle, float transmittance) {
     return transmittance;
 }

@@ -1,5 +1,5 @@
-// Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing.
+// Clears the packed voxels that the last frame listed. OpenGL ES cannot clear a 3D texture, and writing every
+// voxel would take longer than voxelization.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 

@@ -1,5 +1,6 @@
-// One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
-// itself to its parent by one atomic; the first child to arrive appends the parent to the next list.
+// Computes one mip level of the packed voxels, over the active voxels only (thesis 4.5, algorithm 8). Each
+// voxel adds itself to its parent with one atomic operation; the first child appends the parent to the next
+// list.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 

@@ -10,7 +10,7 @@ namespace vct {
 
 namespace {
 
-// Room for a count that changes: so much more that it rarely grows again.
+// Capacity for a count that changes: half as many again, so that buffers rarely grow.
 std::uint32_t withHeadroom(std::uint32_t count) {
     return count + count / 2 + 256;
 }
@@ -30,11 +30,11 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       injector_(shaders, sources),
       mipmapper_(shaders) {}
 
-// Makes everything that a frame needs room for, so that no frame reads anything back.
+// Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene) {
     shared::CommandLists found;
     if (isPrepared_) {
-        // The lists of a frame before. Where something found no room, this frame voxelizes again.
+        // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
         if (counts_.finish(&found) && growIfNeeded(found)) cachedFor_.reset();
         return;
     }
@@ -47,13 +47,13 @@ void DirectionalVolume::prepare(const GpuScene& scene) {
     isPrepared_ = true;
 }
 
-// The first time finds out how many faces there are, and the second has room for them.
+// Lists the faces twice: the first pass counts them, the second has room for them.
 void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset({});
     if (settings_.revoxelize) return;
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     const shared::CommandLists found = voxels_.index().readCommands();
-    voxels_.index().activeCounts(found);  // throws where the list of voxels is too short
+    voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
     FaceCapacities capacities{};
     for (int list = 0; list < voxels_.levels(); ++list)
         capacities[static_cast<std::size_t>(list)] = found.lists[list].faceCount;

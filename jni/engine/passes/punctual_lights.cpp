@@ -18,14 +18,15 @@ namespace {
 
 using Type = PunctualLight::Type;
 
-// In texels along a side: all maps together take no more memory than one map of 2048, 16 MB.
+// Texels along a side. All maps together take at most as much memory as one map of 2048^2 texels, 16 MB.
 constexpr int maxMapSize = 512;
 constexpr int maxTotalSize = 2048;
-// Texels around what a map must show, for the filter.
+// Texels at each border of a map that only the filter reads.
 constexpr int margin = 2;
-// A spot as wide as that has a cube like a point: one map would spread its border over most of its texels.
+// A spot with a wider half angle has six maps like a point light. A single map would spend most of its texels
+// on the rim of the cone.
 constexpr double widestMapRad = 1.05;
-// Of the farthest thing that a light reaches: what is nearer than that casts no shadow.
+// The near plane, relative to the far plane. Nearer surfaces cast no shadow.
 constexpr double nearShare = 1e-3;
 
 const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
@@ -36,8 +37,7 @@ const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& ligh
     return lights;
 }
 
-// +x, -x, +y, -y, +z, -z, as shaders/shared/punctual_lights.glsl has them: rows are the map's right, its up,
-// and against the view.
+// The view of a cube's face: +x, -x, +y, -y, +z, -z, as in shaders/shared/punctual_lights.glsl.
 glm::dmat4 viewOfCube(int face, const glm::dvec3& position) {
     glm::dvec3 forward(0.0), up(0.0);
     forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
@@ -118,7 +118,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     }
 }
 
-// Lights that are off are left out.
+// Uploads the lights that are on.
 void PunctualLights::upload() {
     values_.count = glm::ivec4(0);
     const std::vector<glm::dvec4> positions = this->positions();
@@ -161,7 +161,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
-        // The depth range is no shorter than the map is wide.
+        // The depth range is at least as long as the map is wide, so a quarter of a texel is at most this.
         set(light.firstMap, mapFromVolume, 0.25 / mapSize_,
             glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
         return;
@@ -178,7 +178,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
-    // Depth is a - b / w.
+    // The depth of a perspective projection is a - b / w.
     const double b = far * near / (far - near);
     const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
