@@ -2,8 +2,8 @@
 #include "shared/tone_map.h"
 
 layout(binding = 0) uniform sampler2D radianceTarget;  // rgb relative to E/pi
-layout(location = 0) uniform vec4 scale;      // x: E/pi times exposure
-layout(location = 1) uniform vec4 rectangle;  // origin and size in the window, in pixels
+layout(location = 0) uniform vec4 scale;               // x: E/pi times exposure
+layout(location = 1) uniform vec4 rectangle;           // origin and size in the window, in pixels
 layout(location = 0) out vec4 outColor;
 
 // IEC 61966-2-1, the same as srgbEncode() in jni/image.

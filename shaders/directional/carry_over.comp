@@ -47,8 +47,8 @@ void main() {
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;
         uint id = commands[dynamicList].firstId + i;
-        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share, mean.roundStart * share,
-                                               mean.nearness * share));
+        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share,
+                                               mean.roundStart * share, mean.nearness * share));
         storeEmitterIrradiance(id, history.emitterLight * share);
     }
 }

@@ -20,7 +20,8 @@ void main() {
     float largest = uintBitsToFloat(largestRadiance);
     if (largest > 0.0) {
         float fitting = exp2(ceil(4.0 * log2(headroom * max(largest, smallest))) / 4.0);
-        if (faceRange.radiance < fitting || faceRange.radiance > maxExcess * fitting) faceRange.radiance = fitting;
+        if (faceRange.radiance < fitting || faceRange.radiance > maxExcess * fitting)
+            faceRange.radiance = fitting;
     } else if (faceRange.radiance == 0.0) {
         // Nothing has been measured yet. A surface that the sky lights is at most as bright as the sky.
         faceRange.radiance = max(frame.largestSky, smallest);

@@ -17,6 +17,7 @@ void main() {
         imageStore(faces, faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, int(side)), vec4(0.0));
         uvec3 voxel = uvec3(listed.voxel);
         uint place = voxel.x + side * (voxel.y + side * voxel.z);
-        atomicAnd(faceData[commands[level].firstMask + place / 4u], ~(1u << (8u * (place & 3u) + uint(listed.face))));
+        atomicAnd(faceData[commands[level].firstMask + place / 4u],
+                  ~(1u << (8u * (place & 3u) + uint(listed.face))));
     }
 }

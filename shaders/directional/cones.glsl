@@ -58,10 +58,10 @@ vec3 positionAt(Cone cone, float distance) {
 }
 
 struct ConeResult {
-    float distance;               // to the next sample
-    mediump vec3 radiance;        // relative to E/pi; divided by faceRange.radiance until coneEnd()
+    float distance;         // to the next sample
+    mediump vec3 radiance;  // relative to E/pi; divided by faceRange.radiance until coneEnd()
     mediump float transmittance;
-    mediump float nearness;       // sum of 1 / distance over the samples, weighted by opacity
+    mediump float nearness;  // sum of 1 / distance over the samples, weighted by opacity
 };
 
 const ConeResult coneBegin = ConeResult(VCT_GATHER_FIRST_SAMPLE, vec3(0.0), 1.0, 0.0);
@@ -80,7 +80,8 @@ vec3 ownFaces(vec3 normal, bool hasBack) {
 // The share of a texel around a position (volume space) that is inside of the volume. Not limited to 0..1.
 float shareInside(vec3 position, float level) {
     vec3 fromCentre = abs(position - 0.5);
-    return float(frame.gridSide) * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) + 0.5;
+    return float(frame.gridSide) * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) +
+           0.5;
 }
 
 // Premultiplied radiance and coverage that a cone meets at a distance, at one level.
@@ -143,9 +144,11 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
     while (result.distance < reach) {
         COUNT(VCT_COUNTER_IRRADIANCE_STEP);
         if (cone.fades && shareInside(positionAt(cone, result.distance), level) <= 0.0) break;
-        float next = levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
+        float next =
+            levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
         // Before the level rises, this sample and the next, wider one overlap.
-        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
+        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity))
+            break;
         level = next;
     }
     return coneEnd(result);

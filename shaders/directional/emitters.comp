@@ -20,7 +20,8 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
     while (result.distance < reach) {
         COUNT(VCT_COUNTER_EMITTERS_STEP);
         // Samples narrow again towards the emitter, so that they do not meet it.
-        float widest = min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
+        float widest =
+            min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
         float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
         // The last sample counts in proportion to its part before the end.
         mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);

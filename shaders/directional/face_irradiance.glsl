@@ -11,10 +11,10 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 };
 
 struct FaceIrradiance {
-    vec3 light;      // mean irradiance; for ambient occlusion the ambient visibility in all channels
-    float steps;     // history length; 0: no history
-    vec3 roundStart;    // `light` at the beginning of the present round
-    float nearness;  // mean of 1 / distance to the surrounding surfaces, in voxels
+    vec3 light;       // mean irradiance; for ambient occlusion the ambient visibility in all channels
+    float steps;      // history length; 0: no history
+    vec3 roundStart;  // `light` at the beginning of the present round
+    float nearness;   // mean of 1 / distance to the surrounding surfaces, in voxels
 };
 // Words per face.
 #ifdef VCT_EMITTERS
@@ -28,7 +28,8 @@ uint irradianceIndex(uint id) {
 
 FaceIrradiance faceIrradianceAt(uint id) {
     uint at = irradianceIndex(id);
-    vec2 last = unpackHalf2x16(faceIrradianceData[at + 1u]), lastAtStart = unpackHalf2x16(faceIrradianceData[at + 3u]);
+    vec2 last = unpackHalf2x16(faceIrradianceData[at + 1u]),
+         lastAtStart = unpackHalf2x16(faceIrradianceData[at + 3u]);
     return FaceIrradiance(vec3(unpackHalf2x16(faceIrradianceData[at]), last.x), last.y,
                           vec3(unpackHalf2x16(faceIrradianceData[at + 2u]), lastAtStart.x), lastAtStart.y);
 }
@@ -84,11 +85,11 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 #endif
 
 // Sums over all faces in a step, weighted by coverage, three words each.
-#define VCT_SUM_BEFORE 0u     // irradiance before the step
-#define VCT_SUM_REFLECTED 3u  // the light that faces reflect of it
-#define VCT_SUM_DIRECT 6u     // emission and reflected direct light
-#define VCT_SUM_FROM_FACES 9u   // irradiance by other faces, as gathered in the step
-#define VCT_SUM_SKY 12u       // irradiance by the sky, as gathered in the step
+#define VCT_SUM_BEFORE 0u      // irradiance before the step
+#define VCT_SUM_REFLECTED 3u   // the light that faces reflect of it
+#define VCT_SUM_DIRECT 6u      // emission and reflected direct light
+#define VCT_SUM_FROM_FACES 9u  // irradiance by other faces, as gathered in the step
+#define VCT_SUM_SKY 12u        // irradiance by the sky, as gathered in the step
 
 // Converts a value to fixed point for these sums. The sum of integers does not depend on their order. The
 // upper limit keeps the product within 32 bits.

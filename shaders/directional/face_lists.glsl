@@ -53,7 +53,8 @@ uint reserveFaces(uint list, uint count) {
     return first;
 }
 void storeListed(uint list, uint i, ivec3 voxel, int face, uint flags) {
-    if (i < commands[list].faceCapacity) faceData[commands[list].firstFace + i] = packFace(uvec3(voxel), uint(face)) | flags;
+    if (i < commands[list].faceCapacity)
+        faceData[commands[list].firstFace + i] = packFace(uvec3(voxel), uint(face)) | flags;
 }
 
 // A voxel's texel in the index: a bit per occupied face, and above them the position of its first face in the

@@ -6,8 +6,8 @@
 #include "shared/octahedral.glsl"
 #include "directional/face_lists.glsl"
 
-#define VCT_FACE_SURFACE 0u   // packSurface(), written by the injection of light
-#define VCT_FACE_PLANE 1u     // packPlane() of the fragment that covers most; not a sum
+#define VCT_FACE_SURFACE 0u  // packSurface(), written by the injection of light
+#define VCT_FACE_PLANE 1u    // packPlane() of the fragment that covers most; not a sum
 #define VCT_FACE_COVERAGE 2u
 #define VCT_FACE_ALBEDO 3u    // three words, weighted by coverage
 #define VCT_FACE_EMISSION 6u  // three words, weighted by coverage, relative to frame.emissionRange
@@ -88,7 +88,8 @@ FaceSums faceSums(uint id) {
 }
 
 FaceSums combine(FaceSums a, FaceSums b) {
-    return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, max(a.plane, b.plane));
+    return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission,
+                    max(a.plane, b.plane));
 }
 
 // The data of a face that the gather and the look-ups need, for static and dynamic geometry together.

@@ -70,12 +70,14 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
 // more bounces. In a round all directions have the same weight: at its end, the mean of the round has
 // replaced the value at its beginning.
 FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
-    float steps = max(known + stepsNow, lightStep.minHistory), share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
+    float steps = max(known + stepsNow, lightStep.minHistory),
+          share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
     nearness = mix(before.nearness, nearness, share);
     if (lightStep.roundShare == 0.0 || known == 0.0)
         return FaceIrradiance(mix(before.light, light, share), steps, before.roundStart, nearness);
     vec3 roundStart = lightStep.beginsRound != 0u ? before.light : before.roundStart;
-    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps, roundStart, nearness);
+    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps,
+                          roundStart, nearness);
 }
 
 void main() {
@@ -96,17 +98,20 @@ void main() {
         float rate = turnRate(lookedUp);
         uint direction = lightStep.direction;
         // 17 is odd, so a face visits all directions.
-        if (lightStep.coneBudget > 0u) direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
+        if (lightStep.coneBudget > 0u)
+            direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
         // Faces along creases are not smoothed (fill_bricks.comp), so their noise would flicker while
         // something changes. They trace more cones and have a longer history.
         float close = closeness(before.nearness);
         float memory = lightStep.maxHistory * sqrt(rate);
         float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
-        uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
+        uint cones =
+            isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
         // A face without a history traces more cones, unless its coverage is tiny.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.initialCones : cones));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction,
+                              int(isNew ? lightStep.initialCones : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             // A face that gathers in this step also represents faces that do not.
@@ -118,10 +123,12 @@ void main() {
             }
         }
         addToBlock(listed, light, surface.coverage);
-        storeFaceIrradiance(id, nextMean(before, known, light, now.nearness, isNew ? VCT_INITIAL_HISTORY : 1.0));
+        storeFaceIrradiance(id,
+                            nextMean(before, known, light, now.nearness, isNew ? VCT_INITIAL_HISTORY : 1.0));
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)
-        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_FROM_FACES + gl_LocalInvocationIndex],
-                  groupSums[gl_LocalInvocationIndex]);
+        atomicAdd(
+            faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_FROM_FACES + gl_LocalInvocationIndex],
+            groupSums[gl_LocalInvocationIndex]);
 }

@@ -31,7 +31,8 @@ float turnsBefore(bool lookedUp) {
 // Adds the step's turns. The count restarts at 256, when a face has visited all directions.
 void countTurns(bool lookedUp) {
     uint now = lightSums(lightStep.frame) + VCT_SUM_TURNS;
-    faceIrradianceData[now + (lookedUp ? 0u : 1u)] = floatBitsToUint(mod(turnsBefore(lookedUp) + turnRate(lookedUp), 256.0));
+    faceIrradianceData[now + (lookedUp ? 0u : 1u)] =
+        floatBitsToUint(mod(turnsBefore(lookedUp) + turnRate(lookedUp), 256.0));
 }
 
 // The number of a face's turn, and whether it has one in this step. The 4 x 4 faces of a block's layer start

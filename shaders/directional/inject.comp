@@ -42,7 +42,8 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
         if ((i & 1) == 1) aside = -aside;
         vec3 position = (middle + axes[0] * aside.x + axes[2] * aside.y) / float(frame.gridSide);
         if (cosTheta > 0.0) {
-            vec2 around = shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
+            vec2 around =
+                shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
             texels += around;
             points += vec2(equal(around, vec2(4.0)));
         }
@@ -67,7 +68,8 @@ bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 no
     int opposite = face ^ 1;
     if (!hasFace(staticCell | dynamicCell, opposite)) return false;
     FaceSums back = combinedSums(staticCell, dynamicCell, opposite);
-    return back.coverage > 0.5 * min(sums.coverage, 1.0) && dot(unpackPlane(back.plane).normal, normal) < -0.8;
+    return back.coverage > 0.5 * min(sums.coverage, 1.0) &&
+           dot(unpackPlane(back.plane).normal, normal) < -0.8;
 }
 
 // The larger of a number and a colour's largest component. NaN is ignored, because it fails the comparison.
@@ -121,13 +123,14 @@ void main() {
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         SurfacePlane plane = unpackPlane(sums.plane);
         float coverage = min(sums.coverage, 1.0);
-        faceData[id * faceWords + VCT_FACE_SURFACE] =
-            packSurface(sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
+        faceData[id * faceWords + VCT_FACE_SURFACE] = packSurface(
+            sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
         FaceMaterial material = materialOf(sums, plane.normal[listed.face >> 1]);
         vec3 middle = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
         float slackShare = isCurved(sums.plane) ? curvedSlack : flatSlack;
         vec3 radiance = material.emission;
-        if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
+        if (material.albedo != vec3(0.0))
+            radiance += material.albedo * directIrradiance(plane, slackShare, middle);
 #ifdef VCT_BOUNCES
         radiance = addBounces(id, coverage, radiance, material.albedo);
 #endif

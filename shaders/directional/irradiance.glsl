@@ -88,7 +88,8 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
+        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL,
+                      ivec3(0), last);
         inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }

@@ -35,7 +35,8 @@ vec3 globalEnergyCorrection() {
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
-    vec3 factor = (1.0 + lightStep.energyCorrection * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
+    vec3 factor = (1.0 + lightStep.energyCorrection * (balance - 1.0)) /
+                  (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 

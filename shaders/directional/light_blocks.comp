@@ -23,7 +23,9 @@ void main() {
     uint brick = texelFetch(bricks, texel, 0).r;
     if (brick != 0u) {
         uint at = blockSums(brick);
-        vec4 sum = vec4(uvec4(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u], faceIrradianceData[at + 3u])) / VCT_BLOCK_UNITS;
+        vec4 sum = vec4(uvec4(faceIrradianceData[at], faceIrradianceData[at + 1u],
+                              faceIrradianceData[at + 2u], faceIrradianceData[at + 3u])) /
+                   VCT_BLOCK_UNITS;
         for (uint c = 0u; c < 4u; ++c)
             faceIrradianceData[at + c] = 0u;
         // The texture is uninitialized before the first step.

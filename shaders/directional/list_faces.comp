@@ -3,8 +3,10 @@
 #include "directional/face_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;  // the index of the faces in `list`
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;      // empty while the static geometry is listed
+layout(r32ui,
+       binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;  // the index of the faces in `list`
+layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D
+    staticIndex;  // empty while the static geometry is listed
 layout(location = VCT_UNIFORM_LEVEL) uniform uint list;
 
 // Sets the bits of a parent's faces, and returns the bits that are new.
@@ -12,7 +14,8 @@ uint markParent(uint level, uvec3 parent, uint faces) {
     uint side = uint(imageSize(index).x) >> level;
     uint place = parent.x + side * (parent.y + side * parent.z);
     uint shift = 8u * (place & 3u);
-    uint before = atomicOr(faceData[commands[level].firstMask + place / 4u], faces << shift) >> shift & VCT_FACE_MASK;
+    uint before =
+        atomicOr(faceData[commands[level].firstMask + place / 4u], faces << shift) >> shift & VCT_FACE_MASK;
     if (before == 0u) appendVoxel(level, parent);
     return faces & ~before;
 }

@@ -24,7 +24,8 @@ void main() {
         int axis = i % 3;
         if (abs(normal[axis]) < 0.14) continue;
         ivec3 block = ivec3(floor(position + (i < 3 ? 0.5 : -0.5) * normal)) >> VCT_BRICK_LEVEL;
-        ivec3 texel = faceTexel(clamp(block, ivec3(0), lastBlock), axis, normal[axis] > 0.0 ? 0 : 1, lastBlock.x + 1);
+        ivec3 texel =
+            faceTexel(clamp(block, ivec3(0), lastBlock), axis, normal[axis] > 0.0 ? 0 : 1, lastBlock.x + 1);
         imageStore(lastLookups, texel, uvec4(step + 1u));
     }
 }

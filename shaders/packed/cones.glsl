@@ -45,7 +45,8 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
         mediump float opacity = 0.0;
         mediump float nearOpacity = 0.0;
         float distance = diffuseFirstSample * voxel;
-        for (int level = 0; level <= findMSB(frame.gridSide) && distance < reach && opacity < opaque; ++level) {
+        for (int level = 0; level <= findMSB(frame.gridSide) && distance < reach && opacity < opaque;
+             ++level) {
             vec3 p = start + direction * distance;
             if (outsideVolume(p, level)) break;
             COUNT(VCT_COUNTER_DIFFUSE_STEP);
@@ -74,7 +75,7 @@ float shadowStep(float distance, float radius, float voxel) {
 // Traces the general cone towards the sun (eq. 4.6-4.8) and returns its transmittance: 1 in light, 0 in
 // shadow.
 mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
-    const float furthest = 1.7320508;    // the volume's diagonal, in sides
+    const float furthest = 1.7320508;  // the volume's diagonal, in sides
     float sine = frame.shadowConeSine;
     float ratio = sine / (1.0 - sine);  // eq. 4.8: radius over distance to the sphere's near side
     float side = float(frame.gridSide);

@@ -18,6 +18,7 @@ void main() {
         uvec3 voxel = activeVoxel(level, i);
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;
-        if (imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u) appendVoxel(level + 1u, parent);
+        if (imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u)
+            appendVoxel(level + 1u, parent);
     }
 }

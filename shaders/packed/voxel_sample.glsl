@@ -49,13 +49,13 @@ mediump vec4 sampleVoxels(vec3 positionVolume, int level) {
     Footprint f = footprint(positionVolume, level);
     mediump vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
     mediump vec4 ll = unpackSample(voxelWord(f.low.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
     mediump vec4 lh = unpackSample(voxelWord(f.low.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
     mediump vec4 hl = unpackSample(voxelWord(f.high.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
     mediump vec4 hh = unpackSample(voxelWord(f.high.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
     mediump vec4 l = f.lowWeight.y * ll + f.highWeight.y * lh;
     mediump vec4 h = f.lowWeight.y * hl + f.highWeight.y * hh;
     return f.lowWeight.x * l + f.highWeight.x * h;
@@ -63,7 +63,8 @@ mediump vec4 sampleVoxels(vec3 positionVolume, int level) {
 
 // The opacities of the two texels along z.
 mediump vec2 occupiedPair(int x, int y, Footprint f, int level) {
-    return vec2(voxelOpacity(voxelWord(x, y, f.low.z, level)), voxelOpacity(voxelWord(x, y, f.high.z, level)));
+    return vec2(voxelOpacity(voxelWord(x, y, f.low.z, level)),
+                voxelOpacity(voxelWord(x, y, f.high.z, level)));
 }
 
 mediump float sampleOpacity(vec3 positionVolume, int level) {

@@ -30,7 +30,8 @@ void main() {
     vec4 baseColor = materialBaseColor();
     if (materialIsUnlit) baseColor.rgb = vec3(0.0);
     if (materialIsHole(baseColor.a)) discard;
-    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
+    ivec3 voxel =
+        clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 
     // A single-sided surface is black from behind; a double-sided one is lit on the side that faces the
     // light.

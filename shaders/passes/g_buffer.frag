@@ -6,7 +6,8 @@
 
 in vec3 fragmentNormal;
 
-layout(location = 0) out vec4 albedoRoot;  // square root of linear albedo, which gives dark colours more steps
+layout(location = 0) out vec4
+    albedoRoot;  // square root of linear albedo, which gives dark colours more steps
 #ifdef VCT_MAPPED_NORMALS
 layout(location = 1) out uvec4 normalCodes;
 void storeNormals(vec3 mapped, vec3 geometric) {

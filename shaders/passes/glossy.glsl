@@ -97,7 +97,8 @@ EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
             vec3 place = direction * (dot(offset, normal) / min(dot(direction, normal), -1e-3)) - offset;
             float halfSide = length(part.side.xyz), halfOther = 0.25 * length(part.facing.xyz) / halfSide;
             vec3 side = part.side.xyz / halfSide;
-            share = overlap(dot(place, side), halfSide, cone) * overlap(dot(place, cross(normal, side)), halfOther, cone);
+            share = overlap(dot(place, side), halfSide, cone) *
+                    overlap(dot(place, cross(normal, side)), halfOther, cone);
         }
         met.radiance += share * part.radiance.rgb;
         met.coverage += share;
@@ -123,7 +124,8 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
     while (result.distance < 2.0 * grid) {
         COUNT(VCT_COUNTER_SPECULAR_STEP);
         // The footprint is limited to a quarter of the volume's side.
-        float footprint = clamp(min(2.0 * result.distance * tangent, heightAt(cone, result.distance)), 1.0, 0.25 * grid);
+        float footprint =
+            clamp(min(2.0 * result.distance * tangent, heightAt(cone, result.distance)), 1.0, 0.25 * grid);
         // The emitter's light is added before the cone reaches the emitter's own voxels.
         if (hit.coverage > 0.0 && result.distance > hit.distance - footprint) {
             result.radiance = result.radiance + hit.radiance * (result.transmittance / faceRange.radiance);
@@ -149,6 +151,7 @@ mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec
     if (brdf.roughness >= roughTo) return share * gathered;
     mediump float rough = smoothstep(roughFrom, roughTo, brdf.roughness);
     vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;
-    mediump vec3 met = traceReflection(start, normal, reflect(-brdf.toEye, normal), brdf.roughness * brdf.roughness);
+    mediump vec3 met =
+        traceReflection(start, normal, reflect(-brdf.toEye, normal), brdf.roughness * brdf.roughness);
     return share * mix(met, gathered, rough);
 }

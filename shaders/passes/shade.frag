@@ -112,7 +112,8 @@ mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geo
         LightAt light = lightAt(i, position);
         vec3 left = evaluateBrdf(brdf, normal, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare) : left;
+        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare)
+                       : left;
     }
     return min(sum, 6e4);
 }
@@ -141,7 +142,8 @@ mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
 
 // The light of the sun and the indirect light that the surface reflects towards the eye, or the part of it
 // that the output shows. `light`: result of directLight().
-mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light, Gather gather) {
+mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light,
+                                 Gather gather) {
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
     if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
@@ -177,9 +179,11 @@ void main() {
     float cosTheta = max(dot(normal, frame.directionToLight.xyz), 0.0);
     // The gather comes first because it needs the most registers, of which Mali GPUs have few.
     Gather gather = indirectDiffuse(position, geometricNormal);
-    mediump float light = directLight(position, geometricNormal, max(dot(geometricNormal, frame.directionToLight.xyz), 0.0));
+    mediump float light =
+        directLight(position, geometricNormal, max(dot(geometricNormal, frame.directionToLight.xyz), 0.0));
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
     mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normal, cosTheta, light, gather);
-    outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
+    outRadiance =
+        vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
 }

@@ -14,11 +14,11 @@ const int sourceFilterTaps = 32;  // penumbrae wider than so many texels show st
 
 // A position beside the receiver, in the light's map.
 struct Beside {
-    vec3 inMap;           // texture coordinates and layer
-    float depth;          // depth of the receiver's plane at this position
-    float perDepth;       // nearness per depth in the map
-    vec2 fromReceiver;    // scale and offset from nearness to the plane here to nearness to the receiver
-    float least;          // largest nearness of a texel that may be the plane itself
+    vec3 inMap;         // texture coordinates and layer
+    float depth;        // depth of the receiver's plane at this position
+    float perDepth;     // nearness per depth in the map
+    vec2 fromReceiver;  // scale and offset from nearness to the plane here to nearness to the receiver
+    float least;        // largest nearness of a texel that may be the plane itself
 };
 
 Beside projectTap(int i, vec3 position, vec3 normal, vec3 aside) {
@@ -39,15 +39,16 @@ Beside projectTap(int i, vec3 position, vec3 normal, vec3 aside) {
     const float roundedDepth = 1e-6;
     float perDepth = projected.w / map.depth.y;
     float rising = sqrt(1.0 / (cosine * cosine) - 1.0);
-    float least = 4.0 * map.depth.x / map.depth.y * (1.5 * rising + 0.5) + roundedPosition * (1.0 + rising) / distance +
-                  roundedDepth * perDepth;
+    float least = 4.0 * map.depth.x / map.depth.y * (1.5 * rising + 0.5) +
+                  roundedPosition * (1.0 + rising) / distance + roundedDepth * perDepth;
     float scale = 1.0 / (1.0 + along * place.w);
     return Beside(vec3(inMap.xy, layer), inMap.z, perDepth, vec2(scale, -along * scale), least);
 }
 
 // The visible share of a light's disc. `hard`: the hard shadow (shadowFootprintLight()). `texel`: width of a
 // texel at the receiver, in sides of the volume. `nearestMap`: nearness of the map's near plane.
-float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard, float texel, float nearestMap) {
+float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard, float texel,
+                     float nearestMap) {
     PunctualLightUniforms light = punctual.light[i];
     float size = light.cone.z;
     // The largest penumbra, in sides of the volume. Blockers nearer to the light than an eighth of the
@@ -64,7 +65,8 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         COUNT(VCT_COUNTER_BLOCKER_TAP);
         float radius = float(tap) / float(sourceSearchTaps - 1);
         radius *= radius * reach;
-        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there =
+            projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         float nearness = (there.depth - textureLod(lightMaps, there.inMap, 0.0).r) * there.perDepth;
         float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         addTap(search, nearness > there.least ? penumbra : 0.0, radius);
@@ -84,11 +86,13 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
         COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
-        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there =
+            projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
         vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
-        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(coneShare * radius)));
+        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) *
+                       vec4(greaterThan(cone, vec4(coneShare * radius)));
         seen += 1.0 - filterFootprint(blocked, fract(there.inMap.xy * mapSize - 0.5));
         direction = goldenTurn * direction;
     }

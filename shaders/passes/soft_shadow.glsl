@@ -47,8 +47,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // Compares the four texels around the receiver with its plane, as in shadow.glsl. In a crease the blocker
     // touches the receiver. Taps with a bias would pass over it, or see the outside beyond the border of the
     // surface.
-    ShadowFootprint four = shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, vec2(size))), receiver,
-                                           vec2(size), slope * texel, bias);
+    ShadowFootprint four =
+        shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, vec2(size))), receiver,
+                        vec2(size), slope * texel, bias);
     float farthest = max(max(four.above.x, four.above.y), max(four.above.z, four.above.w));
     // A blocker farther away has a penumbra wider than a texel, and is no problem in a crease.
     bool touching = four.closest > -texel.x;
@@ -59,8 +60,8 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // stay on the plane, so this changes nothing if the plane is lit. In a lit crease one of the texels is
     // the surface itself, up to rounding.
     const float gridRounding = 0.01;  // rounding of corners, relative to the plane's rise over a tap's filter
-    const float borderShare = 0.5;      // relative to the bias; a round surface of flat triangles is off by less
-    const float aside = 2.0;          // texels
+    const float borderShare = 0.5;  // relative to the bias; a round surface of flat triangles is off by less
+    const float aside = 2.0;        // texels
     if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
@@ -103,7 +104,8 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // in texels of the map
     float level = log2(0.5 * wide);
     float relativeWidth = wide / max(radius, 1e-6);
-    float distance = sqrt(max(0.6 - 0.835 * relativeWidth * relativeWidth, 0.25 * relativeWidth * relativeWidth));
+    float distance =
+        sqrt(max(0.6 - 0.835 * relativeWidth * relativeWidth, 0.25 * relativeWidth * relativeWidth));
     distance = min(distance, 0.7) * penumbra;
     // Only blockers within the cone count, to exclude a wall that rises from the receiver's plane. The full
     // cone would also exclude blockers that are nearer to the receiver than their mean.
@@ -117,9 +119,12 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec3 x = (stepX * cos(angle) + stepY * sin(angle)) * distance;
         vec3 y = (stepY * cos(angle) - stepX * sin(angle)) * distance;
         vec3 a = middle + x, b = middle + y, c = middle - x, d = middle - y;
-        compared += vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
-        vec2 momentsA = textureLod(shadowMoments, a.xy, level).rg, momentsB = textureLod(shadowMoments, b.xy, level).rg;
-        vec2 momentsC = textureLod(shadowMoments, c.xy, level).rg, momentsD = textureLod(shadowMoments, d.xy, level).rg;
+        compared +=
+            vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
+        vec2 momentsA = textureLod(shadowMoments, a.xy, level).rg,
+             momentsB = textureLod(shadowMoments, b.xy, level).rg;
+        vec2 momentsC = textureLod(shadowMoments, c.xy, level).rg,
+             momentsD = textureLod(shadowMoments, d.xy, level).rg;
         vec4 plane = (vec4(a.z, b.z, c.z, d.z) - (momentMiddle + momentRounding)) * momentUnit;
         vec4 nearer = min(vec4(momentsA.x, momentsB.x, momentsC.x, momentsD.x) - plane, 0.0);
         vec4 variance = vec4(momentsA.y, momentsB.y, momentsC.y, momentsD.y);

@@ -188,11 +188,11 @@ using glm::vec4;
 #define VCT_DEFORM_FIRST_SOURCE 3        // first vertex before deformation
 #define VCT_DEFORM_FIRST_DISPLACEMENT 4  // first float of the morph targets
 #define VCT_DEFORM_TARGETS 5             // number of morph targets
-#define VCT_DEFORM_FIRST_STATE 6   // first row of the joints' matrices, three rows each
-#define VCT_DEFORM_FIRST_WEIGHT 7  // first weight of the morph targets
-#define VCT_SORT_FIRST_VERTEX 3    // vertex index of the mesh's first vertex
-#define VCT_SORT_FIRST_CORNER 4    // first index of the mesh in the bound range
-#define VCT_SORT_FIRST_SORTED 5    // first sorted index in the bound range
+#define VCT_DEFORM_FIRST_STATE 6         // first row of the joints' matrices, three rows each
+#define VCT_DEFORM_FIRST_WEIGHT 7        // first weight of the morph targets
+#define VCT_SORT_FIRST_VERTEX 3          // vertex index of the mesh's first vertex
+#define VCT_SORT_FIRST_CORNER 4          // first index of the mesh in the bound range
+#define VCT_SORT_FIRST_SORTED 5          // first sorted index in the bound range
 #define VCT_DEFORM_RANGES 8
 
 #define VCT_MAX_PUNCTUAL_LIGHTS 16
@@ -220,7 +220,7 @@ using glm::vec4;
 #define VCT_BRICK_SIDE 4            // 2^VCT_BRICK_LEVEL voxels
 #define VCT_BRICK_TEXELS 6          // the voxels and a border for the filter
 #define VCT_MIN_CREASE_CONES 4      // minimum number of cones per step of a face near other surfaces
-#define VCT_INITIAL_HISTORY 6.0        // history length of a face after its first step
+#define VCT_INITIAL_HISTORY 6.0     // history length of a face after its first step
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
 #define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
@@ -228,12 +228,12 @@ using glm::vec4;
 // (E: irradiance of a surface that faces the light), so that 8 bits serve any light.
 struct FrameUniforms {
     mat4 clipFromVolume;
-    mat4 volumeFromWindow;  // from pixels and the depth buffer's depth
-    mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
-    vec4 eye;               // xyz: volume space
-    vec4 directionToLight;      // xyz: unit length
-    vec4 lightColor;        // rgb: largest component 1
-    vec4 skyRadiance;       // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
+    mat4 volumeFromWindow;     // from pixels and the depth buffer's depth
+    mat4 shadowFromVolume;     // texture coordinates and depth, all in [0, 1]
+    vec4 eye;                  // xyz: volume space
+    vec4 directionToLight;     // xyz: unit length
+    vec4 lightColor;           // rgb: largest component 1
+    vec4 skyRadiance;          // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
     float shadowConeSine;      // sine of half the cone's angle
     float aoDistance;          // in sides of the volume
@@ -251,9 +251,9 @@ struct PunctualLightUniforms {
     vec4 position;   // xyz: position in volume space, w: 1; directional: unit vector towards the light, w: 0
     vec4 backwards;  // xyz: unit vector against the light's axis; w: 1 / range^2, or 0 without a range
     vec4 intensity;  // rgb: irradiance of a surface that faces it at distance 1, relative to the sun's E
-    vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
-                     // z: radius; directional: tangent of half its opening angle
-    ivec4 maps;      // x: index of its first shadow map, y: number of maps, 1 or 6 (a cube)
+    vec4 cone;   // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
+                 // z: radius; directional: tangent of half its opening angle
+    ivec4 maps;  // x: index of its first shadow map, y: number of maps, 1 or 6 (a cube)
 };
 // A shadow map of a punctual light. Its index is its layer in the texture of all maps.
 struct LightMap {
@@ -289,24 +289,24 @@ struct FaceRange {
 
 // One step of the gather (jni/engine/directional/gather_schedule.h).
 struct LightStep {
-    uint frame;          // number of the step
-    uint direction;      // index of the first direction, if the step has no budget
-    uint cones;          // per face
-    uint initialCones;     // per face without a history
-    uint beginsRound;    // 1 if the step is the first of a round
-    uint bricksAlong;    // bricks along x and y of their texture
-    float roundShare;  // weight of the step in its round; 0 outside of rounds
-    float maxHistory;        // maximum history length, in steps
-    float maxInheritedHistory;     // maximum history length that a new face takes over from other faces
-    float energyCorrection;  // share of the global energy correction that the step applies
-    float bounceGain;     // gain of the light that faces reflect; 0: the first bounce only
-    float amplitude;     // weight that the previous step had in the histories
-    float sumUnits;      // fixed-point units of 1 in the sums over all faces
-    uint blockSums;      // word of the irradiance buffer where the blocks' sums begin
-    float smoothing;     // maximum weight of the block's mean in a face's irradiance, 0..1
-    float minHistory;  // minimum history length after the step; large once the light has converged
-    uint coneBudget;     // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
-    uint chosenFaces;    // word of the irradiance buffer where the list of gathering faces begins
+    uint frame;                 // number of the step
+    uint direction;             // index of the first direction, if the step has no budget
+    uint cones;                 // per face
+    uint initialCones;          // per face without a history
+    uint beginsRound;           // 1 if the step is the first of a round
+    uint bricksAlong;           // bricks along x and y of their texture
+    float roundShare;           // weight of the step in its round; 0 outside of rounds
+    float maxHistory;           // maximum history length, in steps
+    float maxInheritedHistory;  // maximum history length that a new face takes over from other faces
+    float energyCorrection;     // share of the global energy correction that the step applies
+    float bounceGain;           // gain of the light that faces reflect; 0: the first bounce only
+    float amplitude;            // weight that the previous step had in the histories
+    float sumUnits;             // fixed-point units of 1 in the sums over all faces
+    uint blockSums;             // word of the irradiance buffer where the blocks' sums begin
+    float smoothing;            // maximum weight of the block's mean in a face's irradiance, 0..1
+    float minHistory;           // minimum history length after the step; large once the light has converged
+    uint coneBudget;   // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
+    uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     uint unused0, unused1;
 };
 
@@ -343,10 +343,10 @@ struct LevelCommands {
     uint faceGroupsY;
     uint faceGroupsZ;
     uint faceCount;
-    uint firstFace;     // position of the face list, in words of the buffer of faces
+    uint firstFace;  // position of the face list, in words of the buffer of faces
     uint faceCapacity;
-    uint firstId;       // id of the list's first face; base level only
-    uint firstMask;     // position of the bits of occupied faces, in words; 0 at the base level
+    uint firstId;    // id of the list's first face; base level only
+    uint firstMask;  // position of the bits of occupied faces, in words; 0 at the base level
     // Counts of the static geometry. The lists return to these counts for each pose.
     uint staticVoxels;
     uint staticFaces;
@@ -405,8 +405,8 @@ VCT_FUNCTION uint voxelCount(uint word) {
 VCT_FUNCTION uvec3 voxelColor(uint word) {
     return uvec3((word >> 16) & 0xFFu, (word >> 8) & 0xFFu, word & 0xFFu);
 }
-#define VCT_BASE_COUNT 8u     // count of a base-level voxel, so that the first mip is no special case
-#define VCT_COLOR_STEPS 31u   // colour of one child in its parent: 0..31; the sum of eight fits 8 bits
+#define VCT_BASE_COUNT 8u    // count of a base-level voxel, so that the first mip is no special case
+#define VCT_COLOR_STEPS 31u  // colour of one child in its parent: 0..31; the sum of eight fits 8 bits
 // The word that a voxel adds to its parent's (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c).
 // Here c is the voxel's colour normalised by its count, so the result is floor(colour / count).
 VCT_FUNCTION uint childContribution(uint word) {

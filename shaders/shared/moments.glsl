@@ -4,7 +4,7 @@
 const float momentUnit = 256.0;     // scale of stored depths: means of +-128, variances up to 2^14
 const float momentMiddle = 0.5;     // depth that is stored as 0, near which half floats are finest
 const float momentRounding = 3e-4;  // rounding error of a stored mean, as a depth
-const float minVariance = 0.0625;  // minimum of a stored variance: a standard deviation of 0.001 in depth
+const float minVariance = 0.0625;   // minimum of a stored variance: a standard deviation of 0.001 in depth
 
 // A texel of the next level averages the 4 x 4 texels around its middle with the weights (1 3 3 1)/8 in each
 // direction. Repeated over the levels this is a smooth filter, and the filters of neighbours overlap. Weights

@@ -40,14 +40,16 @@ int cubeFace(vec3 direction) {
 #endif
 
 // As shadowFootprintLight() in shared/shadow.glsl, for a layer of the maps.
-float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack, float contact) {
+float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack,
+                           float contact) {
     vec2 size = vec2(textureSize(maps, 0).xy);
-    ShadowFootprint four =
-        shadowFootprint(textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
+    ShadowFootprint four = shadowFootprint(
+        textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
     vec2 next = tieBreakTexel(four, slope);
-    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope, slack, contact);
+    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope,
+                     slack, contact);
 }
 
 // Visibility of a light from a surface: 0 in shadow, 1 in light, and values between them at the edge of the
@@ -78,7 +80,8 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     float hard = max(shadowFootprintLight(lightMaps, layer, receiver, slope, slack, 2.0), 0.0);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
-    return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w, nearest);
+    return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w,
+                          nearest);
 #else
     return hard;
 #endif
@@ -91,7 +94,8 @@ vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
         LightAt light = lightAt(i, position);
         float cosine = dot(normal, light.towards);
         if (cosine <= 0.0 || light.irradiance == vec3(0.0)) continue;
-        sum += light.irradiance * (cosine * punctualVisibility(i, position, normal, light.towards, slackShare));
+        sum +=
+            light.irradiance * (cosine * punctualVisibility(i, position, normal, light.towards, slackShare));
     }
     return sum;
 }

@@ -7,8 +7,8 @@ layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 // percentage-closer filter differ. The bias is eq. 4.1-4.3, in units of the depth range, with tan(acos x)
 // written as sqrt(1 - x^2) / x, so that it stays finite at grazing light.
 float shadowMapLight(vec3 positionVolume, float cosTheta) {
-    const float slopeBias = 0.005;   // thesis eq. 4.2
-    const float maxBias = 0.01;  // thesis eq. 4.3
+    const float slopeBias = 0.005;  // thesis eq. 4.2
+    const float maxBias = 0.01;     // thesis eq. 4.3
     // At perpendicular light the slope is 0, and rounding would make the surface shadow itself.
     const float minBias = 1e-4;
     float slope = sqrt(max(1.0 - cosTheta * cosTheta, 0.0)) / max(cosTheta, 1e-4);
@@ -35,8 +35,9 @@ const float depthRounding = 3e-5;  // depth error: half a step of 16 bits, and a
 vec2 shadowSlope(vec3 normal) {
     // Normals transform by the inverse transpose: the rows of the matrix, each divided by its squared length.
     mat3 axes = transpose(mat3(frame.shadowFromVolume));
-    vec3 plane = vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
-                      dot(axes[2], normal) / dot(axes[2], axes[2]));
+    vec3 plane =
+        vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
+             dot(axes[2], normal) / dot(axes[2], axes[2]));
     const float steepest = 64.0;  // depth per map width: the sun is less than a degree above the surface
     return clamp(-plane.xy / plane.z, -steepest, steepest) / vec2(textureSize(shadowDepth, 0));
 }
@@ -44,12 +45,12 @@ vec2 shadowSlope(vec3 normal) {
 // The four texels of a bilinear filter, compared with the receiver's plane. The components of a vec4 are in
 // the order of textureGather(): they begin at (0, 1) and go counter-clockwise.
 struct ShadowFootprint {
-    vec2 texel;     // position of the receiver, in texels
-    vec2 corner;    // position of the first of the four texels
-    vec4 above;     // depth in the map minus depth of the plane
-    vec4 blocked;   // 1: the texel is nearer to the light than the surface
+    vec2 texel;      // position of the receiver, in texels
+    vec2 corner;     // position of the first of the four texels
+    vec4 above;      // depth in the map minus depth of the plane
+    vec4 blocked;    // 1: the texel is nearer to the light than the surface
     float blockers;  // sum of `blocked`
-    float closest;  // minimum of `above`
+    float closest;   // minimum of `above`
 };
 
 // Texture coordinates for textureGather(): the corner that the four texels share, so that rounding cannot
@@ -90,7 +91,8 @@ vec2 tieBreakTexel(ShadowFootprint four, vec2 slope) {
     return mix(floor(four.texel + 0.5), four.corner + 0.5 + 1.5 * aside, abs(aside));
 }
 
-float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack, float contact) {
+float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack,
+                float contact) {
     float nextAbove = nextDepth - receiver.z - dot(slope, next - four.texel);
     bool crease = four.blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
     if (crease && min(four.closest, nextAbove) > -contact) return -1.0;
@@ -107,7 +109,8 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
     vec2 next = tieBreakTexel(four, slope);
-    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack, contact);
+    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack,
+                     contact);
 }
 
 // The number of texels around a receiver that show its own surface, and the number of texels that block the
