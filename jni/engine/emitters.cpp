@@ -248,7 +248,7 @@ bool EmitterPart::isRound() const {
 }
 
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) {
-    std::vector<std::vector<EmitterPart>> lamps;
+    std::vector<std::vector<EmitterPart>> emitters;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -259,22 +259,22 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
         std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
-        if (!parts.empty()) lamps.push_back(std::move(parts));
+        if (!parts.empty()) emitters.push_back(std::move(parts));
     }
-    std::stable_sort(lamps.begin(), lamps.end(),
+    std::stable_sort(emitters.begin(), emitters.end(),
                      [](const auto& a, const auto& b) { return fluxOf(a) > fluxOf(b); });
     std::vector<EmitterPart> all;
-    for (const std::vector<EmitterPart>& parts : lamps)
+    for (const std::vector<EmitterPart>& parts : emitters)
         if (all.size() + parts.size() <= VCT_MAX_EMITTER_PARTS)
             all.insert(all.end(), parts.begin(), parts.end());
     return all;
 }
 
 std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {
-    std::vector<bool> lamps(scene.instances.size());
+    std::vector<bool> emitting(scene.instances.size());
     for (const EmitterPart& part : parts)
-        lamps[part.instance] = true;
-    return lamps;
+        emitting[part.instance] = true;
+    return emitting;
 }
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,

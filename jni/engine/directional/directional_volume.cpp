@@ -11,7 +11,7 @@ namespace vct {
 namespace {
 
 // Capacity for a count that changes: half as many again, so that buffers rarely grow.
-std::uint32_t withHeadroom(std::uint32_t count) {
+std::uint32_t capacityFor(std::uint32_t count) {
     return count + count / 2 + 256;
 }
 
@@ -78,7 +78,7 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
         grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
     if (grows) {
         const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
-            capacities[list] = std::max(capacities[list], staticCount + withHeadroom(count));
+            capacities[list] = std::max(capacities[list], staticCount + capacityFor(count));
         };
         reserve(VCT_LIST_DYNAMIC, 0, dynamic.faceCount);
         reserve(VCT_LIST_DYNAMIC + 1, 0, dynamic.faceCount);
