@@ -39,7 +39,7 @@ enum class Voxels {
 // The quantity that faces gather: indirect light, or ambient visibility within the AO distance.
 enum class GatherPurpose { light, occlusion };
 
-// How faces of directional voxels gather. Lengths are in voxels of the finest level. docs/levers.md has the
+// How faces of directional voxels gather. Lengths are in voxels of the finest level. docs/design-decisions.md has the
 // measurements behind the values.
 struct GatherSettings {
     int directions = 64;        // per face, visited over several frames after a change; a power of two
@@ -57,10 +57,10 @@ struct GatherSettings {
     float height = 0.5F;       // largest footprint, relative to the sample's height above the plane
     float extinction = 1.05F;  // scales the opacity of a sample
     // Scales the opacity of the last sample before the footprint grows: 0.5 is exact for partial coverage
-    // everywhere, 1 lets no light through a wall at that sample (docs/levers.md).
+    // everywhere, 1 lets no light through a wall at that sample (docs/design-decisions.md).
     float levelEnd = 0.65F;
     // True: samples fade out across the volume's border. False: cones end at the border, which loses part of
-    // a wall that lies on it and offsets an excess that cones meet elsewhere (docs/levers.md).
+    // a wall that lies on it and offsets an excess that cones meet elsewhere (docs/design-decisions.md).
     bool fadesAtBorder = false;
     float threshold = 0.15F;  // a cone with less transmittance ends
     // Scales the light that faces reflect. Cones lose some light through the gaps between their samples, as

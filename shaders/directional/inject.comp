@@ -89,7 +89,7 @@ float largerOf(float before, vec3 color) {
 // A slanted surface covers up to three faces. Seen along its normal they have the right coverage
 // together, but seen from other directions too much, and they would send up to 1.7 times its light. Scaled by
 // the normal's component, they would send the right total but be too dark from the front, as in a closed
-// slanted room. The cube root of the component is a compromise (docs/levers.md, "Slanted surfaces").
+// slanted room. The cube root of the component is a compromise (docs/history/cones.md, "Slanted surfaces").
 struct FaceMaterial {
     vec3 albedo;
     vec3 emission;  // relative to E/pi

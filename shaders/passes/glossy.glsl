@@ -6,7 +6,7 @@
 #include "directional/cones.glsl"
 
 // Between these roughnesses the cone is blended with face irradiance, because many cones of a gather fit a
-// wide lobe better than one cone does (docs/levers.md).
+// wide lobe better than one cone does (docs/design-decisions.md).
 const float roughFrom = 0.3;
 const float roughTo = 0.9;
 

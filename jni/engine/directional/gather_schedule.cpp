@@ -9,7 +9,7 @@ namespace vct {
 namespace {
 
 // Maximum history length in steps while light or surfaces change. A shorter history is noisy, a longer one
-// lags behind the change (docs/levers.md).
+// lags behind the change (docs/design-decisions.md).
 constexpr float maxHistoryWhileChanging = 15.0F;
 // The same in the first step after the changes. Steps have more cones then, so outdated light can be replaced
 // sooner.
