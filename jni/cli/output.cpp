@@ -45,7 +45,7 @@ void requireWritableFile(const std::string& path) {
     const fs::file_status found = fs::status(path, ignored);
     std::string cause;
     if (fs::exists(found) && !fs::is_regular_file(found))
-        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it is there, and not a file";
+        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it exists but is not a file";
     else if (const int error = causeNotWritable(path))
         cause = std::strerror(error);
     if (!cause.empty())
