@@ -1,5 +1,5 @@
-// vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what each
-// of its features costs.
+// vct info: shows the driver and what it lacks of what the renderer needs; for a scene, what each feature
+// costs.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,16 +29,19 @@ struct InfoOptions {
 };
 
 constexpr const char* infoFooter =
-    "Exit code: 0 if everything that is required is there, 1 if something is missing or no context can be "
-    "made.\n"
+    "Without a scene it checks the driver. With a scene it renders the scene with and without each of its "
+    "features (emission, moving objects, further lights and so on) and prints what each adds to a frame: "
+    "passes, programs, memory and, with --times, time.\n"
+    "Exit code: 0 if the driver has everything that is required, 1 if something is missing or no OpenGL "
+    "context can be created.\n"
     "Examples:\n"
-    "  vct info                     the default driver\n"
-    "  vct info --list-devices      the indices that --device takes\n"
-    "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
+    "  vct info                     checks the default driver\n"
+    "  vct info --list-devices      lists the indices for --device\n"
+    "  vct info --backend zink      checks OpenGL over Vulkan (lavapipe if there is no GPU)\n"
     "  vct info assets/courtyard.glb --grid auto\n"
-    "                               what each feature of the scene adds to a frame\n"
+    "                               prints what each feature of the scene adds to a frame\n"
     "  vct info my.glb --print-camera --size 640x360\n"
-    "                               where it is seen from";
+    "                               prints the camera that a picture of this size uses";
 
 void printDevices() {
     const std::vector<std::string> devices = eglDevices();
@@ -53,24 +56,27 @@ bool printCapabilities(const InfoOptions& options) {
     const gl::Capabilities& capabilities = context.capabilities;
     std::printf("back end:  %s, %s\n%s", backendName(backend.backend),
                 context.platform->description().c_str(), gl::describe(capabilities).c_str());
-    // A driver library without access to its GPU is a common surprise in containers.
+    // In containers the driver's library often has no access to the GPU, so Mesa's software driver runs.
     if (capabilities.softwareDriver && backend.device < 0 && eglDevices().size() > 1)
-        std::puts("EGL lists more than one device; --list-devices shows whether one of them is a GPU.");
+        std::puts(
+            "This is a software driver. EGL lists other devices: `vct info --list-devices` shows whether one "
+            "of them is a GPU, and --device INDEX uses it.");
     for (const gl::Requirement& row : capabilities.requirements) {
         if (row.required && !row.met) return false;
     }
     return true;
 }
 
-// Renders the scene, and the scene without each of its features.
+// Renders the scene, and the scene without each of its features, and prints the costs.
 void printScene(const InfoOptions& options) {
     FrameOptions frame;
     frame.settings = options.scene.settings(options.preset);
-    frame.settings.revoxelize = true;  // what every pass costs
+    frame.settings.revoxelize = true;  // so that every pass runs in every frame
     options.sky.applyTo(frame.settings);
     validate(frame.settings);
     const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
-    if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
+    if (modes.size() != 1)
+        throw Error("--mode " + options.mode + ": the costs are those of one mode; name one");
     frame.mode = modes.front();
     frame.timedFrames = options.timedFrames;
     const Scene scene = options.scene.load();
@@ -81,7 +87,7 @@ void printScene(const InfoOptions& options) {
     options.scene.fitGrid(frame.settings, scene, context.capabilities);
     if (const std::string note = voxelizationNote(frame.settings.voxels, context.capabilities); !note.empty())
         say(note);
-    const Progress progress("rendering " + scene.path + " with and without each of its features");
+    const Progress progress("rendering " + scene.path + " with and without each feature");
     const SceneCosts costs = sceneCosts(scene, frame, context.capabilities, shaders());
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
     std::printf(
@@ -92,7 +98,7 @@ void printScene(const InfoOptions& options) {
         frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
 }
 
-// For tools: they need not know how a view is chosen. Without a driver.
+// Prints the camera as JSON, so that other tools need not know how a camera is chosen. Needs no driver.
 void printCamera(const InfoOptions& options) {
     const Scene scene = options.scene.load();
     const Camera camera = options.scene.cameraOf(scene);
@@ -113,23 +119,23 @@ void printCamera(const InfoOptions& options) {
 
 void addInfo(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand(
-        "info",
-        "Show the GL driver and whether it has what the pipeline needs, or what a scene's features cost");
+        "info", "Show the OpenGL driver and what it lacks, or what each feature of a scene costs");
     const auto options = std::make_shared<InfoOptions>();
     command->add_flag("--list-devices", options->listDevices,
-                      "List the EGL devices with their indices, and stop");
-    command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
+                      "List the EGL devices and their indices, then exit");
+    command->add_option("--preset", options->preset, presetHelp)->capture_default_str();
+    command->add_option("--mode", options->mode, "Mode to render the scene in, one of those of `vct render`")
         ->capture_default_str();
-    command->add_option("--mode", options->mode, "Of a scene's frame, as for render")->capture_default_str();
     command
         ->add_option(
             "--times", options->timedFrames,
-            "Time so many frames with and without each feature, in turn; the difference of the medians")
+            "Time so many frames with and as many without each feature, and print the difference of their "
+            "medians (default: no times)")
         ->check(CLI::Range(1, 1000));
     CLI::Option* scene = options->scene.addTo(*command);
     command->add_flag("--print-camera", options->printCamera,
-                      "Print as JSON the camera by which --camera and --size see the scene, with the option "
-                      "that repeats it, and stop");
+                      "Print, as JSON, the camera that --camera and --size result in, and the --camera text "
+                      "that reproduces it, then exit");
     options->sky.addTo(*command);
     for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
                                  "--light", "--sky", "--environment", "--times", "--print-camera"})

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
         removeMade();
-        throw Error("cannot write into the folder '" + path + "': " + cause + "; choose another --out");
+        throw Error("cannot write into the folder '" + path + "': " + cause +
+                    "; choose another folder with --out");
     };
     std::error_code error;
     if (fs::exists(path, error) && !fs::is_directory(path, error)) fail("it is not a folder");
@@ -21,7 +22,8 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     for (fs::path folder = fs::path(path).lexically_normal(); !folder.empty() && !fs::exists(folder, error);
          folder = folder.parent_path())
         missing.push_back(folder);
-    // Each before it is made, the outermost first: an interruption may come in between.
+    // Each folder is registered for removal before it is created, because a signal may come in between. The
+    // outermost comes first.
     for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
         made_.emplace_back(folder->string());
         fs::create_directory(*folder, error);
