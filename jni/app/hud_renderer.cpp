@@ -9,9 +9,9 @@ namespace vct::app {
 
 namespace {
 
-constexpr int fontUnit = 0;  // a sampler's default
+constexpr int fontUnit = 0;  // texture unit; 0 is a sampler's default
 
-enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // as in app/hud.vert
+enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // locations in app/hud.vert
 
 gl::Texture fontTexture() {
     unsigned char* pixels = nullptr;
@@ -54,7 +54,7 @@ void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
                   0.0F, 0.0F);
     font_.bind(fontUnit);
     vertexArray_.bind();
-    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // a driver fault requires this: see GpuScene::bindGeometry()
     vertices_.bind(GL_ARRAY_BUFFER);
     for (int n = 0; n < data.CmdListsCount; ++n) {
         const ImDrawList& list = *data.CmdLists[n];

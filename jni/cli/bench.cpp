@@ -90,9 +90,9 @@ void addBench(CLI::App& app, int&) {
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command
-        ->add_option(
-            "--preset", request.presets,
-            std::string(presetHelp) + "; several separated by commas. Only thesis alone gives the tables of the thesis")
+        ->add_option("--preset", request.presets,
+                     std::string(presetHelp) +
+                         "; several separated by commas. Only thesis alone gives the tables of the thesis")
         ->delimiter(',')
         ->capture_default_str();
     options->scene.addTo(*command)->required();
