@@ -20,6 +20,7 @@ std::string optionsOf(const std::string& error) {
     std::string options;
     for (const auto& [advice, option] : {std::pair{"make room for", "--active-voxels"},
                                          {"lightFrames", "--light-frames"},
+                                         {"ask for an animation", "--animation"},
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
                                          {"the shadow 'cone'", "--shadow"},
