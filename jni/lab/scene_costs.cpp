@@ -15,7 +15,7 @@ void forEachMaterial(Scene& scene, void (*change)(Material& material)) {
         change(material);
 }
 
-// A renderer of a scene, and the scene's time.
+// A renderer of a scene, and the time of the scene's animation.
 class Player {
   public:
     Player(Scene scene, const FrameOptions& options, const gl::Capabilities& capabilities,
@@ -36,7 +36,7 @@ class Player {
         renderer_.render({{options_.mode}, options_.camera});
     }
 
-    // The cost of the third frame: every pass is made in the first two.
+    // Returns the cost of the third frame, because the first two create all passes.
     FrameCost cost() {
         for (int i = 0; i < 2; ++i)
             frame();
@@ -60,7 +60,7 @@ class Player {
     int frames_ = 0;
 };
 
-// The frames take turns: a machine that slows down meanwhile slows both.
+// The frames of both renderers alternate, so that a change of the machine's speed affects both.
 double addedMs(Player& with, Player& without, int frames) {
     std::vector<double> withMs, withoutMs;
     for (int i = 0; i < frames; ++i) {
@@ -171,7 +171,7 @@ SceneCosts sceneCosts(const Scene& scene, const FrameOptions& options, const gl:
         feature.remove(stripped);
         measure(row, std::move(stripped), options, feature.takesTime);
     }
-    // A sky that is the same in all directions is a number, and black costs as much.
+    // A sky of one colour is only a uniform, and costs as much as a black one.
     costs.rows.emplace_back().name = "picture of the sky";
     if (options.settings.environment) {
         FrameOptions plain = options;
@@ -185,13 +185,13 @@ std::string sceneCostsText(const SceneCosts& costs, bool timed) {
     const FrameCost& frame = costs.frame;
     TableRows passes{{"pass", "GL calls"}};
     for (const auto& [group, calls] : frame.calls.byGroup)
-        passes.push_back({group.empty() ? "between them" : group, std::to_string(calls)});
-    passes.push_back({"the frame", std::to_string(frame.calls.calls)});
-    TableRows features{{"what occurs in it, and what that adds", "passes", "programs", "GL calls", "kB"}};
+        passes.push_back({group.empty() ? "outside of passes" : group, std::to_string(calls)});
+    passes.push_back({"whole frame", std::to_string(frame.calls.calls)});
+    TableRows features{{"feature of the scene, and what it adds", "passes", "programs", "GL calls", "kB"}};
     if (timed) features[0].emplace_back("ms");
     for (const SceneCosts::Row& row : costs.rows)
         features.push_back(cellsOf(costs, row, timed));
-    return markdownTable(passes) + "\nthe frame: " + std::to_string(frame.calls.draws) + " draws, " +
+    return markdownTable(passes) + "\nwhole frame: " + std::to_string(frame.calls.draws) + " draws, " +
            std::to_string(frame.calls.dispatches) + " dispatches, " + std::to_string(frame.programs()) +
            " programs, " + cellText("%.1f kB", static_cast<double>(frame.bytes()) / 1e3) + "\n\n" +
            markdownTable(features);
