@@ -1,6 +1,6 @@
-# The target `apk` packs libvct.so, shaders/ and assets/*.glb into a signed APK, without Gradle. It needs the build tools
-# of Android's SDK (in the folder ANDROID_HOME, or Debian's packages aapt, apksigner and android-framework-res), a JDK's
-# keytool and Python.
+# The target `apk` packs libvct.so, shaders/ and assets/*.glb into a signed APK, without Gradle. It needs the build
+# tools of Android's SDK (in the folder ANDROID_HOME, or Debian's packages aapt, apksigner and android-framework-res),
+# a JDK's keytool and Python.
 find_package(Python3 COMPONENTS Interpreter)
 file(GLOB sdk_tools $ENV{ANDROID_HOME}/build-tools/*)
 file(GLOB sdk_platforms $ENV{ANDROID_HOME}/platforms/android-*)

@@ -1,4 +1,5 @@
-# `cmake --install` installs the library, its header and the files for find_package(vct). The library needs nothing else.
+# `cmake --install` installs the library, its header and the files for find_package(vct). The library needs nothing
+# else.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vct)
 install(TARGETS vct_library EXPORT vctTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

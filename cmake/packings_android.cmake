@@ -1,5 +1,5 @@
-# Builds the libraries that cmake/packings.cmake links from their sources, only the decoders. libwebp and draco are newer
-# than in Debian 12, whose packages have the fixes of newer versions.
+# Builds the libraries that cmake/packings.cmake links from their sources, only the decoders. libwebp and draco are
+# newer than in Debian 12, whose packages have the fixes of newer versions.
 vct_fetch(draco https://github.com/google/draco.git 8786740086a9f4d83f44aa83badfbea4dce7a1b5)                 # 1.5.7
 vct_fetch(meshoptimizer https://github.com/zeux/meshoptimizer.git e62c41e47cfdaf014c1e2a98dfeb571dd60c271f)   # 0.18
 vct_fetch(webp https://github.com/webmproject/libwebp.git ca332209cb5567c9b249c86788cb2dbf8847e760)           # 1.3.2

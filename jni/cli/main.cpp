@@ -21,6 +21,8 @@ std::string optionsOf(const std::string& error) {
     for (const auto& [advice, option] : {std::pair{"make room for", "--active-voxels"},
                                          {"lightFrames", "--light-frames"},
                                          {"ask for an animation", "--animation"},
+                                         {"the back end egl", "--backend"},
+                                         {"choose no device", "--device"},
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
                                          {"the shadow 'cone'", "--shadow"},

@@ -36,9 +36,8 @@ DriverFaults faultsOf(const std::string& renderer, const std::string& version) {
     // (crbug 534468209). That is every Mali.
     if (startsWith(renderer, "Mali-"))
         faults.timerQueries =
-            "they crash on drivers for Mali before r46, and later where framebuffers change meanwhile "
-            "(Filament "
-            "b/233754398, Chromium #247, ANGLE crbug 534468209)";
+            "they crash on Mali drivers before r46, and on later ones if framebuffers change meanwhile "
+            "(Filament b/233754398, Chromium #247, ANGLE crbug 534468209)";
     // After 256 queries they fail on Adreno 4xx, and they block on 3xx to 5xx before Android 8.1, which GL
     // does not tell: Chromium, gpu_driver_bug_list #113 and #240.
     const int series = adrenoSeries(renderer);
