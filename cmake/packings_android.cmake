@@ -1,4 +1,4 @@
-# Builds the libraries that cmake/packings.cmake links from their sources, only the decoders. libwebp and draco are
+# Builds, from sources, the decoders of the libraries that cmake/packings.cmake links. libwebp and draco are
 # newer than in Debian 12, whose packages have the fixes of newer versions.
 vct_fetch(draco https://github.com/google/draco.git 8786740086a9f4d83f44aa83badfbea4dce7a1b5)                 # 1.5.7
 vct_fetch(meshoptimizer https://github.com/zeux/meshoptimizer.git e62c41e47cfdaf014c1e2a98dfeb571dd60c271f)   # 0.18

@@ -1,3 +1,4 @@
+// Loads the animations of a glTF file: nodes and weights of morph targets (declared in gltf_nodes.h).
 #include <algorithm>
 #include <cmath>
 #include <functional>

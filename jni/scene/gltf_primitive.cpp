@@ -1,3 +1,4 @@
+// Loads a primitive of a glTF mesh: its vertices and triangles (declared in gltf_materials.h).
 #include <algorithm>
 #include <cmath>
 #include <limits>

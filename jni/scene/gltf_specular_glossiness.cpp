@@ -1,3 +1,4 @@
+// Converts materials of KHR_materials_pbrSpecularGlossiness (declared in gltf_materials.h).
 #include <algorithm>
 #include <cmath>
 

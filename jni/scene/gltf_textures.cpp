@@ -1,3 +1,4 @@
+// Loads the textures of a glTF file and their images (declared in gltf_materials.h and gltf_packings.h).
 #include "core/memory.h"
 #include "core/number_text.h"
 #include "image/ktx2_picture.h"
