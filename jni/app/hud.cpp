@@ -185,7 +185,7 @@ void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
     if (content.divisor)
         ImGui::TextWrapped("Automatic: 1/%g of the window's sides, for at most %g ms a frame (lowest: 1/%g)",
-                           *content.divisor, ResolutionScale::mostMs, ResolutionScale::largestDivisor);
+                           *content.divisor, ResolutionScale::maxMs, ResolutionScale::largestDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
     if (!ImGui::BeginTable("times", 3)) return;

@@ -35,7 +35,7 @@ bool ResolutionScale::follow(double frameMs) {
     std::size_t wanted = level_;
     if (timesMs_.size() >= framesToFall) {
         const double ms = median({timesMs_.end() - framesToFall, timesMs_.end()});
-        if (ms > mostMs) wanted = std::max(level_ + 1, finestWithin(mostMs, ms, divisor()));
+        if (ms > maxMs) wanted = std::max(level_ + 1, finestWithin(maxMs, ms, divisor()));
     }
     if (timesMs_.size() == framesToRise) {
         const std::size_t finest = finestWithin(enoughMs, median(timesMs_), divisor());

@@ -11,7 +11,7 @@ namespace vct::app {
 class ResolutionScale {
   public:
     // Above this the resolution falls: a frame at 60 Hz (16.7 ms) less the system's time to show it.
-    static constexpr double mostMs = 15.0;
+    static constexpr double maxMs = 15.0;
     // The resolution rises if the predicted time is below this.
     static constexpr double enoughMs = 12.0;
     static constexpr double largestDivisor = 4.0;  // the resolution falls no further

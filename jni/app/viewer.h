@@ -23,7 +23,7 @@
 namespace vct::app {
 
 // How a scene is shown before the user changes anything.
-struct Look {
+struct ViewDefaults {
     std::optional<Camera> camera;  // fitted to the window; empty: OrbitView chooses it
     DirectionalLight light;
     // The scene's own sky. The user may replace it by a dark or a plain one.
@@ -34,7 +34,7 @@ struct Look {
 };
 
 // Services of the platform that the viewer runs on.
-struct Surroundings {
+struct ViewerHost {
     std::string backend;       // driver.backend of timings.json
     std::string folder;        // folder for results; on Android also for the user's scenes
     float pixelsPerDp = 1.0F;  // screen density over 160 dpi
@@ -43,12 +43,12 @@ struct Surroundings {
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
     // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
-    std::function<Look(const Scene&, double aspect)> lookOf;
+    std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
 
 class Viewer {
   public:
-    Viewer(Surroundings surroundings, const ShowRequest& request);
+    Viewer(ViewerHost host, const ShowRequest& request);
     ~Viewer();  // its context must be current
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
@@ -72,14 +72,14 @@ class Viewer {
     // `points`: every finger that is down after an event, in pixels from the top left.
     void finger(const std::vector<TouchPoint>& points, double timeS);
     void cancelTouch() { touch_.cancel(); }
-    bool displayCovers(const glm::vec2& position) const { return hud_.covers(position); }
+    bool hudCovers(const glm::vec2& position) const { return hud_.covers(position); }
 
     // The mouse wheel over the panel; positive clicks are upwards.
-    void scrollDisplay(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
+    void scrollHud(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
 
     // For keys, which can change the same choices as the panel.
     Choices& choices() { return choices_; }
-    void toggleDisplay() { hud_.toggle(); }
+    void toggleHud() { hud_.toggle(); }
     void showOtherScene(int step);         // the scene `step` places further in the list
     void reset();                          // resets view, sun and exposure
     void turnLight(const glm::vec2& deg);  // turns the sun around the vertical and upwards
@@ -137,12 +137,12 @@ class Viewer {
 
     std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
     void takeLoadedScene(glm::ivec2 window);
-    void show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window);
+    void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
 
-    Surroundings surroundings_;
+    ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
-    Look look_;
+    ViewDefaults defaults_;
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // aspect ratio of the last picture
 
@@ -150,7 +150,7 @@ class Viewer {
     ResolutionScale scale_;
     double animationS_ = 0.0;       // playing time so far, of all scenes together
     std::optional<Wanted> good_;    // the last frame that could be rendered
-    Look goodLook_;                 // the look of that frame
+    ViewDefaults goodDefaults_;     // the look of that frame
     std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
     Exposure exposure_;             // used if the look has none
     std::string message_;           // shown in the panel
@@ -163,8 +163,8 @@ class Viewer {
 
     Hud hud_;
     Touch touch_;
-    bool touching_ = false, touchesDisplay_ = false;
-    TouchPoint displayFinger_;
+    bool touching_ = false, touchesHud_ = false;
+    TouchPoint hudFinger_;
 
     std::unique_ptr<GlObjects> gl_;
 

@@ -137,9 +137,9 @@ void addInfo(CLI::App& app, int& exitCode) {
                       "Print, as JSON, the camera that --camera and --size result in, and the --camera text "
                       "that reproduces it, then exit");
     options->sky.addTo(*command);
-    for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
-                                 "--light", "--sky", "--environment", "--times", "--print-camera"})
-        command->get_option(ofAScene)->needs(scene);
+    for (const char* sceneOption : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
+                                    "--light", "--sky", "--environment", "--times", "--print-camera"})
+        command->get_option(sceneOption)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {
         if (options->listDevices)

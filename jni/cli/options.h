@@ -61,7 +61,7 @@ struct SceneOptions : SceneFileOption {
 
     // Both return the option of the scene's path.
     CLI::Option* addTo(CLI::App& command);
-    CLI::Option* addWithoutBackendTo(CLI::App& command);
+    CLI::Option* addSceneTo(CLI::App& command);
     // Chooses the camera, and prints a note if vct had to frame the scene itself.
     Camera cameraOf(const Scene& loaded) const;
     // The settings of the preset, with the picture size and a grid that is given as a number.

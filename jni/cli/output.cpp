@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
-        removeMade();
+        removeCreated();
         throw Error("cannot write into the folder '" + path + "': " + cause +
                     "; choose another folder with --out");
     };
@@ -25,7 +25,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     // Each folder is registered for removal before it is created, because a signal may come in between. The
     // outermost comes first.
     for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
-        made_.emplace_back(folder->string());
+        created_.emplace_back(folder->string());
         fs::create_directory(*folder, error);
     }
     if (error) fail(error.message());
@@ -33,12 +33,12 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 }
 
 OutputFolder::~OutputFolder() {
-    removeMade();
+    removeCreated();
 }
 
-void OutputFolder::removeMade() {
+void OutputFolder::removeCreated() {
     std::error_code ignored;
-    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+    for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder)
         fs::remove(folder->path(), ignored);
 }
 

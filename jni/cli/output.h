@@ -22,13 +22,13 @@ class OutputFolder {
 
     const std::string& path() const { return path_; }
     std::string file(const std::string& name) const { return path_ + "/" + name; }
-    void keep() { made_.clear(); }
+    void keep() { created_.clear(); }
 
   private:
-    void removeMade();
+    void removeCreated();
 
     std::string path_;
-    std::vector<RemovedOnInterruption> made_;  // the created folders, outermost first
+    std::vector<RemovedOnInterruption> created_;  // the created folders, outermost first
 };
 
 // Throws vct::Error if no file can be written at `path`. Writes nothing.

@@ -90,7 +90,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
     const DirectionalLight& light = seen.light;
     // A sun that the scene animates, or one that is off, comes from the scene again.
     if (light.node < 0 && light.intensity > 0.0F && light.color != glm::vec3(0.0F)) {
-        line += " --light direction=" + threeText(-glm::vec3(light.towardsLight)) +
+        line += " --light direction=" + threeText(-glm::vec3(light.directionToLight)) +
                 ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
     }
     if (settings.environment)
@@ -142,7 +142,7 @@ bool view(const ViewOptions& options) {
 
     request.title = "vct: " + std::filesystem::path(path).filename().string();
     request.size = options.scene.size;
-    app::Surroundings& desktop = request.surroundings;
+    app::ViewerHost& desktop = request.host;
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
@@ -158,10 +158,10 @@ bool view(const ViewOptions& options) {
     desktop.keepScreenOn = [](bool) {};
     // The options for camera, light and grid apply only to the scene on the command line, not to the other
     // scenes of its folder.
-    desktop.lookOf = [&options, sky](const Scene& scene, double aspect) {
+    desktop.defaultsFor = [&options, sky](const Scene& scene, double aspect) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
-        app::Look look;
+        app::ViewDefaults look;
         if (named && !options.scene.camera.empty()) {
             look.camera = cameraFromText(options.scene.camera, scene, aspect);
             look.camera->aspectRatio = aspect;  // the camera was fitted to this aspect ratio
@@ -198,7 +198,7 @@ void addView(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window and walk through it");
     const auto options = std::make_shared<ViewOptions>();
     options->scene.size = {800, 600};
-    options->scene.addWithoutBackendTo(*command)->required();
+    options->scene.addSceneTo(*command)->required();
     command
         ->add_option("--mode", options->mode,
                      "Mode to begin with: phong, shadow-map, ao, gi or gi-cone-shadow (`vct render --help` "

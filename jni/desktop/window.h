@@ -11,8 +11,8 @@ namespace vct::desktop {
 
 struct WindowRequest {
     std::string title;
-    glm::ivec2 size{800, 600};       // pixels
-    app::Surroundings surroundings;  // runWindow() sets pixelsPerDp
+    glm::ivec2 size{800, 600};  // pixels
+    app::ViewerHost host;       // runWindow() sets pixelsPerDp
     app::ShowRequest show;
     std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // called by the key P
 };

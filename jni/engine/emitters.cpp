@@ -15,9 +15,9 @@ constexpr double largestRadius = 5.0;
 // The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
 constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
-constexpr std::size_t mostPartsOfLamp = 16;
+constexpr std::size_t maxPartsPerEmitter = 16;
 // Triangles are cut into pieces before they are sorted into parts, an instance into about so many.
-constexpr double piecesOfInstance = 256.0;
+constexpr double piecesPerInstance = 256.0;
 
 // A piece of a triangle, one side of it.
 struct Piece {
@@ -74,7 +74,7 @@ class Pieces {
     void cut(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = 0.5 * doubleArea(first);
         const double n =
-            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesOfInstance)), 1.0, 16.0);
+            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesPerInstance)), 1.0, 16.0);
         for (double row = 0.0; row < n; ++row) {
             for (double column = 0.0; column < 2.0 * (n - row) - 1.0; ++column) {
                 // Every other one stands on its tip.
@@ -144,7 +144,7 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
 }
 
-EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
+EmitterPart aggregate(std::size_t instance, const std::vector<Piece>& pieces) {
     EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0,
                      0.0,      glm::dvec3(0.0)};
     for (const Piece& piece : pieces) {
@@ -171,7 +171,7 @@ EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
 
 // Whether from every side about the same of it is seen: of the sum of its normals' squares, no direction has
 // more than its share, nearly.
-bool looksToAllSides(const std::vector<Piece>& pieces) {
+bool isIsotropic(const std::vector<Piece>& pieces) {
     glm::dvec3 squares(0.0);
     for (const Piece& piece : pieces)
         squares += piece.facing * piece.facing / std::max(glm::length(piece.facing), 1e-300);
@@ -180,7 +180,7 @@ bool looksToAllSides(const std::vector<Piece>& pieces) {
 }
 
 // Six groups, by the axis that they face most.
-std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
+std::vector<std::vector<Piece>> splitByFacing(const std::vector<Piece>& pieces) {
     std::vector<std::vector<Piece>> sides(6);
     for (const Piece& piece : pieces) {
         const glm::dvec3 size = glm::abs(piece.facing);
@@ -193,7 +193,7 @@ std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
 }
 
 // Halves along the longest axis.
-std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
+std::vector<std::vector<Piece>> splitAtMedian(std::vector<Piece> pieces) {
     glm::dvec3 low(pieces[0].centre), high(low);
     for (const Piece& piece : pieces) {
         low = glm::min(low, piece.centre);
@@ -212,15 +212,15 @@ std::vector<EmitterPart> partsOf(std::size_t instance, std::vector<Piece> pieces
     std::vector<EmitterPart> done;
     std::vector<std::vector<Piece>> left{std::move(pieces)};
     while (!left.empty()) {
-        if (done.size() + left.size() > mostPartsOfLamp) return {};
+        if (done.size() + left.size() > maxPartsPerEmitter) return {};
         const std::vector<Piece> group = std::move(left.back());
         left.pop_back();
-        const EmitterPart part = together(instance, group);
+        const EmitterPart part = aggregate(instance, group);
         std::vector<std::vector<Piece>> divided;
         if (part.radius > largest)
-            divided = halves(group);
-        else if (glm::length(part.facing) < 0.8 * part.area && !looksToAllSides(group))
-            divided = bySide(group);
+            divided = splitAtMedian(group);
+        else if (glm::length(part.facing) < 0.8 * part.area && !isIsotropic(group))
+            divided = splitByFacing(group);
         if (divided.size() < 2)
             done.push_back(part);
         else
@@ -270,7 +270,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
     return all;
 }
 
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts) {
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {
     std::vector<bool> lamps(scene.instances.size());
     for (const EmitterPart& part : parts)
         lamps[part.instance] = true;
@@ -279,7 +279,7 @@ std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>&
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
                    float radianceUnit)
-    : lamps_(lampsAmong(scene, parts)),
+    : instances_(emittingInstances(scene, parts)),
       volume_(volume),
       radianceUnit_(radianceUnit),
       uniforms_("emitters", GL_UNIFORM_BUFFER, sizeof(shared::EmitterBlock), nullptr, GL_DYNAMIC_DRAW) {
@@ -310,8 +310,8 @@ void Emitters::upload(const Pose* pose) const {
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
         shared::EmitterPartUniforms& to = block.part[i];
-        to.place = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
-                             part.radius * larger / volume_.side);
+        to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
+                                part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),

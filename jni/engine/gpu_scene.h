@@ -24,10 +24,10 @@ enum class ScenePart { all, dynamicOnly, staticOnly };
 
 class GpuScene {
   public:
-    // The scene is at rest. `lamps`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
+    // The scene is at rest. `emitterInstances`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
     // E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes the triangles of
     // each instance are sorted by their axis (axis_sort.h).
-    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& emitterInstances,
              const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization);
 
     // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.
@@ -66,7 +66,7 @@ class GpuScene {
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
         IndexRange triangles;
-        std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
+        std::array<IndexRange, 3> trianglesByAxis;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
     };

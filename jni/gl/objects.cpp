@@ -133,9 +133,9 @@ Texture Texture::makeCube(const std::string& label, GLenum format, int side, int
     return texture;
 }
 
-Texture Texture::ownedElsewhere(GLuint name) {
+Texture Texture::wrapExternal(GLuint name) {
     Texture texture;
-    texture.ownedElsewhere_ = name;
+    texture.isExternal_ = name;
     return texture;
 }
 
@@ -258,7 +258,7 @@ Framebuffer::Framebuffer(const std::string& label, const Texture& depths, GLint 
     check(label);
 }
 
-Framebuffer Framebuffer::ofWindow(int width, int height) {
+Framebuffer Framebuffer::window(int width, int height) {
     using Kind = Attachment::Kind;
     Framebuffer window;
     window.attachments_ = {{GL_COLOR, Kind::color}, {GL_DEPTH, Kind::unused}, {GL_STENCIL, Kind::unused}};
@@ -273,7 +273,7 @@ void Framebuffer::bind() const {
 }
 
 // ES has no clear for textures, but each slice can be a colour target.
-void zeroTexture3d(const Texture& texture, int depth) {
+void clearTexture3d(const Texture& texture, int depth) {
     {
         const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
         framebuffer.bind();

@@ -21,7 +21,7 @@ std::size_t bigEndian32(const unsigned char* p) {
 
 // Resets stb_image's failure reason to the one for an empty picture, and returns it. Some failures of
 // stb_image set no reason; without the reset it would report the reason of an earlier picture.
-std::string reasonOfNothing() {
+std::string stbiFailureReason() {
     int unused = 0;
     const unsigned char nothing = 0;
     stbi_info_from_memory(&nothing, 1, &unused, &unused, &unused);
@@ -123,7 +123,7 @@ std::vector<std::uint8_t> StbPicture::decode(int channels) const {
         throw PictureError("its header claims " + extent + ", but the file has only " +
                            std::to_string(size_) + " bytes");
     if (isPng_) checkDeflatedSize();
-    const std::string noReason = reasonOfNothing();
+    const std::string noReason = stbiFailureReason();
     int width = 0, height = 0, channelsOfFile = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),

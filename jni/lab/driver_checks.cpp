@@ -92,7 +92,7 @@ class Checks {
         if (!stores.empty()) return stores;
         // The framebuffer overwrites texels that compute shaders wrote.
         gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-        gl::zeroTexture3d(texture, checkSide);
+        gl::clearTexture3d(texture, checkSide);
         return check([&] { sample(texture, true); }, checkLevels,
                      wrongLevels("clears of the slices of a 3D texture (" + name + ")"));
     }

@@ -74,8 +74,9 @@ class DeformationBoxes {
     Bounds around(const DeformationState& state, const glm::dmat4& fromWorld) const;
 
   private:
-    std::vector<std::optional<Bounds>> ofJoints_;  // around the vertices that follow each joint, object space
-    std::vector<Bounds> ofTargets_;                // around the displacements of each target
+    std::vector<std::optional<Bounds>>
+        jointBoxes_;                   // around the vertices that follow each joint, object space
+    std::vector<Bounds> targetBoxes_;  // around the displacements of each target
 };
 
 // True if most joints have a negative determinant, which reverses the winding of the triangles.

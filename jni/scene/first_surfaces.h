@@ -27,7 +27,7 @@ struct FirstSurfaces {
     std::vector<Sample> samples;  // row by row, the bottom row first
 
     FirstSurfaces(const glm::dvec3& eyeWorld, const glm::dmat3& axes, double tanWidth, double tanHeight,
-                  int directionsAlongASide);
+                  int directionsPerSide);
 
     // Direction of a sample in world space. Its component along the view axis is 1, so eye + depth *
     // direction lies on the surface.
@@ -45,6 +45,6 @@ struct FirstSurfaces {
 void drawFirstSurfaces(const Scene& scene, std::vector<FirstSurfaces>& views);
 
 // Returns six views of 90 degrees each, which together cover all directions.
-std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsAlongASide);
+std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsPerSide);
 
 }  // namespace vct

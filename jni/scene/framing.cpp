@@ -42,15 +42,15 @@ double diagonalOf(const Scene& scene) {
 }
 
 // Vertical field of view in degrees, rounded to tenths, so that the text of the camera is short.
-double fovFor(double tanHalfOfASquare, double aspect) {
-    const double tanHalf = std::min(tanHalfOfASquare / std::sqrt(aspect), widestFramedTanHalf);
+double fovFor(double tanHalfSquare, double aspect) {
+    const double tanHalf = std::min(tanHalfSquare / std::sqrt(aspect), widestFramedTanHalf);
     return std::max(std::round(10.0 * glm::degrees(2.0 * std::atan(tanHalf))), 1.0) / 10.0;
 }
 
 // Axes of a camera (columns: right, up, back) whose eye lies in this direction from its target.
-glm::dmat3 axesFrom(const glm::dvec3& towardsEye) {
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towardsEye));
-    return {right, glm::cross(towardsEye, right), towardsEye};
+glm::dmat3 axesFrom(const glm::dvec3& directionToEye) {
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), directionToEye));
+    return {right, glm::cross(directionToEye, right), directionToEye};
 }
 
 glm::dvec3 towards(double azimuthRad, double heightOverWidth) {

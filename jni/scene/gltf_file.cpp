@@ -158,7 +158,7 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
 
 // Allows skins without inverse bind matrices, which tinygltf refuses. By the specification (section 5.28) the
 // matrices are then the identity. The index -1 means none.
-void allowSkinsWithoutMatrices(json& document) {
+void allowMissingInverseBindMatrices(json& document) {
     const auto skins = document.find("skins");
     if (skins == document.end() || !skins->is_array()) return;
     for (json& skin : *skins)
@@ -309,7 +309,7 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
     hideDracoIndices(document);
-    allowSkinsWithoutMatrices(document);
+    allowMissingInverseBindMatrices(document);
     // These lists are removed from the document, so tinygltf does not see them.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");

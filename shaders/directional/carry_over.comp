@@ -9,7 +9,7 @@ layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex
 
 struct History {
     FaceIrradiance mean;
-    vec3 ofEmitters;
+    vec3 emitterLight;
     float weight;
 };
 
@@ -22,8 +22,8 @@ void add(inout History history, uint cell, int face, uint firstId, uint endId) {
     history.mean.light += mean.light;
     history.mean.atStart += mean.atStart;
     history.mean.nearness += mean.nearness;
-    history.mean.steps += min(mean.steps, lightStep.inherited);
-    history.ofEmitters += emitterIrradiance(id);
+    history.mean.steps += min(mean.steps, lightStep.maxInheritedHistory);
+    history.emitterLight += emitterIrradiance(id);
     history.weight += 1.0;
 }
 
@@ -49,6 +49,6 @@ void main() {
         uint id = commands[dynamicList].firstId + i;
         storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share, mean.atStart * share,
                                                mean.nearness * share));
-        storeEmitterIrradiance(id, history.ofEmitters * share);
+        storeEmitterIrradiance(id, history.emitterLight * share);
     }
 }

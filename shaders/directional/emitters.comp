@@ -35,10 +35,10 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        vec3 offset = part.place.xyz - start / grid;
+        vec3 offset = part.position.xyz - start / grid;
         float distance = max(length(offset), 1e-6);
         vec3 towards = offset / distance;
-        float area = seenArea(part, towards);
+        float area = projectedArea(part, towards);
         // Form factor of a small disc (near to it, of one that faces the surface).
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
         vec3 light = part.radiance.rgb * share;
@@ -48,7 +48,7 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
         float reach = (distance - part.radiance.w / rising) * grid;
         Cone cone = coneFrom(start, plane.normal, ownBelow, towards, false);
-        sum += light * transmittanceTo(cone, reach, coneWidth * part.place.w / distance);
+        sum += light * transmittanceTo(cone, reach, coneWidth * part.position.w / distance);
     }
     return sum;
 }

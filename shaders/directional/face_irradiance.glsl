@@ -58,7 +58,7 @@ bool isNearSurfaces(FaceIrradiance mean) {
 }
 
 // The place of a face among the 16 of a flat block, row by row across its axis.
-int placeInBlock(ivec3 voxel, int axis) {
+int indexInBlock(ivec3 voxel, int axis) {
     ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
     return (across.x & 3) + 4 * (across.y & 3);
 }
@@ -87,7 +87,7 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 #define VCT_SUM_BEFORE 0u
 #define VCT_SUM_REFLECTED 3u
 #define VCT_SUM_DIRECT 6u
-#define VCT_SUM_RECEIVED 9u
+#define VCT_SUM_FROM_FACES 9u
 #define VCT_SUM_SKY 12u
 
 // A value in fixed point, for these sums: integers add up to the same in any order. The bound keeps a product in 32 bits.

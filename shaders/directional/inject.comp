@@ -30,7 +30,7 @@ layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 // `slackShare`: of the surface, flatSlack to curvedSlack. `middle`: in voxels.
 vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     mat3 axes = frameAround(plane.normal);
-    float cosTheta = dot(plane.normal, frame.towardsLight.xyz);
+    float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
     vec2 slope = shadowSlope(plane.normal);
     float slack = sunSlack(slope, slackShare);
     vec2 points = vec2(0.0), texels = vec2(0.0);
@@ -57,7 +57,7 @@ FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
     if (!hasFace(dynamicCell, face)) return sums;
     uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
-    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? together(sums, faceSums(id)) : sums;
+    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? combine(sums, faceSums(id)) : sums;
 }
 
 // Whether the face's surface is one side of a sheet or a thin plate. Two walls of an edge look to opposite sides too, but

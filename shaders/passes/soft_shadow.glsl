@@ -15,7 +15,7 @@ const int blockerTaps = 7;  // with 6 a penumbra has steps where the search lose
 // Lengths across the light are in units of the sun's cone: at 1, a blocker must be 1 nearer to the light, in units
 // of the map's depth, to be within the cone.
 float softShadow(vec3 positionVolume, vec3 normal) {
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     vec2 mapFromCone = frame.shadowConeRadius;
 
@@ -96,13 +96,13 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float radius = penumbra * coneInTexels;
     float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // texels of the map, up to one of the coarsest level
     float level = log2(0.5 * wide);
-    float ofRadius = wide / max(radius, 1e-6);
-    float distance = sqrt(max(0.6 - 0.835 * ofRadius * ofRadius, 0.25 * ofRadius * ofRadius));
+    float relativeWidth = wide / max(radius, 1e-6);
+    float distance = sqrt(max(0.6 - 0.835 * relativeWidth * relativeWidth, 0.25 * relativeWidth * relativeWidth));
     distance = min(distance, 0.7) * penumbra;
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.
-    const float ofCone = 0.1;
-    vec3 middle = vec3(onPlane.xy, onPlane.z - ofCone * toNearPlane * distance);
+    const float coneShare = 0.1;
+    vec3 middle = vec3(onPlane.xy, onPlane.z - coneShare * toNearPlane * distance);
     vec4 light = vec4(0.0);
     vec4 compared = vec4(0.0);
     for (int i = 0; i < VCT_FILTER_TAPS / 4; ++i) {
@@ -112,11 +112,11 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec3 y = (stepY * cos(angle) - stepX * sin(angle)) * distance;
         vec3 a = middle + x, b = middle + y, c = middle - x, d = middle - y;
         compared += vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
-        vec2 ofA = textureLod(shadowMoments, a.xy, level).rg, ofB = textureLod(shadowMoments, b.xy, level).rg;
-        vec2 ofC = textureLod(shadowMoments, c.xy, level).rg, ofD = textureLod(shadowMoments, d.xy, level).rg;
+        vec2 momentsA = textureLod(shadowMoments, a.xy, level).rg, momentsB = textureLod(shadowMoments, b.xy, level).rg;
+        vec2 momentsC = textureLod(shadowMoments, c.xy, level).rg, momentsD = textureLod(shadowMoments, d.xy, level).rg;
         vec4 plane = (vec4(a.z, b.z, c.z, d.z) - (momentMiddle + momentRounding)) * momentUnit;
-        vec4 nearer = min(vec4(ofA.x, ofB.x, ofC.x, ofD.x) - plane, 0.0);
-        vec4 variance = vec4(ofA.y, ofB.y, ofC.y, ofD.y);
+        vec4 nearer = min(vec4(momentsA.x, momentsB.x, momentsC.x, momentsD.x) - plane, 0.0);
+        vec4 variance = vec4(momentsA.y, momentsB.y, momentsC.y, momentsD.y);
         // Chebyshev's bound: exact where one blocker covers a part of a receiver, whatever its share.
         light += variance / (variance + nearer * nearer);
     }

@@ -16,7 +16,7 @@ struct LightAt {
 // The extension's attenuation by distance, range and cone.
 LightAt lightAt(int i, vec3 position) {
     PunctualLightUniforms light = punctual.light[i];
-    vec3 offset = light.place.xyz - position * light.place.w;
+    vec3 offset = light.position.xyz - position * light.position.w;
     float squared = max(dot(offset, offset), 1e-12);
     vec3 towards = offset * inversesqrt(squared);
     float share = squared * light.backwards.w;

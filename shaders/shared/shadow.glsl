@@ -125,7 +125,7 @@ float sunSlack(vec2 slope, float slackShare) {
 }
 
 float shadowMapLightOn(vec3 positionVolume, vec3 normal, float slackShare) {
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
     vec2 slope = shadowSlope(normal);

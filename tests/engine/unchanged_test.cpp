@@ -100,12 +100,12 @@ TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
 
 TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
     frame();
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     EXPECT_EQ(made(), "nothing");
     renderer_.setLightDirection(glm::dvec3(0.1, 1.0, 0.2));
     EXPECT_EQ(made(), itsLight());
     EXPECT_EQ(made(), "nothing");
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     pose(0.2);
     EXPECT_EQ(made(), "everything");
     // Moved and moved back, between frames.

@@ -63,7 +63,7 @@ Grid gridOf(Renderer& renderer) {
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
         grid.sums = sumsOf(voxels);
-        grid.received = renderer.directional()->irradiance(GatherOf::light) != nullptr;
+        grid.received = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
     }
     return grid;
 }

@@ -8,7 +8,7 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
+ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
     const Irradiance& irradiance = *renderer.directional()->irradiance(of);
     const gl::Buffer& received = irradiance.faceIrradiance();

@@ -60,23 +60,23 @@ GatherStep GatherSchedule::advance(const Change& change) {
 
     const Round inRound = round(changed);
     const float share = inRound.length > 0 ? 1.0F / static_cast<float>(inRound.length)
-                                           : irradianceForgetting / (history_ + irradianceForgetting);
+                                           : recentStepWeight / (history_ + recentStepWeight);
     GatherStep step;
     step.frame = frame_;
     step.direction = direction_;
     step.cones = changed ? 1U : static_cast<std::uint32_t>(cones_);
     step.coneBudget = changed ? static_cast<std::uint32_t>(coneBudget_) : 0U;
-    step.conesOfNew = std::max(initialCones, step.cones);
+    step.initialCones = std::max(initialCones, step.cones);
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
     step.roundShare = inRound.length > 0 ? share : 0.0F;
     step.history = history_;
-    step.leastHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
+    step.minHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
     step.amplitude = lastShare_;
     step.energyCorrection = inRound.length > 0 ? lastShare_ : std::max(lastShare_, 0.5F);
     step.smoothing = smoothing_;
 
     lastShare_ = share;
-    history_ = history_ == 0.0F ? float{VCT_STEPS_OF_NEW} : std::min(history_ + 1.0F, maxHistory);
+    history_ = history_ == 0.0F ? float{VCT_INITIAL_HISTORY} : std::min(history_ + 1.0F, maxHistory);
     if (!changed) direction_ += static_cast<std::uint32_t>(cones_);
     ++frame_;
     stepsLeft_ = std::max(stepsLeft_ - 1, 0);

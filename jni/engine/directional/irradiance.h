@@ -17,17 +17,17 @@ float largestBounceShare(const Scene& scene);
 
 // `name`: carry_over, clear_bricks, place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
                                      const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const GatherSettings& settings, const LightFeatures& sources);
 // Ambient visibility depends on no light.
-LightFeatures featuresFor(GatherOf of, const LightFeatures& sources);
+LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources);
 
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light has converged.
-    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool dynamicObjects, const LightFeatures& sources);
+    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
+               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
 
     // Says what has happened to the voxels since the last step.
     void onVoxelsChanged(const GatherSchedule::Change& change);

@@ -38,11 +38,11 @@ const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& ligh
 
 // +x, -x, +y, -y, +z, -z, as shaders/shared/punctual_lights.glsl has them: rows are the map's right, its up,
 // and against the view.
-glm::dmat4 viewOfCube(int face, const glm::dvec3& place) {
+glm::dmat4 viewOfCube(int face, const glm::dvec3& position) {
     glm::dvec3 forward(0.0), up(0.0);
     forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
     up[(face / 2 + 1) % 3] = 1.0;
-    return glm::lookAt(place, place + forward, up);
+    return glm::lookAt(position, position + forward, up);
 }
 
 }  // namespace
@@ -83,17 +83,18 @@ void PunctualLights::setSize(const LightSize& size) {
 
 void PunctualLights::setPose(const Pose& pose) {
     for (std::size_t i = 0; i < lights_.size(); ++i)
-        states_[i].worldFromLight = posed(lights_[i].asGiven, pose).worldFromLight;
+        states_[i].worldFromLight = posed(lights_[i].definition, pose).worldFromLight;
 }
 
-std::vector<glm::dvec4> PunctualLights::places() const {
-    std::vector<glm::dvec4> places;
+std::vector<glm::dvec4> PunctualLights::positions() const {
+    std::vector<glm::dvec4> positions;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const glm::dmat4& world = states_[i].worldFromLight;
-        places.push_back(lights_[i].asGiven.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
-                                                                      : volume_.volumeFromWorld() * world[3]);
+        positions.push_back(lights_[i].definition.type == Type::directional
+                                ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+                                : volume_.volumeFromWorld() * world[3]);
     }
-    return places;
+    return positions;
 }
 
 void PunctualLights::invalidate() {
@@ -120,12 +121,12 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
 // Lights that are off are left out.
 void PunctualLights::upload() {
     values_.count = glm::ivec4(0);
-    const std::vector<glm::dvec4> places = this->places();
+    const std::vector<glm::dvec4> positions = this->positions();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
-        const PunctualLight& light = lights_[i].asGiven;
+        const PunctualLight& light = lights_[i].definition;
         shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
-        to.place = glm::vec4(places[i]);
+        to.position = glm::vec4(positions[i]);
         const bool placed = light.type != Type::directional;
         const double range = light.range / volume_.side;
         to.backwards = glm::vec4(glm::vec3(states_[i].worldFromLight[2]),
@@ -156,7 +157,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
     };
-    if (light.asGiven.type == Type::directional) {
+    if (light.definition.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
@@ -165,15 +166,15 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
             glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
         return;
     }
-    const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
+    const glm::dvec3 position(volumeFromWorld * state.worldFromLight[3]);
     double farthest = 0.0;
     for (const glm::dvec3& corner : cornersOf(boundsWorld_))
-        farthest =
-            std::max(farthest, glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), place));
-    const double far = 1.001 * std::min(farthest, light.asGiven.range / volume_.side);
+        farthest = std::max(farthest,
+                            glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), position));
+    const double far = 1.001 * std::min(farthest, light.definition.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
-        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
+        (light.usesCube ? 1.0 : std::tan(light.definition.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
     const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
@@ -182,8 +183,8 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
         const glm::dmat4 view = light.usesCube
-                                    ? viewOfCube(i, place)
-                                    : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
+                                    ? viewOfCube(i, position)
+                                    : glm::lookAt(position, position - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
         set(light.firstMap + i, mapFromView * view, quarterTexel, b);
     }
@@ -191,12 +192,12 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
 
 std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
                                                const std::vector<Placement>& placements) const {
-    if (!std::isfinite(light.asGiven.range)) return placements;
-    const glm::dvec3 place(volume_.volumeFromWorld() * state.worldFromLight[3]);
+    if (!std::isfinite(light.definition.range)) return placements;
+    const glm::dvec3 position(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;
     for (const Placement& placement : placements)
-        if (glm::distance(glm::clamp(place, placement.box.min, placement.box.max), place) <=
-            light.asGiven.range / volume_.side)
+        if (glm::distance(glm::clamp(position, placement.box.min, placement.box.max), position) <=
+            light.definition.range / volume_.side)
             found.push_back(placement);
     return found;
 }

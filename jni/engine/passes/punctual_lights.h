@@ -40,7 +40,7 @@ class PunctualLights {
     // Of all, as they are now.
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Where each is, in volume space; for a directional one the direction towards it, and w 0.
-    std::vector<glm::dvec4> places() const;
+    std::vector<glm::dvec4> positions() const;
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool forceRebuild, StepTimer& timer);
@@ -53,7 +53,7 @@ class PunctualLights {
 
   private:
     struct Light {
-        PunctualLight asGiven;
+        PunctualLight definition;
         bool usesCube;
         int firstMap;
         // The state that its maps show, and the placements in its reach.
