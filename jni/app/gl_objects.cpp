@@ -29,7 +29,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     if (!missing_.empty()) log(LogLevel::error, missing_);
     hud_.emplace(gl::ShaderLibrary{shaders_, gl::Language::essl300});
     if (missing_.empty()) presenter_.emplace(gl::ShaderLibrary{shaders_, capabilities_.language()});
-    gl::checkErrors("setting up the display");
+    gl::checkErrors("setting up the panel");
 }
 
 std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {

@@ -8,7 +8,7 @@
 namespace vct::app {
 
 // The exposure of a scene, chosen as `vct render` does: by the first picture, and again by the one after
-// lightFrames frames, when indirect light has settled. Then it stays fixed, so that switching a light off
+// lightFrames frames, when indirect light has converged. Then it stays fixed, so that switching a light off
 // makes the picture darker, and because reading a picture back in every frame would take too long.
 class Exposure {
   public:

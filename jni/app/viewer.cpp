@@ -102,7 +102,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.message = message_;
     const HudActions actions = hud_.build(content, window, free, passedS);
     gl_->hud().draw(hud_.drawData(), window);
-    gl::checkErrors("display");
+    gl::checkErrors("panel");
 
     if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
     if (actions.rescan) scenes_.rescan();

@@ -310,7 +310,7 @@ void addRender(CLI::App& app, int&) {
         ->group(lightGroup);
     command
         ->add_option("--light-frames", options->lightFrames,
-                     "Frames after a change until indirect light has settled, 1 to 1000 (default: the "
+                     "Frames after a change until indirect light has converged, 1 to 1000 (default: the "
                      "preset's). With 16 or more, a refinement with more directions follows. Still pictures "
                      "show the light after all of these frames. The preset thesis ignores this option")
         ->group(lightGroup);
