@@ -139,7 +139,8 @@ TEST(HardInput, ManyPicturesOfAnEarlierRunAreACountAndTheFirstFew) {
     for (int i = 0; i < 600; ++i)
         writeBytes(program.folder.file("out/gi_" + std::to_string(1000 + i) + ".png"), "old");
     program.expectSuccess(renderQuickly(ProgramRun::cornell));
-    expectMentions(program.err, {"but in out: gi_1000.png, gi_1001.png, ", "gi_1004.png and 595 more\n"});
+    expectMentions(program.err,
+                   {"of earlier runs: gi_1000.png, gi_1001.png, ", "gi_1004.png and 595 more\n"});
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ TEST(UsedFolder, PicturesOfAnEarlierRunAreNamedAndKept) {
     const std::string small =
         std::string("render ") + ProgramRun::cornell + " --size 16x16 --grid 64 --out out ";
     program.expectSuccess(small + "--mode phong,ao --contact-sheet --debug-views");
-    EXPECT_EQ(program.err.find("not of this run"), std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("earlier runs"), std::string::npos) << program.err;
     writeBytes(program.folder.file("out/notes.txt"), "mine");
 
     program.expectSuccess(small + "--mode ao");
     expectMentions(
         program.err,
-        {"note: not of this run, but in out: contact_sheet.png, debug_views, phong.exr, phong.png\n"});
+        {"note: out also has files of earlier runs: contact_sheet.png, debug_views, phong.exr, phong.png\n"});
     EXPECT_NE(readBytes(program.folder.file("out/phong.png")), "");
     EXPECT_EQ(readBytes(program.folder.file("out/notes.txt")), "mine");
 }
@@ -83,7 +83,7 @@ TEST(Render, ChoosesOneExposureForAllPicturesAndSaysHowToRepeatIt) {
     program.expectSuccess(sun + "phong --frames 2 --fps 1 " + repeated);
     EXPECT_EQ(readBytes(program.folder.file("out/phong_0001.png")), chosen);
     EXPECT_NE(program.run(sun + "phong --frames 2 --fps 1 --samples 4"), 0);
-    EXPECT_NE(program.err.find("--samples is of one moment"), std::string::npos) << program.err;
+    EXPECT_NE(program.err.find("--samples works for one moment"), std::string::npos) << program.err;
 }
 
 }  // namespace

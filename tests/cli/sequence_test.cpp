@@ -35,7 +35,7 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     program.expectSuccess(renderOf(moving, "--grid 64 --time 1.5", "thesis"));
     EXPECT_EQ(bytes("gi.png"), bytes("gi_0002.png"));
     EXPECT_NE(bytes("gi.png"), bytes("gi_0000.png"));
-    expectMentions(program.err, {"not of this run, but in out: gi_0000.exr"});
+    expectMentions(program.err, {"out also has files of earlier runs: gi_0000.exr"});
 }
 
 // Without a time it is as the file puts the nodes, which is said.
