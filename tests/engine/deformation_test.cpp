@@ -13,8 +13,6 @@ namespace {
 class Deforming : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Voxels, Deforming, everyVoxelKind(), nameOfPreset);
 
-// Of parts of the scene that are made anew nothing of an earlier form is left, and nothing of the new one is
-// missing.
 TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatDeform());
@@ -36,8 +34,8 @@ TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     }
 }
 
-// The GPU reckons in float what the CPU does in double, so an edge may fall on another pixel.
-TEST_P(Deforming, IsWhatTheCpuMakesOfIt) {
+// The GPU computes in float and the CPU in double, so an edge may fall on another pixel.
+TEST_P(Deforming, EqualsTheDeformationOfTheCpu) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatDeform());
     Settings settings = smallPreset(GetParam());
@@ -62,18 +60,6 @@ TEST_P(Deforming, IsWhatTheCpuMakesOfIt) {
             EXPECT_GT(differing(stage.renderer(), rest.renderer()), 400) << seconds;
         }
     }
-}
-
-// A scene at rest is paid for as one that was modelled so.
-TEST(DeformingInstances, CostNothingWithoutAnAnimation) {
-    GltfBuilder builder = twoThatDeform();
-    builder.document.erase("animations");
-    const Scene scene = load(builder);
-    const SceneFeatures features = featuresOf(scene);
-    EXPECT_FALSE(features.deforms);
-    EXPECT_FALSE(features.movingObjects);
-    for (const Mesh& mesh : scene.meshes)
-        EXPECT_EQ(mesh.deformation, nullptr);
 }
 
 }  // namespace

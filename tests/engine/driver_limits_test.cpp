@@ -1,4 +1,4 @@
-// What is larger than a driver allows is said, with the driver's number, where it is made.
+// A resource that is larger than the driver allows is an error that names it and the limit.
 #include <gtest/gtest.h>
 
 #include "support/errors.h"
@@ -34,14 +34,14 @@ TEST(DriverLimits, AStorageBufferThatIsTooLargeIsNamed) {
                    {"list", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", "use a coarser grid"});
 }
 
-// A driver as here, but for smaller storage blocks.
+// The driver with smaller storage blocks.
 decltype(gl::GetIntegerv) driversOwn = nullptr;
 void GL_APIENTRY withSmallBlocks(GLenum name, GLint* value) {
     driversOwn(name, value);
     if (name == GL_MAX_SHADER_STORAGE_BLOCK_SIZE) *value = 1 << 18;
 }
 
-TEST(DriverLimits, SumsOfMoreFacesThanABlockHoldsAreRefused) {
+TEST(DriverLimits, MoreFacesThanAStorageBlockHoldsAreRefused) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     Settings settings = mobileAt(16);

@@ -1,4 +1,4 @@
-// How light steps gather, from change to convergence; without GL.
+// The schedule of gather steps from a change to convergence, without GL.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -73,7 +73,7 @@ TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
     EXPECT_EQ(steps, schedule.convergenceSteps());
 }
 
-// Voxels that are made again in the same light: the light has converged, and its histories stay long.
+// Voxels that are rebuilt in the same light keep converged light and long histories.
 TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
     GatherSchedule schedule(settingsWith(64, 256, 8), 16);
     while (!schedule.isConverged())

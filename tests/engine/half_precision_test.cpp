@@ -1,4 +1,4 @@
-// mediump computed in 16 bits, as Mali does: nothing but the low bits of a picture may change.
+// mediump in 16 bits, as on Mali, changes only the low bits of a picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,12 +14,13 @@
 namespace vct::test {
 namespace {
 
-// A half has 11 significant bits; a handful of operations cost three of them. Small values are what opacity
-// leaves of 1, so a difference is relative to at least 1/16.
+// A half has 11 significant bits, and a handful of operations cost three of them. Small values are
+// differences of 1 and an opacity, so an error is relative to at least 1/16.
 const double halfRelative = std::exp2(-8);
 constexpr double smallest = 1.0 / 16.0;
-constexpr double halfFraction = 0.002;  // of the pixels may differ by more: a cone is done at 0.998, so where
-                                        // rounding decides whether it is, 0.002 of light is at stake
+// Share of the pixels that may differ by more: a cone ends at an opacity of 0.998, and rounding may decide
+// when.
+constexpr double halfFraction = 0.002;
 const double halfAbsolute = std::exp2(-8);  // of a value up to 1, anywhere
 constexpr double maxPngSteps = 1.0;         // of 255, anywhere in the five modes
 
@@ -45,7 +46,7 @@ HalfPictures halfPicturesOf(const gl::Capabilities& capabilities, const Scene& s
     return pictures;
 }
 
-// `isMode`: what a PNG of it shows is looked at too.
+// `isMode`: the 8 bits of a PNG are compared, too.
 void expectLowBitsOnly(const DebugView& full, const DebugView& half, bool isMode) {
     double beyond = 0.0, largest = 0.0, largestPngSteps = 0.0;
     for (std::size_t i = 0; i < full.image.pixels.size(); ++i) {

@@ -1,4 +1,4 @@
-// Light that goes round in closed rooms, where the balance is known.
+// Bounces of light in closed rooms, where the equilibrium is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace vct::test {
 namespace {
 
-// In the dark: radiance is in the scene's unit.
+// Without a sun, radiance is in the scene's unit.
 Settings roomSettings(int lightFrames) {
     Settings settings = presetSettings("mobile");
     settings.grid = 64;
@@ -22,8 +22,7 @@ Settings roomSettings(int lightFrames) {
     return settings;
 }
 
-// What the walls of a closed box of side 2 received when their light stands still: mean radiance over the
-// hemisphere, and the mean over all faces.
+// Converged irradiance of the walls of a closed box of side 2: the mean and the largest of all faces.
 struct ReceivedByWalls {
     double mean = 0.0, largest = 0.0;
 };
@@ -60,13 +59,12 @@ Scene roomWithLamp(float albedo) {
 }
 
 constexpr int presetFrames = 16;
-// What goes round is known where all walls are alike: of emission e and albedo a, each of which receives the
-// share g of what the others send, they receive e g / (1 - a g). Of what is right, where g is 1, cones that
-// end early and meet the gaps of walls cost some more in each bounce.
-TEST(ClosedRoom, AFurnaceComesToItsBalance) {
+// Walls of emission e and albedo a that receive the share g of what they send receive e g / (1 - a g). The
+// right g is 1; cones that end early or meet gaps of walls lose some light in each bounce.
+TEST(ClosedRoom, AFurnaceConvergesToItsEquilibrium) {
     const Context context = openContext(Backend::egl);
     ASSERT_EQ(presetSettings("mobile").lightFrames, presetFrames);
-    // What faces send on makes up for what cones lose.
+    // The reflected light makes up for the losses of the cones.
     const double bounceGain = presetSettings("mobile").gather.bounceGain;
     double share = 0.0;
     for (const float albedo : {0.0F, 0.5F, 0.9F}) {
@@ -80,10 +78,9 @@ TEST(ClosedRoom, AFurnaceComesToItsBalance) {
     }
 }
 
-// All that a lamp of area A sends is absorbed by the walls: of an area W, they receive A / W / (1 - albedo)
-// of its radiance; less what is lost in each bounce, as above. Light that goes round needs many steps to come
-// to its balance, each of which adds a bounce; those of the presets must do.
-TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
+// The walls absorb all light of a lamp: with the area W they receive A / W / (1 - albedo) of the radiance of
+// a lamp of area A. Each step adds a bounce, and the presets' steps must suffice.
+TEST(ClosedRoom, TheWallsAbsorbTheLightOfALampWithinThePresetsSteps) {
     const Context context = openContext(Backend::egl);
     const auto lit = [&](float albedo, int steps) {
         const double right = lampSide * lampSide / 24.0 / (1.0 - static_cast<double>(albedo));
@@ -95,7 +92,7 @@ TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
     EXPECT_NEAR(few / lit(0.8F, 3 * presetFrames), 1.0, 0.025);
 }
 
-// Nothing absorbs anything: there is no balance, and yet a bound, largestBounceShare()'s.
+// White walls absorb nothing, so there is no equilibrium; the renderer bounds the light.
 TEST(ClosedRoom, LightThatNothingAbsorbsIsBounded) {
     const Context context = openContext(Backend::egl);
     const double first = lampSide * lampSide / 24.0;

@@ -1,4 +1,4 @@
-// A picture that is shifted by whole pixels is the picture shifted: what is between follows the same way.
+// The shift of a picture, which anti-aliasing uses for parts of a pixel, is exact for whole pixels.
 #include <gtest/gtest.h>
 
 #include "scene/camera.h"

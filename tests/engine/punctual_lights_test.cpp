@@ -1,4 +1,4 @@
-// Lights besides the sun against their closed forms (KHR_lights_punctual), and against rays.
+// Punctual lights, compared with the closed forms of KHR_lights_punctual and with rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +11,7 @@
 #include "support/playing_scene.h"
 #include "support/punctual_light.h"
 #include "support/scenes.h"
+#include "support/steps.h"
 
 namespace vct::test {
 namespace {
@@ -25,7 +26,7 @@ void PrintTo(const Row& row, std::ostream* out) {
 
 class PunctualLightsOnAPlane : public testing::TestWithParam<Row> {};
 
-TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
+TEST_P(PunctualLightsOnAPlane, GiveTheIrradianceOfTheExtension) {
     const Context context = openContext(Backend::egl);
     for (const char* preset : {"thesis", "mobile"}) {
         Scene scene = lonePlane(0);
@@ -35,21 +36,16 @@ TEST_P(PunctualLightsOnAPlane, GiveWhatTheExtensionSays) {
         settings.size = glm::ivec2(96);
         FrameInspector inspector(context, scene, darkSun(), settings, lookAt({0, 3, 0.01}, {0, 0, 0}, 45));
         for (const Output mode : {Output::gi, Output::giConeShadow}) {
-            const Image picture = inspector.view(mode);
+            const std::vector<SeenSurface> seen = inspector.seen(mode);
             double brightest = 0.0;
-            int seen = 0;
-            for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-                const SurfacePixel& pixel = inspector.pixels()[i];
-                if (!pixel.surface) continue;
-                ++seen;
-                const double right = irradianceOf(scene.punctualLights[0], pixel.positionWorld, {0, 1, 0});
+            for (const auto& [surface, light] : seen) {
+                const double right = irradianceOf(scene.punctualLights[0], surface.positionWorld, {0, 1, 0});
                 brightest = std::max(brightest, right);
                 for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(picture.pixels[i][c], right * scene.punctualLights[0].color[c],
-                                0.01 * right + 0.001)
-                        << preset << ", " << outputName(mode) << ", pixel " << i;
+                    ASSERT_NEAR(light[c], right * scene.punctualLights[0].color[c], 0.01 * right + 0.001)
+                        << preset << ", " << outputName(mode);
             }
-            EXPECT_GT(seen, 3000) << preset;
+            EXPECT_GT(seen.size(), 3000U) << preset;
             EXPECT_GT(brightest, 0.2) << preset;
         }
     }
@@ -83,10 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                 return light;
             }},
         Row{"SecondSun",
-            [] {
-                PunctualLight light = punctualLightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0});
-                return light;
-            }}),
+            [] { return punctualLightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0}); }}),
     [](const auto& row) { return row.param.name; });
 
 // A room with walls without thickness, and a table in it.
@@ -100,7 +93,7 @@ Scene roomAtNight(std::vector<PunctualLight> lights) {
     return scene;
 }
 
-// Whether a triangle of the scene is between two points.
+// A triangle of the scene is between two points.
 bool isBlocked(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dvec3 ray = to - from;
     for (const Instance& instance : scene.instances) {
@@ -123,7 +116,7 @@ bool isBlocked(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to)
     return false;
 }
 
-TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
+TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
     const Context context = openContext(Backend::egl);
     const std::vector<PunctualLight> lights{
         punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}),
@@ -135,35 +128,31 @@ TEST(PunctualLights, ShadowsAreWhereRaysSayAndCreasesAreClean) {
         settings.size = glm::ivec2(256);
         FrameInspector inspector(context, scene, darkSun(), settings,
                                  lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
-        const Image picture = inspector.view(Output::shadowMap);
         const glm::dvec3 place(light.worldFromLight[3]);
         int wrong = 0, judged = 0, litInTheDark = 0;
-        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-            const SurfacePixel& pixel = inspector.pixels()[i];
+        for (const auto& [pixel, value] : inspector.seen(Output::shadowMap)) {
             const double right = irradianceOf(light, pixel.positionWorld, pixel.normal);
             if (right < 0.02) continue;
             const bool blocked = isBlocked(scene, pixel.positionWorld + 2e-3 * pixel.normal, place);
             ++judged;
             // Mode 2 adds an ambient light.
-            const double seen = (picture.pixels[i].r / pixel.albedo.r - 0.05) / right;
+            const double seen = (value.r / pixel.albedo.r - 0.05) / right;
             if (std::abs(seen - (blocked ? 0.0 : 1.0)) > 0.02) ++wrong;
             if (blocked && seen > 0.5) ++litInTheDark;
         }
-        std::printf("  %d of %d pixels are not what rays say; lit in the dark %d\n", wrong, judged,
-                    litInTheDark);
         EXPECT_GT(judged, 15000);
         EXPECT_LE(wrong, judged / 40);  // along the shadows' edges, a texel and a pixel wide
         EXPECT_LE(litInTheDark, judged / 150);
     }
 }
 
-// Walls, creases, a table and its leg, and whatever else a wide search may take for what it is not.
-TEST(PunctualLights, WithASizeShineIntoNoCornerAndShadeNoWall) {
+// The wide search finds walls, creases, a table and its leg.
+TEST(PunctualLights, WithASizeLightNoCornerAndShadeNoLitWall) {
     const Context context = openContext(Backend::egl);
     for (const double radius : {0.03, 0.12}) {
         const glm::dvec3 place(-0.3, 0.5, 0.2);
         Scene scene = roomAtNight({punctualLightAt(PunctualLight::Type::point, place, {0, 0, 0})});
-        // Nothing is left of the second bounce.
+        // The room is so dark that a second bounce does not matter.
         scene.materials[0].baseColor = glm::vec4(0.04F, 0.04F, 0.04F, 1.0F);
         Settings settings = presetSettings("mobile");
         settings.size = glm::ivec2(128);
@@ -194,17 +183,14 @@ TEST(PunctualLights, WithASizeShineIntoNoCornerAndShadeNoWall) {
             if (exact > 0.999 && seen < 0.9) ++shaded;
             if (exact < 0.001 && seen > 0.1) ++lit;
         }
-        const double rms = std::sqrt(squares / judged);
-        std::printf("  radius %.2f: RMS %.4f of %d pixels; shaded in full light %d, lit in full shadow %d\n",
-                    radius, rms, judged, shaded, lit);
         EXPECT_GT(judged, 4000);
-        EXPECT_LE(rms, 0.02);
+        EXPECT_LE(std::sqrt(squares / judged), 0.02);
         EXPECT_LE(shaded, judged / 600);
         EXPECT_LE(lit, judged / 600);
     }
 }
 
-TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
+TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
     const Context context = openContext(Backend::egl);
     const PunctualLight stays = punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
     const PunctualLight goes = punctualLightAt(PunctualLight::Type::point, {0.5, 0.2, -0.5}, {0, 0, 0});
@@ -227,21 +213,19 @@ TEST(PunctualLights, WhatIsSwitchedOffLeavesNothingAfterTheLastStep) {
         fresh.setLightOn(1, false);
         fresh.render({{Output::gi}, camera, LightSteps::all});
         const Image right = fresh.radiance();
-        // Noise of the cones aside: their sum.
+        // The sums average the noise of the cones.
         double difference = 0.0, sum = 0.0, change = 0.0;
         for (std::size_t i = 0; i < right.pixels.size(); ++i) {
             difference += after.pixels[i].g - right.pixels[i].g;
             change += std::abs(before.pixels[i].g - right.pixels[i].g);
             sum += right.pixels[i].g;
         }
-        std::printf("  %s: left %.2f %%, it was %.0f %% of the light\n", preset, 100.0 * difference / sum,
-                    100.0 * change / sum);
         EXPECT_GT(change, 0.3 * sum) << preset;
         EXPECT_LE(std::abs(difference), 0.005 * sum) << preset;
     }
 }
 
-TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
+TEST(PunctualLights, InAStaticSceneMapsAndVoxelsAreNotRebuilt) {
     const Context context = openContext(Backend::egl);
     const Scene scene =
         roomAtNight({punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})});
@@ -251,16 +235,12 @@ TEST(PunctualLights, MapsAndVoxelsOfWhatStandsStillAreNotMadeAgain) {
     const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
     renderer.render({{Output::gi}, camera});
     const Image first = renderer.radiance();
-    renderer.timer().startRecording(Clocks::cpu);
-    renderer.render({{Output::gi}, camera});
-    const StepTimes times = renderer.timer().stopRecording();
-    for (const Step step : {Step::shadowMap, Step::voxelize, Step::mipmap})
-        EXPECT_EQ(times.stepMs[static_cast<std::size_t>(step)].at(0), 0.0) << stepName(step);
+    EXPECT_EQ(stepsOf(renderer, [&] { renderer.render({{Output::gi}, camera}); }), "");
     EXPECT_TRUE(renderer.radiance().pixels == first.pixels);
 }
 
-// Lights that stand, one that an object carries, and one that shines on a part of the scene only.
-TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
+// One light reaches a part of the scene only, and in the second round an object carries one.
+TEST(PunctualLights, VoxelsOfAMovingBoxEqualThoseOfAFreshScene) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0.4, 0.5, -0.2}}, {"scale", {0.6, 1.0, 0.3}}});
@@ -271,7 +251,7 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
     scene.punctualLights = {punctualLightAt(PunctualLight::Type::point, {0.2, 1.6, 0.4}, {0, 0, 0}),
                             punctualLightAt(PunctualLight::Type::spot, {-1.5, 2.0, 1.0}, {0, 0, 0})};
     scene.punctualLights[1].range = 2.5;
-    // So near to what stands still that it alone decides what 8 bits hold, whatever the others come near to.
+    // This light is so near to static faces that it alone decides the range of the 8 bits.
     scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
     for (const bool carried : {false, true}) {
         if (carried) {
@@ -286,7 +266,7 @@ TEST(PunctualLights, VoxelsOfWhatMovesAreThoseOfAFreshScene) {
     }
 }
 
-// No object's new place tells that its maps are old.
+// No object moves, so only the light tells that the maps are out of date.
 TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
@@ -299,7 +279,7 @@ TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
     builder.animate(lamp, "translation", {0, 2}, {0.2F, 1.6F, 0.4F, -1.2F, 1.2F, -0.5F});
     Scene scene = load(builder);
     ASSERT_EQ(scene.punctualLights.size(), 1U);
-    // So near to what stands still that it alone decides what 8 bits hold.
+    // This light is so near to static faces that it alone decides the range of the 8 bits.
     scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
     const Settings settings = mobileAt(64);
     PlayingScene stage(context, scene, settings);

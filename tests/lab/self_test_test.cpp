@@ -1,5 +1,4 @@
-// The self-test passes on every driver here, and fails where a shader is wrong in the way that a driver could
-// be.
+// The self-test passes on every driver here, and fails if a shader is wrong as a driver could be.
 #include <gtest/gtest.h>
 
 #include "lab/self_test.h"
@@ -22,7 +21,7 @@ TEST_P(SelfTestOn, Passes) {
     expectMentions(result.text, {"7 levels"});
 }
 
-// `from` in a shader becomes `to`, as if the driver computed the other thing.
+// `from` in a shader becomes `to`, as if the driver computed that instead.
 SelfTest withBrokenShader(const std::string& file, const std::string& from, const std::string& to) {
     const Context context = openContext(Backend::egl);
     bool found = false;
@@ -81,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
                "void main() { nonsense;", "packed/mipmapper.comp"}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(SelfTestBroken, IsSaidToBeWrong) {
+TEST_P(SelfTestBroken, FailsAndNamesTheFault) {
     const auto& [name, file, from, to, says] = GetParam();
     const SelfTest result = withBrokenShader(file, from, to);
     EXPECT_FALSE(result.passed);

@@ -12,7 +12,7 @@ using test::createContext;
 
 class EveryBackend : public testing::TestWithParam<Backend> {
   protected:
-    // A driver that whoever runs the tests has forced on Mesa would stand in for all of them.
+    // The environment may force one driver of Mesa on all tests.
     void SetUp() override { unsetenv("GALLIUM_DRIVER"); }
 };
 
@@ -73,7 +73,7 @@ TEST(Platform, EveryListedSoftwareDeviceGivesAContext) {
     const std::vector<std::string> names = eglDevices();
     if (names.empty()) GTEST_SKIP() << "EGL cannot enumerate devices here";
     for (size_t i = 0; i < names.size(); ++i) {
-        // Of a GPU the node may be listed and not open to this user.
+        // This user may not open the node of a listed GPU.
         if (names[i].find("software") == std::string::npos) continue;
         PlatformOptions options;
         options.device = static_cast<int>(i);

@@ -23,7 +23,7 @@ ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
             face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.wordsOfFace() == 6) {  // and of lamps
+        if (irradiance.wordsOfFace() == 6) {  // the light of emitters is apart
             const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
             face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
         }

@@ -1,4 +1,4 @@
-// What each face of the directional voxels received, brought to the CPU.
+// The irradiance of each face of the directional voxels, read back.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace vct::test {
 
 struct ReceivedLight {
     glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi; or ambientVisibility
-    double steps = 0.0;     // that the mean remembers
+    double steps = 0.0;     // length of the history
     double coverage = 0.0;  // of the face
     std::array<std::uint32_t, 4> words{};
 
     bool operator==(const ReceivedLight& other) const { return words == other.words; }
 };
 
-// By voxel and face, as shared::packFace() packs them: the order of the list does not show.
+// The key is shared::packFace(voxel, face), so the order of the list does not matter.
 using ReceivedFaces = std::map<std::uint32_t, ReceivedLight>;
 ReceivedFaces readReceived(const Renderer& renderer, GatherOf of = GatherOf::light);
 
-// Over the faces of both, weighted by their coverage, as pixels see them; the green channel's. `mean` of b.
+// The green channel over the faces of both, weighted by coverage as pixels see them. `mean` is that of b.
 struct ReceivedDifference {
     double mean = 0.0, rms = 0.0, bias = 0.0;
     double largest = 0.0;  // of a face that is covered by a tenth

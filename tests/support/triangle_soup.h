@@ -1,4 +1,4 @@
-// Triangles without order, for what must hold of any scene.
+// Triangles without order, for properties of any scene.
 #pragma once
 
 #include "scene/scene.h"
