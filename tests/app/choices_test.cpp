@@ -1,4 +1,4 @@
-// What is chosen in words or by touch.
+// Choices from the text of an intent.
 #include "app/choices.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace vct::app {
 namespace {
 
-// Another preset's grid may be more than a phone can hold.
+// The grid of another preset may be too large for a phone.
 TEST(Choices, APresetBringsItsOwnGrid) {
     Choices choices;
     choosePreset(choices, "mobile");

@@ -1,4 +1,4 @@
-// The display under a finger.
+// Touches on the panel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr glm::ivec2 window{400, 800};
 
-// A display of its own, without GL.
+// A panel without GL.
 class Fingers {
   public:
     app::HudActions tap(glm::vec2 at) {
@@ -30,7 +30,7 @@ class Fingers {
         hud.touch(to, false);
         return frames();
     }
-    // What was asked for in any of them.
+    // The actions of all of these frames.
     app::HudActions frames(int count = 4) {
         app::HudActions all;
         for (int i = 0; i < count; ++i) {
@@ -76,7 +76,7 @@ TEST(Hud, HidesAndShows) {
     EXPECT_TRUE(fingers.hud.covers(inside));
 }
 
-// Everything in the panel is somewhere: every row is touched, and what opens is too.
+// Every row of the panel is touched, and every list that opens.
 TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     Fingers fingers;
     fingers.message = "wrong";
@@ -129,7 +129,6 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     EXPECT_TRUE(actions.measure);
 }
 
-// Whatever of the panel is touched, and whatever opens.
 TEST(Hud, OffersNoGridThatIsNotPossible) {
     const auto chosenWith = [](const std::vector<int>& grids) {
         Fingers fingers;
@@ -150,7 +149,7 @@ TEST(Hud, OffersNoGridThatIsNotPossible) {
     EXPECT_EQ(chosenWith({64, 128}), (std::set<int>{64, 128, 256})) << "256 is where it began";
 }
 
-// A finger down the panel, over a driver that will compile nothing more: what was good stays on the screen.
+// The driver fails to compile any shader after the first picture.
 TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
     StandIn android;
     android.intentExtra = "show grid=64 mode=ao pixels=4";
@@ -178,7 +177,6 @@ TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
         << "the picture is gone";
 }
 
-// Its message, and the scene before it stays.
 TEST(Hud, ASceneThatCannotBeLoadedIsReported) {
     TemporaryFolder files;
     writeBytes(files.file("broken.glb"), "glTF, or not");

@@ -1,4 +1,4 @@
-// The app's life, step by step: what it draws and when, what it keeps and what it makes anew.
+// The lifecycle of the app: when it draws, which objects it keeps and which it rebuilds.
 #include <gtest/gtest.h>
 
 #include "stand_in/stand_in.h"
@@ -15,7 +15,7 @@ void expectClean(const StandIn& android) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-// Cheap frames: what is tested here does not depend on them.
+// The tests do not depend on the frames, so these are cheap.
 class Small : public StandIn {
   public:
     Small() { intentExtra = "show grid=64 mode=ao pixels=2"; }
@@ -79,7 +79,7 @@ TEST(Lifecycle, ALostWindowKeepsTheContextAndEverythingInIt) {
     android.run();
     EXPECT_GT(android.shown, before);
     EXPECT_EQ(android.contextsMade, 1);
-    EXPECT_FALSE(android.logged("renderer:")) << "GL objects were made anew";
+    EXPECT_FALSE(android.logged("renderer:")) << "GL objects were rebuilt";
     expectClean(android);
 }
 
@@ -98,7 +98,7 @@ TEST(Lifecycle, RotationGivesASurfaceOfTheNewSize) {
     expectClean(android);
 }
 
-TEST(Lifecycle, AContextLostBetweenFramesIsMadeAnew) {
+TEST(Lifecycle, AContextLostBetweenFramesIsReplaced) {
     Small android;
     android.startUntilSceneShown(width, height);
     android.then([&] { android.loseContextAtSwap(1); });
@@ -111,8 +111,8 @@ TEST(Lifecycle, AContextLostBetweenFramesIsMadeAnew) {
     expectClean(android);
 }
 
-// Wherever in a frame the driver says it first, set-up of the GL objects included.
-TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsMadeAnew) {
+// The driver may report the loss at any call of a frame, or while GL objects are set up.
+TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
     for (int call : {1, 2, 3, 5, 8, 13, 21, 34}) {
         Small android;
         android.startUntilSceneShown(width, height);
@@ -136,7 +136,7 @@ TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsMadeAnew) {
     }
 }
 
-TEST(Lifecycle, AContextLostWhilePausedIsMadeAnew) {
+TEST(Lifecycle, AContextLostWhilePausedIsReplaced) {
     Small android;
     android.startUntilSceneShown(width, height);
     android.command(APP_CMD_PAUSE);
@@ -153,7 +153,7 @@ TEST(Lifecycle, AContextLostWhilePausedIsMadeAnew) {
     expectClean(android);
 }
 
-TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererAndLaterMakesItAgain) {
+TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
     Small android;
     android.startUntilSceneShown(width, height);
     int before = 0;
@@ -210,11 +210,10 @@ TEST(Lifecycle, ASurfaceThatCannotBeMadeWaitsForTheNextWindow) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-// The stand-in is worth as much as what it notices.
 TEST(StandInTest, NoticesADeadWindowsSurface) {
     Small android;
     android.startUntilSceneShown(width, height);
-    // The window dies without a word to the app, which goes on drawing.
+    // The window dies without a command, so the app goes on drawing.
     android.then([&] { android.glue.window->alive = false; });
     android.frames(2);
     android.run();

@@ -1,4 +1,4 @@
-// Measuring in the app: started by the intent or by a finger, and what it leaves behind.
+// Measurements in the app, which an intent starts, and their files.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-// Every member of `a` is in `b` too, all the way down.
+// `b` has every member of `a`, at any depth.
 void expectSameKeys(const json& a, const json& b, const std::string& where = "") {
     ASSERT_EQ(a.type(), b.type()) << where;
     if (!a.is_object()) return;
@@ -32,7 +32,7 @@ struct Measuring : StandIn {
         intentExtra = command;
         start(96, 64);
     }
-    // Until that is logged; then the app ends.
+    // The app ends once `text` is logged.
     void runUntil(const std::string& text) {
         framesUntilLogged(text);
         run();
@@ -70,7 +70,7 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
         EXPECT_EQ(ours.at("settings").at(key), value) << key;
     EXPECT_EQ(ours.at("active_voxels"), theirs.at("active_voxels"));
 
-    // The screenshots are the pictures of `vct render`, to the bit.
+    // The screenshots equal the pictures of `vct render` to the bit.
     for (const char* mode : {"phong", "shadow-map", "ao", "gi", "gi-cone-shadow"}) {
         const std::string name = std::string(mode) + ".png";
         EXPECT_EQ(readBytes(files.file("results/" + name)), readBytes(program.folder.file("out/" + name)))

@@ -1,4 +1,4 @@
-// Fingers into gestures, and gestures into views.
+// Touches become gestures, and gestures change the view.
 #include <gtest/gtest.h>
 
 #include "app/orbit_view.h"
@@ -111,7 +111,7 @@ glm::dvec3 eyeOf(const OrbitView& view) {
     return view.camera(1.0).worldFromCamera[3];
 }
 
-// Where a point of the world is seen, in the camera's space.
+// A point of the world in the space of the camera.
 glm::dvec3 seen(const OrbitView& view, const glm::dvec3& world) {
     return glm::inverse(view.camera(1.0).worldFromCamera) * glm::dvec4(world, 1.0);
 }

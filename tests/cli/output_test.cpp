@@ -1,4 +1,4 @@
-// What the program writes besides its results: nothing that stays, and over nothing of the user's.
+// The program leaves no temporary files and overwrites no files of the user.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -27,7 +27,7 @@ TEST(Output, FilesNamedLikeTemporaryOnesStay) {
         EXPECT_EQ(readBytes(program.folder.file(name)), "mine") << name;
 }
 
-TEST(Output, WhatIsNoFileIsNotReplaced) {
+TEST(Output, APipeIsNotReplaced) {
     ProgramRun program;
     ASSERT_EQ(mkfifo(program.folder.file("pipe").c_str(), 0600), 0);
     EXPECT_EQ(program.run(renderIntoOut("--timings pipe")), 1);

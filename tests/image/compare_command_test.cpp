@@ -1,4 +1,4 @@
-// `vct compare` as a script sees it: exit status and message.
+// The exit status and message of `vct compare`.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ TEST(ContactSheet, PlacesPicturesInReadingOrderWithGaps) {
     const Image a(100, 60, red);
     const Image b(100, 60, blue);
     const Image sheet = contactSheet({{"one", a}, {"two", b}, {"three", b}}, 2);
-    // 8 around and between, 4 and 24 for the label below.
+    // 8 pixels are around and between pictures, 4 and 24 below for the label.
     ASSERT_EQ(sheet.width, 8 + 2 * 108);
     ASSERT_EQ(sheet.height, 8 + 2 * (60 + 28 + 8));
     EXPECT_EQ(sheet.at(7, 7), paper);

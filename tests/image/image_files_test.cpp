@@ -1,4 +1,4 @@
-// Pictures on disk: what is written is what is read, and what cannot be is refused without a trace.
+// Picture files round-trip, and errors leave no file.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -22,7 +22,7 @@ using test::errorOf;
 using test::expectMentions;
 using Names = std::vector<std::string>;
 
-// As readImage(), without the disk: thousands of files would take their time.
+// The error of readImage() without the disk, as thousands of files would take long.
 std::string messageOfDecoding(const std::string& content) {
     const Bytes bytes(content.begin(), content.end());
     return errorOf([&] {
@@ -42,8 +42,7 @@ Image gradient(int width, int height) {
     return image;
 }
 
-// Planes of other names and types than writeExr() offers, each of one value that follows from its name and is
-// exact in half precision.
+// An EXR with any channels. Each has one value, which follows from its name and is exact in half precision.
 void writeExrPlanes(const std::string& path,
                     const std::vector<std::pair<std::string, Imf::PixelType>>& channels, int size) {
     Imf::Header header(size, size);
@@ -54,7 +53,7 @@ void writeExrPlanes(const std::string& path,
         auto& row = rows.emplace_back(size, std::pair<float, half>(value, value));
         header.channels().insert(name, Imf::Channel(type));
         void* const first = type == Imf::HALF ? static_cast<void*>(&row[0].second) : &row[0].first;
-        // The lines lie 0 bytes apart: every one is this row.
+        // The stride between lines is 0, so every line is this row.
         planes.insert(name, Imf::Slice(type, static_cast<char*>(first), sizeof row[0], 0));
     }
     Imf::OutputFile file(path.c_str(), header);
@@ -144,7 +143,7 @@ TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
     }
 }
 
-// The library quotes names out of the file, which may be any bytes.
+// The library quotes names from the file, which may be any bytes.
 TEST(Exr, ADamagedOnesReasonIsOneLine) {
     const TemporaryFolder folder;
     writeExr(folder.file("a.exr"), gradient(4, 4));

@@ -146,7 +146,7 @@ TEST(ClipFromWorld, IsUsableInsideTheSceneAndLookingAway) {
     EXPECT_NEAR(project(inside, {0, 0, -1e-3 * diagonal}).z, -1.0, 1e-9);
     EXPECT_LT(project(inside, {0, 0, -5}).z, 1.0);
 
-    // A room of a few metres, and something 10 km away.
+    // The scene is a room of a few metres and an object 10 km away.
     Camera camera = lookAt({0, 0, 0}, {0, 0, -5}, 60.0);
     const Bounds wide{glm::dvec3(-5), glm::dvec3(1e4)};
     EXPECT_GE(project(clipFromWorld(camera, wide, 1.0), {0, 0, -0.11}).z, -1.0);

@@ -27,8 +27,8 @@ Scene boxOf(const glm::dvec3& sides) {
     return finished(std::move(scene));
 }
 
-// A room of 2 x 2 x 2 m with a box on its floor, of which the first walls are there: floor, ceiling, left,
-// right, back, front.
+// A room of 2 x 2 x 2 m with a box on its floor and the first `walls` of: floor, ceiling, left, right, back,
+// front.
 Scene roomWithABox(std::size_t walls = 6) {
     Scene scene = closedBox(0.0);
     scene.instances.resize(walls);
@@ -42,7 +42,7 @@ bool isInside(const Scene& scene, const Camera& camera) {
            glm::all(glm::lessThan(eye, scene.boundsWorld.max));
 }
 
-// Around all vertices, in the picture.
+// The bounds of all vertices in the picture.
 Bounds inThePicture(const Scene& scene, const Camera& camera, double aspect) {
     const glm::dmat4 clip = clipFromWorld(camera, scene.boundsWorld, aspect);
     Bounds seen = noBounds;
@@ -76,7 +76,7 @@ TEST(FrameScene, FillsThePictureWhateverItsShapeAndSize) {
                     EXPECT_GE(seen.min.x, -1.0) << what;
                     EXPECT_GE(seen.min.y, -1.0) << what;
                     EXPECT_GE(seen.min.z, -1.0) << what;
-                    // And touches two opposite edges, but for the margin.
+                    // Apart from a margin it touches two opposite edges.
                     const glm::dvec2 reach = glm::min(glm::dvec2(seen.max), -glm::dvec2(seen.min));
                     EXPECT_GT(std::max(reach.x, reach.y), 0.92) << what;
                 }
@@ -119,11 +119,11 @@ TEST(FrameScene, ASheetIsSeenFromTheSideThatItFaces) {
     }
 }
 
-TEST(FrameScene, AnEmptyOneHasAViewToo) {
+TEST(FrameScene, AnEmptySceneHasAViewToo) {
     EXPECT_TRUE(std::isfinite(frameScene(emptyScene(), 1.0).worldFromCamera[3].z));
 }
 
-TEST(FrameScene, WhatMovesIsSeenWhereverItGoes) {
+TEST(FrameScene, AMovingObjectIsSeenInEveryPose) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     builder.animate(static_cast<int>(builder.document["nodes"].size()) - 1, "translation", {0, 1},
@@ -160,7 +160,6 @@ TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
     }
 }
 
-// From a wall or a corner, along the room.
 TEST(FrameRoom, LooksAlongTheRoom) {
     const Scene room = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, 4)));
     const Camera camera = frameScene(room, 1.0);

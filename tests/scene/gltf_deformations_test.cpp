@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/deformation.h"
+#include "support/errors.h"
 #include "support/gltf_builder.h"
 #include "support/moving_scenes.h"
 
@@ -35,7 +36,7 @@ TEST(Deformations, AtRestVerticesAreWhereTheirJointsAre) {
     expectNear(glm::dvec3(column.vertices[64].normal), {1, 0, 0});
 }
 
-// glTF 2.0, section 5.28: they are then the identity.
+// Matrices that are not given are the identity (glTF 2.0, section 5.28).
 TEST(Deformations, ASkinMayHaveNoInverseBindMatrices) {
     GltfBuilder identities = twoThatDeform();
     std::vector<float> values;
@@ -89,7 +90,7 @@ TEST(Deformations, MorphTargetsAddUpByTheirWeights) {
     }
 }
 
-TEST(Deformations, WeightsAtRestAreTheNodesBeforeTheMeshs) {
+TEST(Deformations, WeightsOfTheNodeComeBeforeThoseOfTheMesh) {
     GltfBuilder builder = twoThatDeform();
     builder.document.erase("animations");
     const std::size_t meshes = builder.document["meshes"].size();
@@ -102,7 +103,8 @@ TEST(Deformations, WeightsAtRestAreTheNodesBeforeTheMeshs) {
     EXPECT_TRUE(load(builder).warnings.empty());
 }
 
-// Weights of splines have their tangents before and behind each value, of all targets (appendix C.5).
+// The weights of all targets of a key stand between their in-tangents and out-tangents (glTF 2.0, appendix
+// C.5).
 TEST(Deformations, WeightsFollowSplines) {
     GltfBuilder builder = twoThatDeform();
     const int box = static_cast<int>(builder.document["nodes"].size()) - 1;
@@ -138,15 +140,13 @@ TEST(Deformations, BoxesAndBoundsHoldEveryVertexAtEveryTime) {
     }
 }
 
-TEST(Deformations, WhatIsDamagedIsNamed) {
+TEST(Deformations, DamagedOnesAreNamed) {
     const auto changed = [](auto&& change) {
         GltfBuilder builder = twoThatDeform();
         change(builder);
         return loadError(builder);
     };
-    const auto has = [](const std::string& text, const char* part) {
-        EXPECT_NE(text.find(part), std::string::npos) << text;
-    };
+    const auto has = [](const std::string& text, const char* part) { expectMentions(text, {part}); };
     has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"].erase(2); }), "follow joint 2 of 2");
     has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"][1] = 99; }), "node 99");
     has(changed([](GltfBuilder& b) {
@@ -164,7 +164,7 @@ TEST(Deformations, WhatIsDamagedIsNamed) {
             primitive["targets"][0]["POSITION"] = b.floats({1, 0, 0});
         }),
         "morph target has 1 elements for 8 vertices");
-    // Weights that do not fit their keys keep the scene from playing, not from being drawn.
+    // With weights that do not fit their keys the scene is drawn, but does not play.
     GltfBuilder odd = twoThatDeform();
     const int box = static_cast<int>(odd.document["nodes"].size()) - 1;
     odd.document.erase("animations");

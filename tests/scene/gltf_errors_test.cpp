@@ -15,13 +15,13 @@
 namespace vct::test {
 namespace {
 
-// One sentence that names the file, on one line, and contains `part`.
+// The message is one line that names the file and a remedy and contains `part`.
 void expectError(const std::string& message, const std::string& part) {
-    expectMentions(message, {"test.glb", part, "; "});  // the last: a remedy
+    expectMentions(message, {"test.glb", part, "; "});
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-// What is put at a place of the document (RFC 6901), or taken away where `value` is "".
+// A value that replaces the one at a place of the document (RFC 6901), or "" to remove it.
 struct Damage {
     const char* place;
     const char* value;
@@ -146,12 +146,12 @@ TEST(GltfErrors, EachDamageIsNamedInOneSentence) {
             builder.document[place.parent_pointer()].erase(place.back());
         else
             builder.document[place] = json::parse(damage.value);
-        // An animation is asked for: one that is not may be of any kind.
+        // The animation must be asked for, else its errors are warnings.
         expectError(loadError(builder, {.animation = "0"}), damage.part);
     }
 }
 
-TEST(GltfErrors, PositionsThatAreNotUsable) {
+TEST(GltfErrors, UnusablePositionsAreNamed) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {infinity, -infinity, std::nanf(""), 3e38F, 2e30F, 1e20F}) {
         GltfBuilder builder;
@@ -166,7 +166,7 @@ TEST(GltfErrors, PositionsThatAreNotUsable) {
     expectError(loadError(point), "one point");
 }
 
-TEST(GltfErrors, ImagesThatLieAboutTheirSize) {
+TEST(GltfErrors, ImagesWithAWrongSizeAreNamed) {
     for (const int side : {16384, 16385, 1 << 30}) {
         Bytes png = encodePng(8);
         for (std::size_t byte = 0; byte < 4; ++byte) {  // width and height, big-endian, at 16 and 20
@@ -179,7 +179,7 @@ TEST(GltfErrors, ImagesThatLieAboutTheirSize) {
     }
 }
 
-TEST(GltfErrors, DeepNodesAndDeepJson) {
+TEST(GltfErrors, DeepNodesAndDeepJsonAreRefused) {
     GltfBuilder builder;
     builder.triangle();
     for (int i = 1; i < 5000; ++i)
@@ -192,7 +192,7 @@ TEST(GltfErrors, DeepNodesAndDeepJson) {
     expectError(loadError(bytesOf(nested + std::string(1000000, ']') + "}")), "levels deep");
 }
 
-TEST(GltfErrors, FilesThatAreNotGltf) {
+TEST(GltfErrors, FilesThatAreNotGltfAreRefused) {
     const Bytes nothing;
     expectError(loadError(nothing), "empty");
     for (const char* text :
@@ -203,8 +203,8 @@ TEST(GltfErrors, FilesThatAreNotGltf) {
     expectError(loadError(newer), "version 3");
 }
 
-// glTF 2.0 section 3.1: a whole number may be written as 60.0, and an accessor without a view is zeros.
-TEST(GltfFiles, NumbersAndAccessorsThatTheSpecificationAllows) {
+// A whole number may be written as 60.0, and an accessor without a view is zeros (glTF 2.0).
+TEST(GltfFiles, MayHaveNumbersAndAccessorsThatTheSpecificationAllows) {
     GltfBuilder plain = completeFile(encodePng(8));
     // Every number of the document as a fraction.
     const std::function<void(json&)> asFraction = [&](json& value) {
@@ -229,7 +229,7 @@ TEST(GltfFiles, NumbersAndAccessorsThatTheSpecificationAllows) {
 }
 
 // A small file may name the same accessor or image any number of times.
-TEST(GltfErrors, WhatIsAllocatedIsCountedAndLimited) {
+TEST(GltfErrors, MemoryIsCountedAndLimited) {
     GltfFile file;
     file.path = "test.glb";
     file.reserveGeometry(1U << 30, 1);
@@ -267,7 +267,7 @@ TEST(GltfFiles, BuffersAndImagesAreFoundBesideTheFile) {
     EXPECT_EQ(scene.textures.at(0).width, 8);
 }
 
-TEST(GltfFiles, WhatIsNoReadableFileIsAnError) {
+TEST(GltfFiles, ThatCannotBeReadAreErrors) {
     const TemporaryFolder folder;
     for (const std::string& path : {folder.file("absent.glb"), folder.path(), std::string("/dev/zero")})
         EXPECT_THROW(loadGltf(path), Error) << path;

@@ -1,5 +1,4 @@
-// Files that are large, or ask for much: time that grows with the file and no faster, memory that is known
-// before, and messages that stay short.
+// Large files: time grows linearly, memory is known before it is allocated, and messages stay short.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -16,7 +15,7 @@
 namespace vct::test {
 namespace {
 
-// A triangle, and so many nodes that place it.
+// A triangle with `count` nodes.
 Bytes manyNodes(int count) {
     GltfBuilder builder;
     builder.triangle();
@@ -33,7 +32,7 @@ Bytes manyNodes(int count) {
     return bytesOf("{" + nodes + R"(],"scenes":[{)" + roots + "]}]," + rest);
 }
 
-// Of the processor, as other programs may run beside the test.
+// Processor time, as other programs may run beside the test.
 double secondsToLoad(const Bytes& file, std::size_t instances) {
     const std::clock_t start = std::clock();
     EXPECT_EQ(load(file).instances.size(), instances);
@@ -59,7 +58,7 @@ void appendChunk(Bytes& png, const char* type, const Bytes& data) {
     appendBigEndian(png, crc32_z(0, png.data() + begin, png.size() - begin));
 }
 
-// A black PNG, 8-bit RGB, that says it has side x side pixels and holds so many bytes of deflated zeros.
+// A black PNG of 8-bit RGB whose header says side x side pixels, with `inflated` bytes of deflated zeros.
 Bytes zeroPng(std::size_t side, std::size_t inflated) {
     Bytes data;
     z_stream stream{};
@@ -105,7 +104,7 @@ GltfBuilder texturedTriangles(const std::vector<json>& images) {
     return b;
 }
 
-TEST(Memory, PixelsOfAnImageAreThereOnceWhoeverUsesThem) {
+TEST(Memory, TexturesOfOneImageShareItsPixels) {
     const TemporaryFolder folder;
     writeBytes(folder.file("a.png"), encodePng(16));
     std::filesystem::create_symlink("a.png", folder.file("b.png"));
@@ -137,7 +136,7 @@ TEST(Memory, AFileIsReadOnceHoweverManyBuffersNameIt) {
     EXPECT_EQ(reads, 1);
 }
 
-TEST(Memory, WhatDoesNotFitIsRefusedByTheNameOfWhatAsks) {
+TEST(Memory, ARequestThatDoesNotFitIsRefusedByName) {
     GltfFile file;
     file.path = "test.glb";
     file.limitBytes = 1000000000;
@@ -150,7 +149,7 @@ TEST(Memory, WhatDoesNotFitIsRefusedByTheNameOfWhatAsks) {
 }
 
 TEST(Memory, DeflatedDataThatTheHeaderDoesNotAskForIsNotInflated) {
-    // What is as it should be, loads.
+    // A correct picture loads.
     EXPECT_EQ(load(completeFile(zeroPng(64, 64 * (64 * 3 + 1)))).textures.at(0).width, 64);
     const std::string error = loadError(completeFile(zeroPng(4, std::size_t{256} << 20)));
     expectMentions(error, {"test.glb", "image 0", "more data than its 4 x 4 pixels"});

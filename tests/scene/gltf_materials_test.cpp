@@ -112,8 +112,8 @@ Material ofSpecularGlossiness(const json& extension) {
         .materials.at(0);
 }
 
-// A reflection of 4 % is that of every dielectric, and of a metal nothing is diffuse: in between, both
-// brightnesses stay those of the file.
+// A dielectric reflects 4 % specularly, and a metal nothing diffusely. In between, both brightnesses stay
+// those of the file.
 TEST(GltfMaterials, SpecularGlossinessBecomesMetallicRoughness) {
     const Material plaster = ofSpecularGlossiness({{"diffuseFactor", {0.5, 0.3, 0.2, 0.9}},
                                                    {"specularFactor", {0.04, 0.04, 0.04}},
@@ -128,7 +128,7 @@ TEST(GltfMaterials, SpecularGlossinessBecomesMetallicRoughness) {
     EXPECT_EQ(copper.roughness, 0.0F);
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(copper.baseColor[c], (std::array{0.95F, 0.64F, 0.54F})[c], 1e-5F);
-    // Grey, so that brightness is the value: diffuse .3 (1 - .2) = base (1 - .04) (1 - metallic), and
+    // For a grey material: diffuse .3 (1 - .2) = base (1 - .04) (1 - metallic), and
     // specular .2 = .04 (1 - metallic) + base metallic.
     const Material between =
         ofSpecularGlossiness({{"diffuseFactor", {0.3, 0.3, 0.3, 1}}, {"specularFactor", {0.2, 0.2, 0.2}}});
@@ -176,7 +176,7 @@ TEST(GltfMaterials, TexturesOfSpecularGlossinessAreConvertedTexelByTexel) {
             const std::size_t from = static_cast<std::size_t>(y / 2 * 4 + x / 2) * 4;
             for (std::size_t c = 0; c < 3; ++c) {
                 const float half = 0.5F * srgbDecode(static_cast<float>(file0.rgba[from + c]) / 255.0F);
-                // Its specular is under 4 % wherever the factor is: less of it leaves more for diffuse light.
+                // The specular reflection is at most 4 %. Less of it leaves more for diffuse light.
                 EXPECT_GE(srgbDecode(static_cast<float>(color.rgba[at + c]) / 255.0F), half - 0.003F);
                 EXPECT_LE(srgbDecode(static_cast<float>(color.rgba[at + c]) / 255.0F), half / 0.96F + 0.003F);
             }
@@ -192,7 +192,7 @@ TEST(GltfMaterials, OcclusionTexturesAreWarnedOf) {
     EXPECT_TRUE(hasWarning(load(builder), "occlusion"));
 }
 
-// A triangle with these colours, and one without that shares its material.
+// A triangle with these colours and one without. Both have the same material.
 Scene colored(const std::function<int(GltfBuilder&)>& colors) {
     GltfBuilder builder;
     const int positions = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -207,12 +207,8 @@ Scene colored(const std::function<int(GltfBuilder&)>& colors) {
 
 TEST(GltfMaterials, ColoursOfVerticesAreReadInEveryTypeThatGltfAllows) {
     const std::vector<Scene> scenes{
-        colored([](GltfBuilder& b) {
-            return b.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.2F});
-        }),
-        colored([](GltfBuilder& b) {
-            return b.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0.2F, 0.4F}, "VEC4");
-        }),
+        colored([](GltfBuilder& b) { return b.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.2F}); }),
+        colored([](GltfBuilder& b) { return b.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0.2F, 0.4F}, "VEC4"); }),
         colored([](GltfBuilder& b) {
             return b.accessor<std::uint8_t>({255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 51, 102}, uint8, "VEC4",
                                             true);
@@ -229,7 +225,7 @@ TEST(GltfMaterials, ColoursOfVerticesAreReadInEveryTypeThatGltfAllows) {
         EXPECT_NEAR(last.b, 0.2F, 1e-6F);
         EXPECT_NEAR(last.a, &scene == &scenes[0] ? 1.0F : 0.4F, 1e-6F);
         EXPECT_TRUE(scene.materials.at(static_cast<std::size_t>(mesh.material)).vertexColors);
-        // The other mesh has none, and pays for none.
+        // The other mesh has no colours.
         const Mesh& plain = scene.meshes.at(1);
         EXPECT_TRUE(plain.extras.empty());
         EXPECT_FALSE(scene.materials.at(static_cast<std::size_t>(plain.material)).vertexColors);
@@ -293,7 +289,7 @@ TEST(GltfMaterials, ASceneOfNothingButGlassIsDrawnOpaque) {
         textured({{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.1}}}}});
     EXPECT_EQ(load(glass).materials.at(0).alphaMode, Material::AlphaMode::opaque);
     EXPECT_TRUE(hasWarning(load(glass), "drawn opaque"));
-    // Beside anything else light goes through it.
+    // Beside an opaque object light passes through the glass.
     glass.triangle();
     EXPECT_EQ(load(glass).materials.at(0).alphaMode, Material::AlphaMode::mask);
     EXPECT_FALSE(hasWarning(load(glass), "drawn opaque"));

@@ -1,4 +1,4 @@
-// WebP and KTX2 textures, and what stands beside them; encoded here by their libraries.
+// WebP and KTX2 textures, encoded here by their libraries, and their fallbacks.
 #include <gtest/gtest.h>
 
 #ifdef VCT_HAS_WEBP
@@ -16,7 +16,7 @@
 namespace vct::test {
 namespace {
 
-// A field with a texture that has these images; no index where there is none.
+// A field with a texture.
 struct TexturedField {
     GltfBuilder builder = plainField(BumpyField(3));
     json texture = json::object();
@@ -43,7 +43,7 @@ struct TexturedField {
     return rgba;
 }
 
-// Mean difference of the one texture from picturePixels(), of 255.
+// Mean difference between the texture and picturePixels(), in steps of 255.
 [[maybe_unused]] double differenceFromThePicture(const Scene& scene) {
     EXPECT_TRUE(scene.warnings.empty());
     const Texture& texture = scene.textures.at(0);
@@ -76,12 +76,12 @@ TEST(Webp, IsTheSamePicture) {
         field.texture = {{"source", 0}};
         field.texture["extensions"]["EXT_texture_webp"]["source"] = field.image(encodeWebp(lossless));
         field.builder.document["extensionsUsed"] = {"EXT_texture_webp"};
-        // Lossless keeps colours below alpha 0 only; there are none.
+        // Lossless WebP changes colours of alpha 0 alone, and there are none.
         EXPECT_LE(differenceFromThePicture(load(field.file())), lossless ? 0.0 : 6.0);
     }
 }
 
-// Some exporters name it as if it were PNG.
+// Some exporters refer to it as if it were a PNG.
 TEST(Webp, IsReadWithoutTheExtensionToo) {
     TexturedField field;
     field.texture = {{"source", field.image(encodeWebp(true))}};

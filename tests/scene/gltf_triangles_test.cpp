@@ -11,7 +11,7 @@ namespace {
 // A square in z = 0 as two triangles, (0,0) (1,0) (1,1) (0,1) counter-clockwise.
 const std::vector<float> squareList{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0};
 const std::vector<float> squareFan{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-// Along the diagonal that the list and the fan use: (1,0) (1,1) (0,0) (0,1).
+// A strip with the diagonal of the list and the fan: (1,0) (1,1) (0,0) (0,1).
 const std::vector<float> squareStrip{1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1, 0};
 const std::vector<float> fourUps{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
 

@@ -14,7 +14,7 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     EXPECT_GT(glm::min(fallback.towardsLight.x, glm::min(fallback.towardsLight.y, fallback.towardsLight.z)),
               0.0);
     EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
-    // Where others shine it gives no light.
+    // Beside other lights the default gives none.
     scene.punctualLights.emplace_back();
     EXPECT_EQ(chooseLight(scene).color, glm::vec3(0.0F));
     EXPECT_GT(chooseLight(scene).intensity, 0.0F);
@@ -23,8 +23,7 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
 }
 
-// A room of 2 x 2 x 2 m with a lamp in it, of which the first walls are there: floor, ceiling, left, right,
-// back, front.
+// A room of 2 x 2 x 2 m with a lamp and the first `walls` of: floor, ceiling, left, right, back, front.
 Scene roomWithALamp(std::size_t walls) {
     Scene scene = closedBox(0.0);
     scene.instances.resize(walls);
@@ -43,8 +42,8 @@ TEST(ChooseLight, ALampLightsItsRoom) {
     }
 }
 
-// A car with its headlights on is black but for these.
-TEST(ChooseLight, WhatGlowsInTheOpenIsNoLight) {
+// A car with its headlights on needs another light.
+TEST(ChooseLight, ALampInTheOpenDoesNotReplaceTheSun) {
     const Scene open = roomWithALamp(1);
     EXPECT_GT(chooseLight(open).intensity, 3.0F);
     EXPECT_GT(chooseSky(open).b, 0.1F);
@@ -57,7 +56,7 @@ TEST(ChooseLight, WhatGlowsInTheOpenIsNoLight) {
     EXPECT_GT(chooseLight(finished(car)).intensity, 3.0F);
 }
 
-TEST(ChooseLight, WhatGlowsByATextureIsNoLight) {
+TEST(ChooseLight, AnEmissiveTextureDoesNotReplaceTheSun) {
     Scene room = roomWithALamp(6);
     room.textures.resize(1);
     room.materials.back().emissiveTexture = 0;
