@@ -35,14 +35,6 @@ TEST(Choices, ATimeStopsTheAnimationThere) {
         EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
 }
 
-TEST(Choices, RevoxelizeIsOfTheSettings) {
-    EXPECT_FALSE(settingsFor(showRequestFromText("show").choices, glm::ivec2(8), 1.0).revoxelize);
-    const Choices choices = showRequestFromText("show revoxelize=on").choices;
-    EXPECT_TRUE(settingsFor(choices, glm::ivec2(8), 1.0).revoxelize);
-    EXPECT_NE(choices, showRequestFromText("show").choices);
-    EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
-}
-
 TEST(Choices, LampsAreSwitchedAndTheSkyIsChosenInWords) {
     const Choices choices = showRequestFromText("show sky=plain lights-off=1,16").choices;
     EXPECT_EQ(choices.sky, Sky::plain);

@@ -58,23 +58,6 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
-TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
-    GltfBuilder builder = openFloor();
-    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
-    builder.document.erase("cameras");
-    for (auto& node : builder.document["nodes"])
-        node.erase("camera");
-    const TemporaryFolder scenes;
-    writeBytes(scenes.file("bare.glb"), builder.glb());
-    const Image screen =
-        screenOf("scene=bare.glb preset=thesis grid=64 pixels=1 mode=phong", 96, 72, scenes.path());
-    ProgramRun program;
-    program.expectSuccess("render '" + scenes.file("bare.glb") +
-                          "' --preset thesis --grid 64 --size 96x72 --out out --mode phong");
-    expectMentions(program.err, {"the scene has no camera"});
-    EXPECT_EQ(largestDifference(screen, program.folder.file("out/phong.png")), 0);
-}
-
 TEST(Animated, APoseIsThePictureOfRenderAtThatTime) {
     // Light of the other presets converges over several frames.
     const Image screen = screenOf("scene=moving.glb preset=thesis pixels=1 mode=gi time=1.5", 96, 72);
@@ -150,23 +133,6 @@ TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
     EXPECT_GT(screen.at(2, 2).b, 0.1F);
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
-}
-
-// Nothing else moves in this scene.
-TEST(Animated, TheViewGoesWithTheScenesCamera) {
-    GltfBuilder builder = openFloor();
-    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
-    builder.animate(2, "translation", {0, 1}, {0, 2.6F, 5.2F, 2, 2.6F, 5.2F});
-    const TemporaryFolder scenes;
-    writeBytes(scenes.file("camera.glb"), builder.glb());
-    const auto screenAt = [&](const std::string& time) {
-        return screenOf("scene=camera.glb preset=mobile pixels=1 mode=phong time=" + time, 96, 72,
-                        scenes.path());
-    };
-    const Image first = screenAt("0"), second = screenAt("0.9");
-    ASSERT_EQ(first.pixels.size(), second.pixels.size());
-    EXPECT_TRUE(screenAt("0").pixels == first.pixels);
-    EXPECT_FALSE(second.pixels == first.pixels);
 }
 
 // Half the resolution gives the same picture with fewer details.

@@ -82,31 +82,6 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
     EXPECT_FALSE(std::filesystem::exists(files.file("results/failed")));
 }
 
-TEST(MeasureInTheApp, TheTablesAreThoseOfBench) {
-    Measuring android("bench size=16x16 shadow-map=64 repeat=1");
-    const TemporaryFolder& files = android.folder;
-    android.runUntil("measured: ");
-    EXPECT_EQ(android.errors(), "");
-    const json bench = readJson(files, "bench.json");
-    ASSERT_FALSE(bench.is_discarded());
-    EXPECT_EQ(bench.at("version"), 1);
-    for (const char* key : {"program", "scene", "triangles", "driver", "machine", "settings", "method"})
-        EXPECT_TRUE(bench.contains(key)) << key;
-    EXPECT_EQ(bench.at("measurements").size(), 11U);
-    EXPECT_EQ(bench.at("tables").size(), 4U);
-    EXPECT_EQ(bench.at("method").at("fresh"), "renderers");
-    expectMentions(readBytes(files.file("results/bench.txt")), {"Table 5.5"});
-    EXPECT_TRUE(android.logged("run 1 of 1"));
-    EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
-}
-
-TEST(MeasureInTheApp, PresetsAndAGridCanBeAskedFor) {
-    EXPECT_FALSE(benchRequestFromText("bench preset=mobile").grid);
-    EXPECT_EQ(benchRequestFromText("bench grid=128 preset=mobile").grid, 128);
-    EXPECT_EQ(benchRequestFromText("bench preset=thesis,mobile").presets,
-              (std::vector<std::string>{"thesis", "mobile"}));
-}
-
 struct Failure {
     const char* command;
     const char* says;

@@ -42,15 +42,6 @@ TEST(ResolutionScale, RisesToTheWindowsPixelsWhereThereIsTime) {
     EXPECT_EQ(scale.divisor(), 1.0);
 }
 
-TEST(ResolutionScale, FallsUntilAFrameHasTimeAndNoFurther) {
-    ResolutionScale scale;
-    MadeUpDevice fast{1.0, 5.0};
-    fast.run(scale, 120);
-    MadeUpDevice slow{1.0, 50.0};  // 1/2: 13.5 ms
-    slow.run(scale, 60);
-    EXPECT_EQ(scale.divisor(), 2.0);
-}
-
 TEST(ResolutionScale, StaysAtItsBoundWhereNoSizeIsFastEnough) {
     ResolutionScale scale;
     MadeUpDevice hopeless{100.0, 100.0};

@@ -90,13 +90,6 @@ TEST(Touch, SlowFarOrInterruptedTapsDoNot) {
     EXPECT_FALSE(cancelled.take().doubleTap);
 }
 
-TEST(Touch, DistancesFollowTheDensity) {
-    Touch touch(3.0F);
-    touch.update({{0, {100, 100}}}, 0.0);
-    touch.update({{0, {115, 100}}}, 0.1);
-    EXPECT_EQ(touch.take().orbit, glm::vec2(0.0F));
-}
-
 Scene boxScene() {
     Scene scene = closedBox(0.0);
     Camera camera;
@@ -198,13 +191,6 @@ TEST(OrbitView, NeverTurnsOverAndStaysRigid) {
         view.apply(gesture, viewport);
     for (int c = 0; c < 3; ++c)
         EXPECT_TRUE(std::isfinite(eyeOf(view)[c]));
-}
-
-TEST(OrbitView, AnUprightPictureShowsTheScenesSquare) {
-    const OrbitView view(boxScene(), {}, 1.5);
-    const double upright = view.camera(0.5).verticalFovRad;
-    const double square = view.camera(1.0).verticalFovRad;
-    EXPECT_NEAR(std::tan(0.5 * upright) * 0.5, std::tan(0.5 * square), 1e-12);
 }
 
 }  // namespace

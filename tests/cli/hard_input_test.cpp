@@ -49,26 +49,6 @@ TEST(HardInput, NamesThatAreNotUtf8OrEndInADotAreNames) {
     expectMentions(program.err, {"cannot read .: it is not a file"});
 }
 
-TEST(HardInput, ANameMayBeLongerThanADriversLabels) {
-    ProgramRun program;
-    GltfBuilder builder = completeFile(encodePng(8));
-    builder.document["images"][0]["name"] = std::string(5000, 'x');
-    writeBytes(program.folder.file("a.glb"), builder.glb());
-    program.expectSuccess(renderQuickly("a.glb"));
-}
-
-TEST(HardInput, AnAnimationThatCannotBePlayedIsAWarningUnlessItIsAskedFor) {
-    ProgramRun program;
-    GltfBuilder builder = completeFile(encodePng(8));
-    builder.document["animations"][0]["samplers"][0]["interpolation"] = "BEZIER";
-    writeBytes(program.folder.file("a.glb"), builder.glb());
-    program.expectSuccess(renderQuickly("a.glb"));
-    expectMentions(program.err,
-                   {"warning: an animation cannot be played, and the scene stands still: ", "BEZIER"});
-    EXPECT_EQ(program.run(renderQuickly("a.glb", "--animation spin")), 1);
-    expectMentions(program.err, {"error: ", "unknown interpolation \"BEZIER\""});
-}
-
 TEST(HardInput, PipesAreNeitherScenesNorShaders) {
     ProgramRun program;
     ASSERT_EQ(mkfifo(program.folder.file("pipe.glb").c_str(), 0600), 0);
@@ -81,11 +61,6 @@ TEST(HardInput, PipesAreNeitherScenesNorShaders) {
     ASSERT_EQ(mkfifo(shader.c_str(), 0600), 0);
     EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), "VCT_SHADER_DIR=shaders timeout 60"), 1);
     expectMentions(program.err, {"cannot read the shader shaders/shared/layout.h"});
-}
-
-TEST(HardInput, AnEmptyFolderOfShadersIsNone) {
-    ProgramRun program;
-    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), "VCT_SHADER_DIR="), 0) << program.err;
 }
 
 TEST(HardInput, StandardOutputThatIsFullIsAnError) {

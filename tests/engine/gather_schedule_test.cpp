@@ -44,13 +44,6 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
     EXPECT_EQ(visited.size(), 256U);
 }
 
-TEST(GatherSchedule, AFewLightFramesAreNotRefined) {
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 1).convergenceSteps(), 1);
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 15).convergenceSteps(), 15);
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 0, 8), 16).convergenceSteps(), 16);
-    EXPECT_EQ(GatherSchedule(settingsWith(128, 256, 16), 16).convergenceSteps(), 32);
-}
-
 TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
     GatherSchedule schedule(settingsWith(64, 256, 8), 16);
     while (!schedule.isConverged())

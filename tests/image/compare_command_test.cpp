@@ -48,12 +48,6 @@ TEST_F(CompareCommand, ExitStatusFollowsBothNumbers) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }
 
-TEST_F(CompareCommand, ExrsAreComparedInLinearUnits) {
-    EXPECT_EQ(run("a.exr b.exr --max-difference 0.5 --max-fraction 0"), 0) << text;
-    EXPECT_EQ(run("a.exr b.exr --max-difference 0.49 --max-fraction 0"), 1);
-    EXPECT_EQ(run("a.exr b.exr --max-difference 2 --max-fraction 0"), 0) << text;
-}
-
 TEST_F(CompareCommand, WhatCannotBeComparedFails) {
     const std::string loose = " --max-difference 1 --max-fraction 1";
     EXPECT_EQ(run("a.png none.png" + loose), 1);

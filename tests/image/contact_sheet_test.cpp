@@ -45,22 +45,6 @@ TEST(ContactSheet, WritesEachLabelBelowItsPicture) {
     EXPECT_NE(sheet.pixels, other.pixels);
 }
 
-TEST(ContactSheet, MakesRoomForALongLabelAndForPicturesOfDifferentSizes) {
-    const std::string label(40, 'W');
-    const Image sheet = contactSheet({{label, Image(10, 10, red)}, {"x", Image(30, 50, blue)}}, 5);
-    EXPECT_GT(sheet.width, 2 * 40 * 8);
-    EXPECT_EQ(sheet.height, 8 + 50 + 28 + 8);
-    EXPECT_EQ(sheet.at(8, 18), paper);
-    EXPECT_EQ(sheet.at(sheet.width / 2 + 4, 57), blue);
-}
-
-TEST(ContactSheet, TakesAnyBytesAsALabel) {
-    const Image sheet = contactSheet({{"\xC3\xA9\n\t\x7F", Image(100, 10, paper)}}, 1);
-    const Image marks = contactSheet({{"?????", Image(100, 10, paper)}}, 1);
-    EXPECT_EQ(sheet.pixels, marks.pixels);
-    EXPECT_GT(darkPixels(marks, 0, 0, marks.width, marks.height), 0);
-}
-
 TEST(ContactSheet, RefusesNothing) {
     EXPECT_THROW(contactSheet({}, 3), Error);
     EXPECT_THROW(contactSheet({{"a", Image(2, 2)}}, 0), Error);

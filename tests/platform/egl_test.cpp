@@ -20,15 +20,6 @@ TEST(Egl, DestructionLeavesNoContextBehind) {
     EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
 }
 
-TEST(Zink, LeavesTheEnvironmentAsItWas) {
-    VCT_SKIP_IF_ABSENT(Backend::zink);
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    unsetenv("MESA_LOADER_DRIVER_OVERRIDE");
-    const auto platform = createContext(Backend::zink);
-    EXPECT_STREQ(std::getenv("GALLIUM_DRIVER"), "llvmpipe");
-    EXPECT_EQ(std::getenv("MESA_LOADER_DRIVER_OVERRIDE"), nullptr);
-}
-
 TEST(Zink, RefusesToStandBesideAnotherEglContext) {
     VCT_SKIP_IF_ABSENT(Backend::zink);
     auto egl = createContext(Backend::egl);

@@ -44,23 +44,9 @@ TEST_P(EveryBackend, WorksAfterAFailedCreation) {
     expectItself(GetParam());
 }
 
-TEST_P(EveryBackend, IsNotDisturbedByTheOthersBeforeIt) {
-    VCT_SKIP_IF_ABSENT(GetParam());
-    for (const Backend earlier : {Backend::zink, Backend::egl, Backend::osmesa}) {
-        if (test::whyAbsent(earlier).empty()) createContext(earlier);
-    }
-    const auto platform = createContext(GetParam());
-    expectItself(GetParam());
-}
-
 INSTANTIATE_TEST_SUITE_P(Platform, EveryBackend,
                          testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
                          [](const auto& test) { return std::string(backendName(test.param)); });
-
-TEST(Platform, NamesOfBackEndsGoBothWays) {
-    for (const Backend backend : {Backend::egl, Backend::osmesa, Backend::zink})
-        EXPECT_EQ(backendFromName(backendName(backend)), backend);
-}
 
 TEST(Platform, AMissingDeviceIsNamedWithTheNumberThereAre) {
     PlatformOptions options;

@@ -124,30 +124,6 @@ TEST(Draco, UnpacksToTheMeshThatIsNotPackedWithinTheQuantisation) {
     }
 }
 
-TEST(Draco, TheCountsOfTheStreamHold) {
-    DracoOf packed = encodeDraco(dracoField, draco::MESH_EDGEBREAKER_ENCODING);
-    const std::size_t triangles = packed.indices / 3;
-    packed.vertices += 5;
-    packed.indices -= 3;
-    EXPECT_EQ(load(packed.file()).triangleCount(), triangles);
-    EXPECT_TRUE(hasWarning(load(packed.file()), "counts"));
-    GltfBuilder withoutIndices = packed.file();
-    withoutIndices.document["meshes"][0]["primitives"][0].erase("indices");
-    EXPECT_EQ(load(withoutIndices).triangleCount(), triangles);
-}
-
-// An accessor without bytes is zeros (glTF 2.0, section 3.6.2.3).
-TEST(Draco, AttributesBesideTheStreamMayBeZeros) {
-    GltfBuilder builder = encodeDraco(dracoField, draco::MESH_EDGEBREAKER_ENCODING).file();
-    json& primitive = builder.document["meshes"][0]["primitives"][0];
-    primitive["extensions"]["KHR_draco_mesh_compression"]["attributes"].erase("NORMAL");
-    const Scene scene = load(builder);
-    EXPECT_EQ(scene.triangleCount(), dracoField.indices.size() / 3);
-    // Normals without a direction are replaced by those of the triangles.
-    EXPECT_TRUE(hasWarning(scene, "normals without a direction"));
-    EXPECT_GT(scene.meshes.at(0).vertices.at(0).normal.y, 0.2F);
-}
-
 TEST(Draco, ErrorsAreNamed) {
     const DracoOf packed = encodeDraco(dracoField, draco::MESH_EDGEBREAKER_ENCODING);
     const auto errorOf = [&](const char* place, json value) {

@@ -98,15 +98,6 @@ TEST(Instancing, RotationsMayBeNormalizedIntegers) {
     expectSamePlaces(load(bytes.builder), load(floats.builder), 0.0);
 }
 
-TEST(Instancing, AttributesOfOtherProgramsGiveTheNumberOfInstances) {
-    InstancedScene scene;
-    scene.attributes()["_FEATURE_ID_0"] = scene.builder.floats({0, 1, 2, 3}, "SCALAR");
-    EXPECT_EQ(load(scene.builder).instances.size(), 4U);
-    EXPECT_TRUE(load(scene.builder).warnings.empty());
-    scene.attributes()["TINT"] = scene.builder.floats({0, 1, 2, 3}, "SCALAR");
-    EXPECT_TRUE(hasWarning(load(scene.builder), "TRANSLATION, ROTATION and SCALE"));
-}
-
 TEST(Instancing, ErrorsAreNamed) {
     const auto errorOf = [](const std::vector<float>& translations, const std::vector<float>& rotations) {
         InstancedScene scene;

@@ -29,20 +29,6 @@ void expectUv(const glm::vec2& actual, float u, float v) {
     EXPECT_NEAR(actual.y, v, 1e-6F);
 }
 
-TEST(GltfMaterials, MissingMaterialIsTheDefaultOne) {
-    GltfBuilder builder;
-    builder.triangle();
-    const Scene scene = load(builder);
-    const Material& material = scene.materials.at(static_cast<std::size_t>(scene.meshes.at(0).material));
-    EXPECT_EQ(material.baseColor, glm::vec4(1.0F));
-    EXPECT_EQ(material.emissive, glm::vec3(0.0F));
-    EXPECT_EQ(material.baseColorTexture, -1);
-    EXPECT_EQ(material.metallic, 1.0F);
-    EXPECT_EQ(material.roughness, 1.0F);
-    EXPECT_EQ(material.alphaMode, Material::AlphaMode::opaque);
-    EXPECT_FALSE(material.doubleSided);
-}
-
 TEST(GltfMaterials, FactorsMaskAndEmissiveStrength) {
     const Scene scene =
         load(textured({{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}}},
@@ -186,12 +172,6 @@ TEST(GltfMaterials, TexturesOfSpecularGlossinessAreConvertedTexelByTexel) {
     EXPECT_TRUE(hasWarning(file({{"index", 1}}), "lies elsewhere"));
 }
 
-TEST(GltfMaterials, OcclusionTexturesAreWarnedOf) {
-    GltfBuilder builder = textured({{"occlusionTexture", {{"index", 0}}}});
-    builder.texture(encodePng(4));
-    EXPECT_TRUE(hasWarning(load(builder), "occlusion"));
-}
-
 // A triangle with these colours and one without. Both have the same material.
 Scene colored(const std::function<int(GltfBuilder&)>& colors) {
     GltfBuilder builder;
@@ -293,23 +273,6 @@ TEST(GltfMaterials, ASceneOfNothingButGlassIsDrawnOpaque) {
     glass.triangle();
     EXPECT_EQ(load(glass).materials.at(0).alphaMode, Material::AlphaMode::mask);
     EXPECT_FALSE(hasWarning(load(glass), "drawn opaque"));
-}
-
-TEST(GltfMaterials, TextureWithoutCoordinatesIsWarnedOf) {
-    GltfBuilder builder = textured({{"emissiveTexture", {{"index", 0}, {"texCoord", 5}}}});
-    builder.texture(encodePng(4));
-    EXPECT_TRUE(hasWarning(load(builder), "TEXCOORD_5"));
-}
-
-TEST(GltfMaterials, TextureThatTwoMaterialsUseIsLoadedOnce) {
-    GltfBuilder builder = textured({{"emissiveTexture", {{"index", 0}}}});
-    builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
-    builder.texture(encodePng(4));
-    builder.node(
-        {{"mesh", builder.mesh({{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}, {"material", 1}})}});
-    const Scene scene = load(builder);
-    EXPECT_EQ(scene.materials.size(), 2U);
-    EXPECT_EQ(scene.textures.size(), 1U);
 }
 
 TEST(GltfMaterials, AnExtensionThatIsNotKnownIsAWarningUnlessItHoldsTheGeometry) {

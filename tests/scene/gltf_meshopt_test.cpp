@@ -139,14 +139,6 @@ TEST(Meshopt, TheBytesOfAFallbackAreNotRead) {
     expectMentions(loadError(withFallback(builder, fallback)), {"nowhere.bin"});
 }
 
-TEST(Meshopt, AFallbackMayLackItsFlag) {
-    const json fallback{{"byteLength", 1 << 20}};
-    GltfBuilder builder = packedField(true);
-    EXPECT_EQ(load(withFallback(builder, fallback)).triangleCount(), meshoptField.indices.size() / 3);
-    builder.add("bufferViews", {{"buffer", 1}, {"byteLength", 4}});
-    expectMentions(loadError(withFallback(builder, fallback)), {"buffer 1 has neither a uri"});
-}
-
 TEST(Meshopt, ErrorsAreNamed) {
     const auto errorOf = [](const char* key, json value) {
         GltfBuilder builder = packedField(true);

@@ -45,16 +45,6 @@ TEST(GltfNodes, MirroredNodeHasANegativeDeterminant) {
     EXPECT_EQ(scene.meshes.at(0).vertices[0].normal, glm::vec3(0, 0, 1));  // object space is not mirrored
 }
 
-TEST(GltfNodes, NodeScaledToZeroIsLeftOutWithAWarning) {
-    GltfBuilder builder;
-    builder.triangle();
-    builder.triangle();
-    builder.document["nodes"][1]["scale"] = {0, 0, 0};
-    const Scene scene = load(builder);
-    EXPECT_EQ(scene.instances.size(), 1U);
-    EXPECT_TRUE(hasWarning(scene, "zero"));
-}
-
 TEST(GltfNodes, AreThoseOfTheDefaultSceneOrTheFirstOrAllRoots) {
     GltfBuilder builder;
     builder.triangle();
