@@ -60,7 +60,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile", "quality"),
+INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile"),
                          [](const auto& preset) { return std::string(preset.param); });
 
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
@@ -93,7 +93,7 @@ TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
 TEST_F(Embedded, PartsMakeThePicture) {
     described_.camera = lookAt({0, 0.6, 1}, {0, 0, 1}, 40);
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Pictures pictures = light.render(described_.view());
     const Image radiance = imageOf(pictures.radiance), irradiance = imageOf(pictures.irradiance),
                 visibility = imageOf(pictures.sunVisibility);
     const float cosine = 1.0F / std::sqrt(0.4F * 0.4F + 1.0F + 0.5F * 0.5F);
@@ -149,7 +149,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
     described_.scene.instances[1].moves = true;
     {
         GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-        clean = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+        clean = imageOf(light.render(view).radiance);
     }
     // Each of these would spoil a pass.
     const gl::Texture target = gl::Texture::make2d("of the test", GL_RGBA8, 8, 8);
@@ -187,7 +187,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         light.resize(width + 1, height);
         light.resize(width, height);
         expectSame("resize()");
-        const Pictures pictures = light.render(view, GlobalIllumination::Light::settled);
+        const Pictures pictures = light.render(view);
         expectSame("render()");
         GLint bound = -1;
         gl::ActiveTexture(GL_TEXTURE0 + VCT_TEX_G_NORMAL);

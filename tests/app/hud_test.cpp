@@ -1,7 +1,6 @@
 // Touches on the panel.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "app/hud.h"
@@ -85,12 +84,11 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
-    std::vector<std::string> changed;
+    std::set<std::string> changed;
     const auto look = [&] {
         const app::Choices& now = fingers.choices;
-        const auto note = [&](bool is, const char* what) {
-            if (is && std::find(changed.begin(), changed.end(), what) == changed.end())
-                changed.push_back(what);
+        const auto note = [&](bool hasChanged, const char* choice) {
+            if (hasChanged) changed.insert(choice);
         };
         note(now.mode != before.mode, "mode");
         note(now.grid != before.grid, "grid");
@@ -117,11 +115,10 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.drag({60.0F, y}, {180.0F, y});
         look();
         actions.measure |= fingers.tap({210.0F, y}).measure;
-        fingers.tap({165.0F, y});  // the second in its row
+        fingers.tap({165.0F, y});  // the second one of a row
         look();
     }
-    std::sort(changed.begin(), changed.end());
-    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
+    EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
                                                  "preset", "scene", "second lamp", "sky", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);

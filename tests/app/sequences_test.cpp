@@ -11,7 +11,7 @@
 namespace vct::test {
 namespace {
 
-constexpr int shards = 10;
+constexpr int shards = 4;
 constexpr int perShard = 100;
 
 // The events follow Android's rules, such as start before resume, and touches only with a window.

@@ -10,7 +10,7 @@ namespace {
 TEST(UsedFolder, PicturesOfAnEarlierRunAreNamedAndKept) {
     ProgramRun program;
     const std::string small =
-        std::string("render ") + ProgramRun::cornell + " --size 16x16 --grid 64 --out out ";
+        std::string("render ") + ProgramRun::cornell + " --size 16x16 --grid 64 --light-frames 1 --out out ";
     program.expectSuccess(small + "--mode phong,ao --contact-sheet --debug-views");
     EXPECT_EQ(program.err.find("not of this run"), std::string::npos) << program.err;
     writeBytes(program.folder.file("out/notes.txt"), "mine");
@@ -52,9 +52,9 @@ TEST(Render, WarnsOnceOfAnExposureThatIsTooHighAndGivesOneThatIsNot) {
 // A sun of real lux gives no white picture, and no sequence flickers.
 TEST(Render, ChoosesOneExposureForAllPicturesAndSaysHowToRepeatIt) {
     ProgramRun program;
-    const std::string sun =
-        "render " VCT_SOURCE_DIR
-        "/assets/moving.glb --size 16x16 --grid 64 --out out --light intensity=100000 --mode ";
+    const std::string sun = "render " VCT_SOURCE_DIR
+                            "/assets/moving.glb --size 16x16 --grid 64 --light-frames 2 --out out --light "
+                            "intensity=100000 --mode ";
     program.expectSuccess(sun + "phong,gi --frames 2 --fps 1");
     const std::size_t option = program.err.find("--exposure ");
     ASSERT_NE(option, std::string::npos) << program.err;

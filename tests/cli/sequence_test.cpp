@@ -11,8 +11,8 @@ namespace {
 constexpr const char* moving = VCT_SOURCE_DIR "/assets/moving.glb";
 
 std::string renderOf(const char* scene, const std::string& options, const char* preset = "mobile") {
-    return std::string("render ") + scene + " --preset " + preset + " --mode gi --size 48x40 --out out " +
-           options;
+    return std::string("render ") + scene + " --preset " + preset +
+           " --mode gi --size 48x40 --light-frames 2 --out out " + options;
 }
 
 TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {

@@ -14,7 +14,8 @@ namespace {
 const std::string patio = VCT_SOURCE_DIR "/assets/patio";
 
 std::string renderPatio(const std::string& options) {
-    return "render " + patio + ".glb --out out --mode gi --preset mobile --size 16x16 " + options;
+    return "render " + patio + ".glb --out out --mode gi --preset mobile --light-frames 2 --size 16x16 " +
+           options;
 }
 
 void write(const ProgramRun& program, const std::string& name, const std::string& text) {

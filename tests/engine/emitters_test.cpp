@@ -127,8 +127,7 @@ TEST(Lamps, LightAFloorByTheirFormFactor) {
     const Context context = openContext(Backend::egl);
     for (const double side : {0.1, 0.5}) {
         SCOPED_TRACE(side);
-        Settings settings = presetSettings("mobile");
-        settings.size = glm::ivec2(64);
+        const Settings settings = mobileAt(64);
         FrameInspector inspector(context, roomWithLamp(side), noLight(), settings,
                                  lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
         for (const auto& [surface, light] : inspector.seen(Output::indirectLight)) {
@@ -144,8 +143,7 @@ TEST(Lamps, CastTheShadowsThatRaysFind) {
     Scene scene = roomWithLamp(0.4);
     addBox(scene, {0.6, 0.02, 0.6}, {0, 0, 0});
     scene = finished(std::move(scene));
-    Settings settings = presetSettings("mobile");
-    settings.size = glm::ivec2(96);
+    const Settings settings = mobileAt(96);
     FrameInspector inspector(context, scene, noLight(), settings, lookAt({0.9, -0.2, 0.9}, {0, -1, 0}, 80));
     double squares = 0.0, brightest = 0.0;
     int count = 0, inUmbra = 0;
@@ -183,8 +181,7 @@ TEST(Lamps, AreInAMirrorAtTheirPlaceAndAsBright) {
     addQuad(scene, {-0.9, -0.95, -0.9}, {0, 0, 1.8}, {1.8, 0, 0},
             static_cast<int>(scene.materials.size()) - 1);
     scene = finished(std::move(scene));
-    Settings settings = presetSettings("mobile");
-    settings.size = glm::ivec2(96);
+    const Settings settings = mobileAt(96);
     FrameInspector inspector(context, scene, noLight(), settings, lookAt({0, 0.6, 0.01}, {0, -1, 0}, 60));
     int inside = 0, outside = 0;
     for (const auto& [surface, light] : inspector.seen(Output::gi)) {
@@ -220,8 +217,7 @@ TEST(Lamps, LeaveNoLightWhereTheyWere) {
     scene.cameras.push_back(lookAt({0, 0, 0.95}, {0, -1, 0}, 90));
     scene.lights = {noLight()};
     scene = finished(std::move(scene));
-    Settings settings = presetSettings("mobile");
-    settings.size = glm::ivec2(48);
+    const Settings settings = mobileAt(48);
     PlayingScene stage(context, scene, settings);
     stage.convergedAt(0.0);
     expectFreshLight(stage, context, scene, settings, 1.0);

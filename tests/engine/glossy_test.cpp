@@ -18,9 +18,8 @@ namespace {
 const glm::dvec3 copper(0.9, 0.6, 0.3);
 
 Settings glossyAt(glm::ivec2 size) {
-    Settings settings = presetSettings("mobile");
+    Settings settings = mobileAt(1);
     settings.size = size;
-    settings.shadowMapSize = 256;
     settings.specular = Specular::cone;
     return settings;
 }

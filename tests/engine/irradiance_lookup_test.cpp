@@ -1,4 +1,4 @@
-// The light that faces received, where pixels look it up: in bricks, filtered.
+// The look-up of irradiance by pixels, in bricks with filtering.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -91,8 +91,8 @@ TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
     }
 }
 
-// A sloping plane under a ceiling that shines, through many bricks: from pixel to pixel the light changes no
-// more from one brick's voxels to the next one's than between voxels of one.
+// A sloping plane under an emitting ceiling passes through many bricks. From pixel to pixel the light changes no more
+// between two bricks than between voxels of one.
 TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();
@@ -103,7 +103,6 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     scene.materials[1].emissive = glm::vec3(1.0F);
     addQuad(scene, {6, 58, 6}, {50, 0, 0}, {0, 0, 50}, 1);
     scene.boundsWorld = boundsForVoxelsAsWorld(64);
-    // From the side, between the two.
     FrameInspector frame(context, scene, noLight(), settings, lookAt({31, 50, 31.01}, {31, 16, 31}, 60));
     const Image image = frame.view(Output::indirectLight);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
@@ -125,12 +124,12 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     }
     ASSERT_GT(across.count, 2000);
     EXPECT_LE(across.sum / across.count, 1.2 * within.sum / within.count);
-    // The largest of thousands of steps of a few halves' last bits: a seam would be ten times as large.
+    // Steps are a few of a half's last bits. A seam would be ten times as large.
     EXPECT_LE(across.largest, 2.0 * within.largest);
     EXPECT_GT(within.sum, 0.0);
 }
 
-// Where rounding decides into which of two voxels, and so bricks, the fragments fall.
+// Rounding decides which of two voxels, and so bricks, holds a fragment.
 TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
     const Context context = openContext(Backend::egl);
     Settings settings = mobileAt(64);
@@ -159,7 +158,7 @@ TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
         }
 }
 
-// A grille before the sky, thinner than a voxel: some of it has no face that looks as its pixels do.
+// The rods of a grille are thinner than a voxel, so some pixels have no face on their normal's side.
 TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();

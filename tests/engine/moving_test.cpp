@@ -178,43 +178,6 @@ TEST(MovingInstances, ABoxMayPassThroughAWall) {
         expectFresh(stage, context, scene, settings, seconds);
 }
 
-// Shadows fall on near and far boxes, from three lights.
-TEST(MovingInstances, LeaveNoShadowBehind) {
-    const Context context = openContext(Backend::egl);
-    GltfBuilder builder = openFloor();
-    for (int i = 0; i < 8; ++i)
-        addCube(builder, {0.6F, 0.6F, 0.6F},
-                {{"translation", {-1.5 + 0.45 * i, 0.2 + 0.1 * (i % 3), 1.2 - 0.4 * (i % 5)}},
-                 {"scale", {0.2, 0.3, 0.2}}});
-    const int box =
-        addCube(builder, {0.9F, 0.2F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0.3, 0.2, 0.3}}});
-    std::vector<float> times, places, turns;
-    for (int i = 0; i < 9; ++i) {
-        times.push_back(static_cast<float>(i));
-        places.insert(places.end(), {1.6F * std::sin(2.0F * i), 0.2F + 0.21F * i, 1.6F * std::cos(3.0F * i)});
-        turns.insert(turns.end(), {std::sin(0.4F * i), 0, 0, std::cos(0.4F * i)});
-    }
-    builder.animate(box, "translation", times, places);
-    builder.animate(box, "rotation", times, turns);
-    const Scene scene = load(builder);
-    const Settings settings = mobileSettings();
-    const auto lit = [&](Renderer& renderer, const Scene& of, double seconds, const glm::dvec3& light) {
-        renderer.setPose(poseAt(of.animation, seconds));
-        renderer.setLightDirection(light);
-        renderer.render({{Output::gi}, chooseCamera(of, "")});
-    };
-    PlayingScene stage(context, scene, settings);
-    for (const glm::dvec3& light : {glm::dvec3(0.3, 1, 0.2), {1, 0.3, -0.4}, {0, 1, 0}})
-        // Each light begins with the voxels of the one before.
-        for (const double seconds : {1.0, 0.0, 3.3, 3.4, 7.9}) {
-            lit(stage.renderer(), scene, seconds, glm::normalize(light));
-            const Scene frozen = frozenAt(scene, seconds);
-            PlayingScene fresh(context, frozen, settings);
-            lit(fresh.renderer(), frozen, 0.0, glm::normalize(light));
-            expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
-        }
-}
-
 TEST(MovingInstances, MayBeAThousand) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();

@@ -82,38 +82,33 @@ INSTANTIATE_TEST_SUITE_P(
             [] { return punctualLightAt(PunctualLight::Type::directional, {1, 2, 1}, {0, 0, 0}); }}),
     [](const auto& row) { return row.param.name; });
 
-// A room with walls without thickness, and a table in it.
+struct Box {
+    glm::dvec3 sides, centre;
+};
+// A table and its leg.
+const Box furniture[] = {{{0.7, 0.05, 0.5}, {0.1, -0.4, 0.1}}, {{0.1, 0.6, 0.1}, {0.1, -0.7, 0.1}}};
+
+// A room with walls without thickness and the furniture.
 Scene roomAtNight(std::vector<PunctualLight> lights) {
     Scene scene = closedBox(0);
     scene.materials[0].baseColor = glm::vec4(0.6F, 0.6F, 0.6F, 1.0F);
-    addBox(scene, {0.7, 0.05, 0.5}, {0.1, -0.4, 0.1});
-    addBox(scene, {0.1, 0.6, 0.1}, {0.1, -0.7, 0.1});
+    for (const Box& box : furniture)
+        addBox(scene, box.sides, box.centre);
     scene = finished(std::move(scene));
     scene.punctualLights = std::move(lights);
     return scene;
 }
 
-// A triangle of the scene is between two points.
-bool isBlocked(const Scene& scene, const glm::dvec3& from, const glm::dvec3& to) {
-    const glm::dvec3 ray = to - from;
-    for (const Instance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        const auto corner = [&](std::size_t i) {
-            const glm::dvec3 position(mesh.vertices[mesh.indices[i]].position);
-            return glm::dvec3(instance.worldFromObject * glm::dvec4(mesh.centre + position, 1.0));
-        };
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            const glm::dvec3 a = corner(i), ab = corner(i + 1) - a, ac = corner(i + 2) - a;
-            // from + t ray = a + u ab + v ac, by Cramer's rule.
-            const glm::dmat3 system(-ray, ab, ac);
-            const double determinant = glm::determinant(system);
-            if (std::abs(determinant) < 1e-12) continue;
-            const glm::dvec3 tuv = glm::inverse(system) * (from - a);
-            if (tuv.x > 0.0 && tuv.x < 1.0 && tuv.y >= 0.0 && tuv.z >= 0.0 && tuv.y + tuv.z <= 1.0)
-                return true;
-        }
-    }
-    return false;
+const Camera intoRoom = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
+
+// The furniture is between two points of the room.
+bool isBlocked(const glm::dvec3& from, const glm::dvec3& to) {
+    return std::any_of(std::begin(furniture), std::end(furniture), [&](const Box& box) {
+        const glm::dvec3 a = (box.centre - 0.5 * box.sides - from) / (to - from);
+        const glm::dvec3 b = (box.centre + 0.5 * box.sides - from) / (to - from);
+        const glm::dvec3 in = glm::min(a, b), out = glm::max(a, b);
+        return std::max({in.x, in.y, in.z, 0.0}) < std::min({out.x, out.y, out.z, 1.0});
+    });
 }
 
 TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
@@ -126,14 +121,13 @@ TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
         const Scene scene = roomAtNight({light});
         Settings settings = presetSettings("mobile");
         settings.size = glm::ivec2(256);
-        FrameInspector inspector(context, scene, darkSun(), settings,
-                                 lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
+        FrameInspector inspector(context, scene, darkSun(), settings, intoRoom);
         const glm::dvec3 place(light.worldFromLight[3]);
         int wrong = 0, judged = 0, litInTheDark = 0;
         for (const auto& [pixel, value] : inspector.seen(Output::shadowMap)) {
             const double right = irradianceOf(light, pixel.positionWorld, pixel.normal);
             if (right < 0.02) continue;
-            const bool blocked = isBlocked(scene, pixel.positionWorld + 2e-3 * pixel.normal, place);
+            const bool blocked = isBlocked(pixel.positionWorld + 2e-3 * pixel.normal, place);
             ++judged;
             // Mode 2 adds an ambient light.
             const double seen = (value.r / pixel.albedo.r - 0.05) / right;
@@ -146,48 +140,89 @@ TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
     }
 }
 
-// The wide search finds walls, creases, a table and its leg.
-TEST(PunctualLights, WithASizeLightNoCornerAndShadeNoLitWall) {
-    const Context context = openContext(Backend::egl);
-    for (const double radius : {0.03, 0.12}) {
-        const glm::dvec3 place(-0.3, 0.5, 0.2);
-        Scene scene = roomAtNight({punctualLightAt(PunctualLight::Type::point, place, {0, 0, 0})});
-        // The room is so dark that a second bounce does not matter.
-        scene.materials[0].baseColor = glm::vec4(0.04F, 0.04F, 0.04F, 1.0F);
-        Settings settings = presetSettings("mobile");
-        settings.size = glm::ivec2(128);
-        settings.lightRadius = static_cast<float>(radius);
-        FrameInspector inspector(context, scene, darkSun(), settings,
-                                 lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75));
-        const Image picture = inspector.view(Output::giConeShadow);
-        const Image indirect = inspector.view(Output::indirectLight);
-        double squares = 0.0;
-        int judged = 0, shaded = 0, lit = 0;
-        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-            const SurfacePixel& pixel = inspector.pixels()[i];
-            const double hard = irradianceOf(scene.punctualLights[0], pixel.positionWorld, pixel.normal);
-            if (hard < 0.02) continue;
-            const glm::dvec3 from = pixel.positionWorld + 2e-3 * pixel.normal;
-            const glm::dvec3 x = glm::normalize(glm::cross(place - from, glm::dvec3(0.6, 0, 0.8)));
-            const glm::dvec3 y = glm::normalize(glm::cross(place - from, x));
-            const int rays = 24;
-            double exact = 0.0;
-            for (int ray = 0; ray < rays; ++ray) {
-                const double r = radius * std::sqrt((ray + 0.5) / rays), angle = 2.39996322973 * ray;
-                const glm::dvec3 to = place + r * (std::cos(angle) * x + std::sin(angle) * y);
-                exact += isBlocked(scene, from, to) ? 0.0 : 1.0 / rays;
-            }
-            const double seen = (picture.pixels[i].r - indirect.pixels[i].r) / pixel.albedo.r / hard;
-            ++judged;
-            squares += std::pow(seen - exact, 2.0);
-            if (exact > 0.999 && seen < 0.9) ++shaded;
-            if (exact < 0.001 && seen > 0.1) ++lit;
-        }
-        EXPECT_GT(judged, 4000);
-        EXPECT_LE(std::sqrt(squares / judged), 0.02);
-        EXPECT_LE(shaded, judged / 600);
-        EXPECT_LE(lit, judged / 600);
+struct Lamp {
+    const char* name;
+    PunctualLight light;
+    double radius;  // or half of the sun's angle, in radians
+};
+void PrintTo(const Lamp& lamp, std::ostream* out) {
+    *out << lamp.name;
+}
+
+// The share of a lamp that a point sees, by rays to a disc that faces the point.
+double shareOf(const Lamp& lamp, const glm::dvec3& from) {
+    const bool isSun = lamp.light.type == PunctualLight::Type::directional;
+    const glm::dvec3 middle = isSun ? 10.0 * glm::dvec3(lamp.light.worldFromLight[2])
+                                    : glm::dvec3(lamp.light.worldFromLight[3]) - from;
+    const double radius = isSun ? 10.0 * std::tan(lamp.radius) : lamp.radius;
+    const glm::dvec3 x = glm::normalize(glm::cross(middle, glm::dvec3(0.6, 0, 0.8)));
+    const glm::dvec3 y = glm::normalize(glm::cross(middle, x));
+    const int rays = 64;
+    int seen = 0;
+    for (int ray = 0; ray < rays; ++ray) {
+        const double r = radius * std::sqrt((ray + 0.5) / rays), angle = 2.39996322973 * ray;
+        seen += isBlocked(from, from + middle + r * (std::cos(angle) * x + std::sin(angle) * y)) ? 0 : 1;
     }
+    return static_cast<double>(seen) / rays;
+}
+
+class LampsWithASize : public testing::TestWithParam<Lamp> {};
+INSTANTIATE_TEST_SUITE_P(
+    SoftLights, LampsWithASize,
+    testing::Values(
+        Lamp{"Small", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.03},
+        Lamp{"Large", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.12},
+        Lamp{"Spot", punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1}), 0.1},
+        Lamp{"SecondSun", punctualLightAt(PunctualLight::Type::directional, {-0.4, 1, 0.2}, {0, 0, 0}),
+             0.05}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+// The blocker search finds walls, creases, a table and its leg.
+TEST_P(LampsWithASize, HaveThePenumbraeThatRaysFindAndLightNoCorner) {
+    const Lamp& lamp = GetParam();
+    const Context context = openContext(Backend::egl);
+    Scene scene = roomAtNight({lamp.light});
+    if (lamp.light.type == PunctualLight::Type::directional)
+        scene.instances.erase(scene.instances.begin() + 1);  // the ceiling
+    // The room is so dark that a second bounce does not matter.
+    scene.materials[0].baseColor = glm::vec4(0.04F, 0.04F, 0.04F, 1.0F);
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(128);
+    settings.gather.refinedDirections = 0;
+    settings.lightRadius = static_cast<float>(lamp.radius);
+    settings.shadowConeAngleDeg = static_cast<float>(glm::degrees(2.0 * lamp.radius));
+    FrameInspector inspector(context, scene, darkSun(), settings, intoRoom);
+    const Image picture = inspector.view(Output::giConeShadow);
+    const Image indirect = inspector.view(Output::indirectLight);
+    double squares = 0.0, errors = 0.0, seenWidth = 0.0, exactWidth = 0.0;
+    int judged = 0, inPenumbra = 0, wrong = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const SurfacePixel& pixel = inspector.pixels()[i];
+        if (!pixel.surface) continue;
+        const double hard = irradianceOf(lamp.light, pixel.positionWorld, pixel.normal);
+        if (hard < 0.02) continue;
+        const double exact = shareOf(lamp, pixel.positionWorld + 2e-3 * pixel.normal);
+        const double seen = (picture.pixels[i].r - indirect.pixels[i].r) / pixel.albedo.r / hard;
+        ++judged;
+        seenWidth += std::max(seen * (1.0 - seen), 0.0);
+        exactWidth += exact * (1.0 - exact);
+        if (exact == 0.0 || exact == 1.0) {
+            wrong += std::abs(seen - exact) > 0.1 ? 1 : 0;
+            continue;
+        }
+        ++inPenumbra;
+        squares += std::pow(seen - exact, 2.0);
+        errors += seen - exact;
+    }
+    std::printf("%s: judged %d penumbra %d rms %.3f mean %.3f width %.3f wrong %d\n", lamp.name, judged,
+                inPenumbra, std::sqrt(squares / inPenumbra), errors / inPenumbra, seenWidth / exactWidth,
+                wrong);
+    EXPECT_GT(judged, 4000);
+    EXPECT_GT(inPenumbra, 200);
+    EXPECT_LE(std::sqrt(squares / inPenumbra), 0.05);
+    EXPECT_NEAR(errors / inPenumbra, 0.0, 0.02);
+    EXPECT_NEAR(seenWidth / exactWidth, 1.0, 0.15);
+    EXPECT_LE(wrong, judged / 300);
 }
 
 TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
@@ -195,7 +230,6 @@ TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
     const PunctualLight stays = punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
     const PunctualLight goes = punctualLightAt(PunctualLight::Type::point, {0.5, 0.2, -0.5}, {0, 0, 0});
     const Scene both = roomAtNight({stays, goes});
-    const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
     const DirectionalLight none = chooseLight(both);
     for (const char* preset : {"thesis", "mobile"}) {
         Settings settings = presetSettings(preset);
@@ -203,15 +237,15 @@ TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
         settings.size = glm::ivec2(96);
         Renderer renderer = makeRenderer(context, both, none, settings);
         for (int i = 0; i < settings.lightFrames; ++i)
-            renderer.render({{Output::gi}, camera});
+            renderer.render({{Output::gi}, intoRoom});
         const Image before = renderer.radiance();
         renderer.setLightOn(1, false);
         for (int i = 0; i < settings.lightFrames; ++i)
-            renderer.render({{Output::gi}, camera});
+            renderer.render({{Output::gi}, intoRoom});
         const Image after = renderer.radiance();
         Renderer fresh = makeRenderer(context, both, none, settings);
         fresh.setLightOn(1, false);
-        fresh.render({{Output::gi}, camera, LightSteps::all});
+        fresh.render({{Output::gi}, intoRoom, LightSteps::all});
         const Image right = fresh.radiance();
         // The sums average the noise of the cones.
         double difference = 0.0, sum = 0.0, change = 0.0;
@@ -232,10 +266,9 @@ TEST(PunctualLights, InAStaticSceneMapsAndVoxelsAreNotRebuilt) {
     Settings settings = mobileAt(48);
     settings.lightFrames = 1;
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-    const Camera camera = lookAt({-0.9, 0.6, 0.9}, {0.3, -0.5, -0.2}, 75);
-    renderer.render({{Output::gi}, camera});
+    renderer.render({{Output::gi}, intoRoom});
     const Image first = renderer.radiance();
-    EXPECT_EQ(stepsOf(renderer, [&] { renderer.render({{Output::gi}, camera}); }), "");
+    EXPECT_EQ(stepsOf(renderer, [&] { renderer.render({{Output::gi}, intoRoom}); }), "");
     EXPECT_TRUE(renderer.radiance().pixels == first.pixels);
 }
 
