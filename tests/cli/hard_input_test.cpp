@@ -98,15 +98,5 @@ TEST(HardInput, JsonThatTakesMoreMemoryThanThereIsIsNotParsed) {
     expectMentions(program.err, {"numbers.gltf", "reading its JSON asks for 401 MB", "free memory"});
 }
 
-TEST(HardInput, MemoryThatADriverLacksIsNotAMissingDriver) {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
-#endif
-    ProgramRun program;
-    EXPECT_EQ(program.run("info", "ulimit -v 100000;"), 1);
-    expectMentions(program.err, {"too little memory for a driver"});
-    EXPECT_EQ(program.err.find("install"), std::string::npos) << program.err;
-}
-
 }  // namespace
 }  // namespace vct::test

@@ -40,10 +40,8 @@ TEST(SkyOption, ABadFileIsOneErrorThatNamesFileCauseAndRemedy) {
          "a row of it is damaged", "make it again"},
         {"square.hdr", header + "-Y 2 +X 2\n" + std::string(16, '\x80'), "it is 2 x 2 pixels",
          "twice as wide as high"},
-        {"nothing.hdr", header + "-Y 0 +X 0\n", "its size", "make it again"},
         {"huge.hdr", header + "-Y 100000 +X 200000\n", "200000 x 100000", "make it again"},
         {"empty.hdr", "", "the file is empty", "make it again"},
-        {"text.hdr", "a sky", "neither a Radiance (.hdr) nor an EXR", "make it again"},
     };
     for (const Case& bad : cases) {
         ProgramRun program;

@@ -77,16 +77,5 @@ TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
     }
 }
 
-TEST(GatherSchedule, InvalidatingBeginsWithoutHistory) {
-    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
-    for (int i = 0; i < 20; ++i)
-        schedule.advance(noChange);
-    schedule.invalidate();
-    const GatherStep first = schedule.advance(noChange);
-    EXPECT_EQ(first.history, 0.0F);
-    EXPECT_EQ(first.amplitude, 0.0F);
-    EXPECT_EQ(first.roundShare, 0.0F);
-}
-
 }  // namespace
 }  // namespace vct::test

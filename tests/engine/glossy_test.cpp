@@ -225,16 +225,6 @@ Scene corner() {
     return finished(scene);
 }
 
-// glTF's default material is a metal of roughness 1.
-TEST(Glossy, AMaterialOfRoughnessOneIsALambertSurfaceEvenIfMetal) {
-    const Context context = openContext(Backend::egl);
-    const Settings settings = glossyAt({64, 64});
-    const Image with = pictureOf(context, corner(), settings, Specular::cone);
-    expectSameInHalves(with, pictureOf(context, corner(), settings, Specular::none));
-    // The metal still reflects diffuse light.
-    EXPECT_GT(with.pixels[48 * 64 + 32].x, 0.1F);
-}
-
 // Voxels reflect diffusely whatever the gloss.
 TEST(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
     const Context context = openContext(Backend::egl);

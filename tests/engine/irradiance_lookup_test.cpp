@@ -2,11 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "scene/camera.h"
-#include "scene/light_choice.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -14,85 +11,8 @@
 namespace vct::test {
 namespace {
 
-// shaders/directional/irradiance.glsl over what the faces hold in memory, without bricks.
-class CpuLookUp {
-  public:
-    explicit CpuLookUp(ReceivedFaces faces) : faces_(std::move(faces)) {
-        for (const auto& [entry, face] : faces_)
-            blocks_.insert(shared::packFace(shared::unpackFaceVoxel(entry) >> 2U, shared::unpackFace(entry)));
-    }
-
-    // Light, and the coverage that it was found by.
-    glm::dvec4 at(const glm::dvec3& positionVoxels, const glm::dvec3& normal) const {
-        glm::dvec4 sum(0.0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double weight = normal[axis] * normal[axis];
-            if (weight < 0.02) continue;
-            const auto face = static_cast<std::uint32_t>(2 * axis + (normal[axis] > 0.0 ? 0 : 1));
-            const glm::uvec3 block(positionVoxels / 4.0);
-            if (blocks_.count(shared::packFace(block, face)) == 0) continue;
-            sum += weight * filtered(positionVoxels - 0.5, face);
-        }
-        return sum.a > 0.0 ? glm::dvec4(glm::dvec3(sum) / sum.a, sum.a) : sum;
-    }
-
-  private:
-    glm::dvec4 filtered(const glm::dvec3& texel, std::uint32_t face) const {
-        const glm::ivec3 first(glm::floor(texel));
-        const glm::dvec3 part = texel - glm::dvec3(first);
-        glm::dvec4 sum(0.0);
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-            const auto found = faces_.find(shared::packFace(glm::uvec3(first + offset), face));
-            if (found == faces_.end()) continue;
-            const glm::dvec3 w = glm::mix(1.0 - part, part, glm::dvec3(offset));
-            sum += w.x * w.y * w.z * found->second.coverage * glm::dvec4(found->second.light, 1.0);
-        }
-        return sum;
-    }
-
-    ReceivedFaces faces_;
-    std::set<std::uint32_t> blocks_;
-};
-
-// Every pixel, and so across every border of the bricks.
-TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
-    const Context context = openContext(Backend::egl);
-    for (const char* name : {"cornell", "courtyard"}) {
-        SCOPED_TRACE(name);
-        const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
-        const Settings settings = mobileAt(128);
-        FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
-        const Image image = frame.view(Output::indirectLight);
-        const CpuLookUp faces(frame.received(false));
-        const std::vector<SurfacePixel>& pixels = frame.pixels();
-        int looked = 0, surfaces = 0;
-        double largest = 0.0, sum = 0.0, differences = 0.0;
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const SurfacePixel& pixel = pixels[i];
-            if (!pixel.surface) continue;
-            ++surfaces;
-            const glm::dvec4 right =
-                faces.at(pixel.positionVolume * static_cast<double>(settings.grid), pixel.normal);
-            // The test knows coverage by 8 bits, which are few where there is little of it.
-            if (right.a < 0.3) continue;
-            ++looked;
-            for (int c = 0; c < 3; ++c) {
-                if (pixel.albedo[c] < 0.05) continue;
-                const double light = image.pixels[i][c] / pixel.albedo[c];
-                largest = std::max(largest, std::abs(light - right[c]) / (right[c] + 1e-3));
-                sum += right[c];
-                differences += light - right[c];
-            }
-        }
-        EXPECT_GT(looked, surfaces * 8 / 10);
-        EXPECT_LE(largest, 0.01);
-        EXPECT_LE(std::abs(differences), 0.001 * sum);
-    }
-}
-
-// A sloping plane under an emitting ceiling passes through many bricks. From pixel to pixel the light changes no more
-// between two bricks than between voxels of one.
+// A sloping plane under an emitting ceiling passes through many bricks. From pixel to pixel the light changes
+// no more between two bricks than between voxels of one.
 TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();

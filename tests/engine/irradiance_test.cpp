@@ -131,8 +131,8 @@ TEST(Gather, AFloorBesideABlackWallSeesTheRestOfTheSky) {
     EXPECT_LE(error.rms, 0.04);
 }
 
-// A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in the dark
-// below the floor.
+// A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in
+// the dark below the floor.
 TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();
@@ -150,8 +150,8 @@ TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     EXPECT_GE(foot.min, 0.6);
 }
 
-// The inside of a closed box has the radiance 1, so the right answer is 1 everywhere. Slanted walls are too dark from
-// the front.
+// The inside of a closed box has the radiance 1, so the right answer is 1 everywhere. Slanted walls are too
+// dark from the front.
 TEST(Gather, WhiteFurnaceIsOne) {
     const Context context = openContext(Backend::egl);
     for (const double turnDeg : {0.0, 30.0}) {
@@ -175,20 +175,8 @@ TEST(Gather, WhiteFurnaceIsOne) {
     }
 }
 
-// The walls stand on the border of the volume, where a cone that is cut off loses up to half of a wall: 7 % in all.
-TEST(Gather, WallsOnTheBorderAreWholeWhereTheyFade) {
-    const Context context = openContext(Backend::egl);
-    Scene scene = closedBox(0.0);
-    scene.materials[0].emissive = glm::vec3(1.0F);
-    Settings settings = mobileAt(pictureSide);
-    settings.lightFrames = 8;
-    settings.gather.fadesAtBorder = true;
-    FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
-    EXPECT_NEAR(frame.spreadOf(Output::indirectLight).mean, 1.0, 0.03);
-}
-
-// A plane does not light itself, nor does the lit side of a sheet light its dark side, whose faces lie in the same
-// voxels.
+// A plane does not light itself, nor does the lit side of a sheet light its dark side, whose faces lie in the
+// same voxels.
 TEST(Gather, NeitherSideOfALitPlaneGetsAnything) {
     const Context context = openContext(Backend::egl);
     for (const double turnDeg : {0.0, 30.0})

@@ -140,17 +140,5 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
     }
 }
 
-TEST(DriverNeeds, GridsThatMemoryOrLimitsRefuseAreNotPossible) {
-    gl::Capabilities capabilities;
-    capabilities.limits = {8192, 2048, 8192, 4, 8};
-    const Settings mobile = presetSettings("mobile");
-    const std::size_t plenty = std::numeric_limits<std::size_t>::max();
-    EXPECT_EQ(possibleGrids(mobile, capabilities, plenty), allGrids());
-    EXPECT_EQ(possibleGrids(mobile, capabilities, voxelBytes(mobile, 128)), (std::vector<int>{64, 128}));
-    capabilities.limits.texture3d = 3 * 256;
-    EXPECT_EQ(possibleGrids(mobile, capabilities, plenty), (std::vector<int>{64, 128, 256}));
-    EXPECT_EQ(possibleGrids(presetSettings("thesis"), capabilities, plenty), allGrids());
-}
-
 }  // namespace
 }  // namespace vct::test

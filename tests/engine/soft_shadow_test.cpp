@@ -192,23 +192,6 @@ TEST_P(Penumbrae, OfAStraightEdgeAreSmoothRampsOfADisc) {
             }
 }
 
-// The shadow of so narrow a sun is limited by the map's resolution alone.
-TEST(SoftShadow, NeedleSunIsSharpToTheTexel) {
-    const glm::dvec3 towardsLight(0, 1, 0);
-    const Scene scene = sheetOverFloor(-1, 0);
-    const double texel = 2.0 / 512;
-    int beside = 0;
-    for (const Point& point : middleOfFloor(scene, towardsLight, softMap(0.1F, 512))) {
-        const double x = point.positionWorld.x;
-        if (std::abs(x) < 3.0 * texel) {
-            ++beside;
-            continue;
-        }
-        ASSERT_EQ(point.light, x < 0.0 ? 0.0 : 1.0) << "at x = " << x / texel << " texels from the edge";
-    }
-    EXPECT_GT(beside, 100);
-}
-
 // The strips are narrower than the blocker search and than their penumbra: no point is in full shadow.
 TEST(SoftShadow, StripsAreNotLost) {
     constexpr float sunDeg = 5.0F;

@@ -78,24 +78,5 @@ TEST_F(Debug, KeepsErrorsAndHighSeverityAndDropsTheRest) {
     EXPECT_EQ(messageOf("pass"), "pass: an error (message 7); undefined (message 7)");
 }
 
-TEST_F(Debug, MessagesDoNotOutliveTheirContext) {
-    installDebugCallback();
-    insert(GL_DEBUG_TYPE_ERROR, GL_DEBUG_SEVERITY_HIGH, "old");
-    platform.reset();
-    platform = test::createContext(Backend::egl);
-    installDebugCallback();
-    EXPECT_EQ(messageOf("pass"), "");
-}
-
-TEST_F(Debug, AShaderThatDoesNotCompileIsLeftToWhoeverCompiledIt) {
-    installDebugCallback();
-    const char* source = "#version 310 es\nnonsense";
-    const GLuint shader = CreateShader(GL_VERTEX_SHADER);
-    ShaderSource(shader, 1, &source, nullptr);
-    CompileShader(shader);
-    EXPECT_EQ(messageOf("pass"), "");
-    DeleteShader(shader);
-}
-
 }  // namespace
 }  // namespace vct::gl

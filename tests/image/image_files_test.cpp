@@ -121,14 +121,6 @@ TEST(Exr, ReadsHalfAndAnyOrderAndIgnoresAlpha) {
     }
 }
 
-TEST(Exr, ReplicatesYAndRefusesOtherChannels) {
-    const TemporaryFolder folder;
-    writeExrPlanes(folder.file("y.exr"), {{"Y", Imf::HALF}}, 3);
-    EXPECT_EQ(readImage(folder.file("y.exr")).at(2, 1), glm::vec3('Y' + 0.5F));
-    writeExrPlanes(folder.file("z.exr"), {{"R", Imf::HALF}, {"Z", Imf::FLOAT}}, 3);
-    expectMentions(errorOf([&] { readImage(folder.file("z.exr")); }), {"channels R, G and B"});
-}
-
 TEST(ReadImage, RefusesEveryTruncation) {
     const TemporaryFolder folder;
     writePng(folder.file("a.png"), gradient(20, 40));

@@ -130,7 +130,7 @@ TEST(FrameScene, AMovingObjectIsSeenInEveryPose) {
     }
 }
 
-TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
+TEST(FrameRoom, AClosedOneIsSeenFromInsideWhateverTheSidesOfItsWalls) {
     const Scene inwards = roomWithABox();
     EXPECT_TRUE(isInside(inwards, frameScene(inwards, 1.0)));
     Scene doubleSided = roomWithABox();
@@ -142,14 +142,6 @@ TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
     addBox(outwards, {0.5, 0.6, 0.5}, {0.3, -1.2, -0.4});
     outwards = finished(std::move(outwards));
     EXPECT_TRUE(isInside(outwards, frameScene(outwards, 1.0)));
-    Scene thick = roomWithABox();
-    addBox(thick, {2.2, 2.2, 2.2});
-    thick = finished(std::move(thick));
-    EXPECT_TRUE(isInside(thick, frameScene(thick, 1.0)));
-    for (const double size : {1e-3, 1e4}) {
-        const Scene scaled = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(size)));
-        EXPECT_TRUE(isInside(scaled, frameScene(scaled, 1.0))) << size;
-    }
 }
 
 TEST(FrameRoom, LooksAlongTheRoom) {
@@ -165,11 +157,9 @@ TEST(FrameRoom, AnOpenOneAndAThingAreSeenFromOutside) {
     const Camera camera = frameScene(open, 1.0);
     EXPECT_FALSE(isInside(open, camera));
     EXPECT_GT(camera.worldFromCamera[3].z, 1.0) << "through the front";
-    for (const bool doubleSided : {false, true}) {
-        Scene crate = boxOf({2, 2, 2});
-        crate.materials[0].doubleSided = doubleSided;
-        EXPECT_FALSE(isInside(crate, frameScene(crate, 1.0))) << doubleSided;
-    }
+    Scene crate = boxOf({2, 2, 2});
+    crate.materials[0].doubleSided = true;
+    EXPECT_FALSE(isInside(crate, frameScene(crate, 1.0)));
     Scene bottle = emptyScene();  // an outside and an inside, and nothing in it
     addBox(bottle, {2, 4, 2});
     addBox(bottle, {-1.9, -3.9, -1.9});

@@ -36,24 +36,6 @@ TEST(Deformations, AtRestVerticesAreWhereTheirJointsAre) {
     expectNear(glm::dvec3(column.vertices[64].normal), {1, 0, 0});
 }
 
-// Matrices that are not given are the identity (glTF 2.0, section 5.28).
-TEST(Deformations, ASkinMayHaveNoInverseBindMatrices) {
-    GltfBuilder identities = twoThatDeform();
-    std::vector<float> values;
-    for (int i = 0; i < 3 * 16; ++i)
-        values.push_back(i % 16 % 5 == 0 ? 1.0F : 0.0F);
-    identities.document["skins"][0]["inverseBindMatrices"] = identities.floats(values, "MAT4");
-    GltfBuilder none = twoThatDeform();
-    none.document["skins"][0].erase("inverseBindMatrices");
-    const Scene expected = load(identities), loaded = load(none);
-    EXPECT_TRUE(loaded.warnings.empty());
-    const Mesh &a = deformingMesh(expected, 0), &b = deformingMesh(loaded, 0);
-    ASSERT_EQ(a.vertices.size(), b.vertices.size());
-    for (std::size_t i = 0; i < a.vertices.size(); ++i)
-        expectNear(world(b, i), world(a, i), 0.0);
-    EXPECT_GT(glm::length(world(b, 64) - world(deformingMesh(load(twoThatDeform()), 0), 64)), 0.1);
-}
-
 TEST(Deformations, AVertexBetweenTwoJointsGoesHalfTheWay) {
     const Scene scene = load(twoThatDeform());
     const Mesh& column = deformingMesh(scene, 0);
@@ -88,19 +70,6 @@ TEST(Deformations, MorphTargetsAddUpByTheirWeights) {
         const glm::dvec3 moved(top ? std::copysign(0.3, rest.x) : 0.0, top ? 0.225 : 0.0, top ? 0.25 : 0.0);
         expectNear(deformedVertex(*box.deformation, state, i).positionWorld, world(box, i) + moved);
     }
-}
-
-TEST(Deformations, WeightsOfTheNodeComeBeforeThoseOfTheMesh) {
-    GltfBuilder builder = twoThatDeform();
-    builder.document.erase("animations");
-    const std::size_t meshes = builder.document["meshes"].size();
-    builder.document["meshes"][meshes - 1]["weights"] = {0.5, 0};
-    const auto height = [](const GltfBuilder& b) { return load(b).boundsWorld.max.y; };
-    builder.document["nodes"][builder.document["nodes"].size() - 1]["weights"] = {4.0, 0.0};
-    EXPECT_NEAR(height(builder), 1.0 + 4.0 * 0.3, 1e-5);
-    builder.document["nodes"][builder.document["nodes"].size() - 1].erase("weights");
-    EXPECT_NEAR(height(builder), 1.6, 1e-5);  // the column's
-    EXPECT_TRUE(load(builder).warnings.empty());
 }
 
 // The weights of all targets of a key stand between their in-tangents and out-tangents (glTF 2.0, appendix

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <ctime>
-#include <filesystem>
 #include <string>
 
 #include "scene/gltf_file.h"
 #include "support/errors.h"
 #include "support/gltf_builder.h"
-#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
@@ -88,36 +86,6 @@ Bytes zeroPng(std::size_t side, std::size_t inflated) {
     return png;
 }
 
-// A textured triangle per image, with a sampler of its own.
-GltfBuilder texturedTriangles(const std::vector<json>& images) {
-    GltfBuilder b;
-    const int positions = b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
-    const int uv = b.floats({0, 0, 1, 0, 0, 1}, "VEC2");
-    for (const json& image : images) {
-        const int sampler = b.add("samplers", {{"wrapS", b.document["samplers"].size() % 2 ? 10497 : 33071}});
-        const int texture = b.add("textures", {{"source", b.add("images", image)}, {"sampler", sampler}});
-        const int material =
-            b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
-        b.node({{"mesh", b.mesh({{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", uv}}},
-                                 {"material", material}})}});
-    }
-    return b;
-}
-
-TEST(Memory, TexturesOfOneImageShareItsPixels) {
-    const TemporaryFolder folder;
-    writeBytes(folder.file("a.png"), encodePng(16));
-    std::filesystem::create_symlink("a.png", folder.file("b.png"));
-    GltfBuilder builder = texturedTriangles({{{"uri", "a.png"}}, {{"uri", "b.png"}}, {{"uri", "./a.png"}}});
-    writeBytes(folder.file("a.gltf"), builder.gltfWithDataUri());
-    const Scene scene = loadGltf(folder.file("a.gltf"));
-    ASSERT_EQ(scene.textures.size(), 2U);  // two samplers
-    EXPECT_EQ(scene.textures[0].rgba.data(), scene.textures[1].rgba.data());
-    EXPECT_EQ(scene.textures[0].rgba.size(), 16U * 16U * 4U);
-    EXPECT_NE(scene.textures[0].wrapS, scene.textures[1].wrapS);
-    EXPECT_EQ(scene.materials.at(0).baseColorTexture, scene.materials.at(2).baseColorTexture);
-}
-
 TEST(Memory, ARequestThatDoesNotFitIsRefusedByName) {
     GltfFile file;
     file.path = "test.glb";
@@ -135,19 +103,6 @@ TEST(Memory, DeflatedDataThatTheHeaderDoesNotAskForIsNotInflated) {
     EXPECT_EQ(load(completeFile(zeroPng(64, 64 * (64 * 3 + 1)))).textures.at(0).width, 64);
     const std::string error = loadError(completeFile(zeroPng(4, std::size_t{256} << 20)));
     expectMentions(error, {"test.glb", "image 0", "more data than its 4 x 4 pixels"});
-}
-
-TEST(Messages, ManyWarningsAreTheFirstFewAndACount) {
-    GltfBuilder builder;
-    builder.triangle();
-    for (int i = 0; i < 1000; ++i) {
-        builder.add("cameras", {{"type", "orthographic"},
-                                {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 1}}}});
-        builder.node({{"camera", i}});
-    }
-    const Scene scene = load(builder);
-    ASSERT_EQ(scene.warnings.size(), 21U);
-    EXPECT_EQ(scene.warnings.back(), "980 more warnings are left out");
 }
 
 }  // namespace

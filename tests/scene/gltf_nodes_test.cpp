@@ -35,16 +35,6 @@ TEST(GltfNodes, TranslationRotationScaleEqualsItsMatrix) {
     }
 }
 
-TEST(GltfNodes, MirroredNodeHasANegativeDeterminant) {
-    GltfBuilder builder;
-    builder.triangle();
-    builder.document["nodes"][0]["scale"] = {-1, 1, 1};
-    const Scene scene = load(builder);
-    EXPECT_LT(glm::determinant(scene.instances.at(0).worldFromObject), 0.0);
-    EXPECT_EQ(scene.boundsWorld.min, glm::dvec3(-1, 0, 0));
-    EXPECT_EQ(scene.meshes.at(0).vertices[0].normal, glm::vec3(0, 0, 1));  // object space is not mirrored
-}
-
 TEST(GltfNodes, AreThoseOfTheDefaultSceneOrTheFirstOrAllRoots) {
     GltfBuilder builder;
     builder.triangle();

@@ -142,14 +142,5 @@ TEST(GltfTriangles, VerticesKeepTheirPrecisionFarFromTheOrigin) {
     EXPECT_EQ(mesh.vertices[1].position, glm::vec3(0.03125F, -0.03125F, 0));
 }
 
-TEST(GltfTriangles, BoundsLeaveOutVerticesThatNoTriangleUses) {
-    GltfBuilder builder;
-    const int positions =
-        builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, std::numeric_limits<float>::infinity(), 1e30F, 7});
-    const int indices = builder.accessor(std::vector<std::uint8_t>{0, 1, 2}, uint8, "SCALAR");
-    builder.node({{"mesh", builder.mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}})}});
-    EXPECT_EQ(load(builder).boundsWorld.max, glm::dvec3(1, 1, 0));
-}
-
 }  // namespace
 }  // namespace vct::test

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "support/gltf_builder.h"
-#include "support/renderers.h"
 #include "support/scenes.h"
 
 namespace vct::test {
