@@ -57,7 +57,7 @@ void run(const std::string& out) {
                     {redPositions, redNormals, redIndices, 1}};
     scene.instances.resize(2);
     scene.instances[1].mesh = 1;
-    scene.sun.towardsSun = {-0.8, 0.8, 0.7};
+    scene.sun.directionToSun = {-0.8, 0.8, 0.7};
     scene.skyRadiance = {0.2F, 0.25F, 0.3F};
 
     vct::Options options;

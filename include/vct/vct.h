@@ -66,7 +66,7 @@ struct InstanceDescription {
 
 // The only light besides emission and the sky.
 struct Sun {
-    std::array<double, 3> towardsSun{0, 1, 0};  // of any length but 0
+    std::array<double, 3> directionToSun{0, 1, 0};  // of any length but 0
     std::array<float, 3> color{1, 1, 1};        // multiplies the illuminance; the largest must be 1
     float illuminance = 3.14159265F;            // of a surface that faces it (lux, for example)
     float diameterDegrees = 5.0F;               // full opening angle, 0.1 to 170: how soft shadows are
@@ -137,8 +137,8 @@ struct Pictures {
     // What surfaces receive of other surfaces, emitters and the sky, but not of the sun: 1 is the sun's
     // illuminance. With the presets mobile and quality, but not with thesis, a surface that is not glossy and
     // does not emit shows the radiance, in units of radianceUnit():
-    // baseColor * (max(dot(normal, towardsSun), 0) * sunVisibility * sun.color + irradiance),
-    // where normal and towardsSun have length 1 and sunVisibility is that picture's r.
+    // baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun.color + irradiance),
+    // where normal and directionToSun have length 1 and sunVisibility is that picture's r.
     unsigned irradiance = 0;
     // These have the same number in r, g and b:
     unsigned ambientVisibility = 0;  // 1 - ambient occlusion; with mobile and quality no part of radiance
@@ -181,7 +181,7 @@ class GlobalIllumination {
     // `instance`: an index into SceneDescription::instances, of one that was declared to move.
     void setTransform(std::size_t instance, const Matrix& worldFromObject);
     // Of any length but 0. Colour, illuminance and diameter stay.
-    void setSun(const std::array<double, 3>& towardsSun);
+    void setSun(const std::array<double, 3>& directionToSun);
     // Makes the pictures and the G-buffer anew, and nothing else.
     void resize(int width, int height);
 

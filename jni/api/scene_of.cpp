@@ -96,7 +96,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
 
 DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
-    light.towardsLight = direction(sun.towardsSun, "the direction towards the sun");
+    light.directionToLight = direction(sun.directionToSun, "the direction towards the sun");
     require(within(sun.color, 0.0, 1.0) && *std::max_element(sun.color.begin(), sun.color.end()) == 1.0F,
             "the sun's colour: give three numbers from 0 on, the largest of which is 1");
     const float illuminance[] = {sun.illuminance};

@@ -106,7 +106,7 @@ Camera cameraOf(const View& view) {
 
 // A texture of the caller's G-buffer, bound to a unit to look at it.
 void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
-    gl::Texture::ownedElsewhere(name).bind(gl::scratchTextureUnit);
+    gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
     GLint width = 0, height = 0, format = 0;
     if (name != 0) {
         gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
@@ -191,8 +191,8 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
     implementation_->renderer->setPose(implementation_->pose);
 }
 
-void GlobalIllumination::setSun(const std::array<double, 3>& towardsSun) {
-    implementation_->renderer->setLightDirection(direction(towardsSun, "setSun: the direction"));
+void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
+    implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
 }
 
 void GlobalIllumination::resize(int width, int height) {
@@ -215,11 +215,11 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
     if (gBuffer.gloss != 0) requireTexture(gBuffer.gloss, "gloss", size, {GL_RG8});
     for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
         implementation_->plain->bind(unit);
-    const auto albedo = gl::Texture::ownedElsewhere(gBuffer.albedo),
-               normal = gl::Texture::ownedElsewhere(gBuffer.normal),
-               depth = gl::Texture::ownedElsewhere(gBuffer.depth),
-               emission = gl::Texture::ownedElsewhere(gBuffer.emission),
-               gloss = gl::Texture::ownedElsewhere(gBuffer.gloss);
+    const auto albedo = gl::Texture::wrapExternal(gBuffer.albedo),
+               normal = gl::Texture::wrapExternal(gBuffer.normal),
+               depth = gl::Texture::wrapExternal(gBuffer.depth),
+               emission = gl::Texture::wrapExternal(gBuffer.emission),
+               gloss = gl::Texture::wrapExternal(gBuffer.gloss);
     const GBuffer::Targets surface{
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};

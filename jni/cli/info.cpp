@@ -131,9 +131,9 @@ void addInfo(CLI::App& app, int& exitCode) {
                       "Print as JSON the camera by which --camera and --size see the scene, with the option "
                       "that repeats it, and stop");
     options->sky.addTo(*command);
-    for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
+    for (const char* sceneOption : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
                                  "--light", "--sky", "--environment", "--times", "--print-camera"})
-        command->get_option(ofAScene)->needs(scene);
+        command->get_option(sceneOption)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {
         if (options->listDevices)

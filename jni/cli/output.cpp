@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
-        removeMade();
+        removeCreated();
         throw Error("cannot write into the folder '" + path + "': " + cause + "; choose another --out");
     };
     std::error_code error;
@@ -31,10 +31,10 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 }
 
 OutputFolder::~OutputFolder() {
-    removeMade();
+    removeCreated();
 }
 
-void OutputFolder::removeMade() {
+void OutputFolder::removeCreated() {
     std::error_code ignored;
     for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
         fs::remove(folder->path(), ignored);

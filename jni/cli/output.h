@@ -24,7 +24,7 @@ class OutputFolder {
     void keep() { made_.clear(); }
 
   private:
-    void removeMade();
+    void removeCreated();
 
     std::string path_;
     std::vector<RemovedOnInterruption> made_;  // outermost first

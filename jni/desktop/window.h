@@ -11,7 +11,7 @@ namespace vct::desktop {
 struct WindowRequest {
     std::string title;
     glm::ivec2 size{800, 600};       // pixels
-    app::Surroundings surroundings;  // but for the screen's density
+    app::ViewerHost surroundings;  // but for the screen's density
     app::ShowRequest show;
     std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // by key
 };

@@ -83,10 +83,10 @@ Deformer::Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bo
     for (const Part& part : parts_) {
         const Deformation& deformation = *part.deformation;
         first_.push_back({sources.size(), 3 * displacements.size(), states});
-        const std::vector<shared::DeformSource> ofPart = sourcesOf(deformation);
-        sources.insert(sources.end(), ofPart.begin(), ofPart.end());
-        const std::vector<glm::vec3> ofTargets = displacementsOf(deformation);
-        displacements.insert(displacements.end(), ofTargets.begin(), ofTargets.end());
+        const std::vector<shared::DeformSource> partSources = sourcesOf(deformation);
+        sources.insert(sources.end(), partSources.begin(), partSources.end());
+        const std::vector<glm::vec3> targetDisplacements = displacementsOf(deformation);
+        displacements.insert(displacements.end(), targetDisplacements.begin(), targetDisplacements.end());
         states += 3 * deformation.joints.size() + deformation.targets.size();
     }
     sources_ = storage("deform sources", std::move(sources));

@@ -11,13 +11,13 @@ namespace vct {
 namespace {
 
 // Of a part, in voxels: what is wider is divided.
-constexpr double largestRadius = 5.0;
+constexpr double maxRadius = 5.0;
 // The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
 constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
-constexpr std::size_t mostPartsOfLamp = 16;
+constexpr std::size_t maxPartsPerEmitter = 16;
 // Triangles are cut into pieces before they are sorted into parts, an instance into about so many.
-constexpr double piecesOfInstance = 256.0;
+constexpr double piecesPerInstance = 256.0;
 
 // A piece of a triangle, one side of it.
 struct Piece {
@@ -74,7 +74,7 @@ class Pieces {
     void cut(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = 0.5 * doubleArea(first);
         const double n =
-            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesOfInstance)), 1.0, 16.0);
+            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesPerInstance)), 1.0, 16.0);
         for (double row = 0.0; row < n; ++row) {
             for (double column = 0.0; column < 2.0 * (n - row) - 1.0; ++column) {
                 // Every other one stands on its tip.
@@ -171,7 +171,7 @@ EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
 
 // Whether from every side about the same of it is seen: of the sum of its normals' squares, no direction has
 // more than its share, nearly.
-bool looksToAllSides(const std::vector<Piece>& pieces) {
+bool isIsotropic(const std::vector<Piece>& pieces) {
     glm::dvec3 squares(0.0);
     for (const Piece& piece : pieces)
         squares += piece.facing * piece.facing / std::max(glm::length(piece.facing), 1e-300);
@@ -212,14 +212,14 @@ std::vector<EmitterPart> partsOf(std::size_t instance, std::vector<Piece> pieces
     std::vector<EmitterPart> done;
     std::vector<std::vector<Piece>> left{std::move(pieces)};
     while (!left.empty()) {
-        if (done.size() + left.size() > mostPartsOfLamp) return {};
+        if (done.size() + left.size() > maxPartsPerEmitter) return {};
         const std::vector<Piece> group = std::move(left.back());
         left.pop_back();
         const EmitterPart part = together(instance, group);
         std::vector<std::vector<Piece>> divided;
         if (part.radius > largest)
             divided = halves(group);
-        else if (glm::length(part.facing) < 0.8 * part.area && !looksToAllSides(group))
+        else if (glm::length(part.facing) < 0.8 * part.area && !isIsotropic(group))
             divided = bySide(group);
         if (divided.size() < 2)
             done.push_back(part);
@@ -258,7 +258,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), largestRadius * volume.voxelSize());
+        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
         if (!parts.empty()) lamps.push_back(std::move(parts));
     }
     std::stable_sort(lamps.begin(), lamps.end(),
@@ -270,7 +270,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
     return all;
 }
 
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts) {
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {
     std::vector<bool> lamps(scene.instances.size());
     for (const EmitterPart& part : parts)
         lamps[part.instance] = true;
@@ -279,7 +279,7 @@ std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>&
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
                    float radianceUnit)
-    : lamps_(lampsAmong(scene, parts)),
+    : lamps_(emittingInstances(scene, parts)),
       volume_(volume),
       radianceUnit_(radianceUnit),
       uniforms_("emitters", GL_UNIFORM_BUFFER, sizeof(shared::EmitterBlock), nullptr, GL_DYNAMIC_DRAW) {

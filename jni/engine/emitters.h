@@ -33,7 +33,7 @@ struct EmitterPart {
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume);
 
 // Whether each of the scene's instances is a lamp.
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts);
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts);
 
 // The parts as they are now, for shaders/shared/emitters.glsl.
 class Emitters {

@@ -93,7 +93,7 @@ Image halved(const Image& picture) {
 
 // Towards the poles pixels are narrower than high, and places that are half a pixel's height apart would miss
 // some: there each is spread along its row as wide as it is high.
-Image withoutNarrowPixels(const Image& picture) {
+Image limitNarrowPixels(const Image& picture) {
     Image even = picture;
     for (int y = 0; y < picture.height; ++y) {
         const double sine = std::sin(halfTurn * (y + 0.5) / picture.height);
@@ -195,7 +195,7 @@ Environment::Environment(const Image& picture, const std::string& name) {
     int side = 1;
     while (side < std::min(smaller.height, largestSide))
         side *= 2;
-    levels_.push_back(finestLevel(withoutNarrowPixels(smaller), side));
+    levels_.push_back(finestLevel(limitNarrowPixels(smaller), side));
     for (; side > 1; side /= 2)
         levels_.push_back(coarser(levels_.back(), side));
 }
@@ -208,7 +208,7 @@ float Environment::largestIrradiance() const {
 }
 
 gl::Texture Environment::texture(float radianceUnit) const {
-    constexpr float mostOfHalves = 6e4F;
+    constexpr float maxHalf = 6e4F;
     gl::Texture texture = gl::Texture::makeCube("environment", GL_RGBA16F, side(), levels());
     texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     texture.bind(gl::scratchTextureUnit);
@@ -219,7 +219,7 @@ gl::Texture Environment::texture(float radianceUnit) const {
             std::vector<glm::vec4> rgba;
             for (std::size_t i = 0; i < texelsOfFace; ++i)
                 rgba.emplace_back(
-                    glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, mostOfHalves), 1.0F);
+                    glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, maxHalf), 1.0F);
             gl::TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                               side(level), side(level), GL_RGBA, GL_FLOAT, rgba.data());
         }

@@ -19,7 +19,7 @@ float radianceUnit(const DirectionalLight& light) {
 }
 
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
-    const glm::dvec3 towards = light.towardsLight;
+    const glm::dvec3 towards = light.directionToLight;
     const glm::dvec3 helper = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, towards));
     const glm::dvec3 up = glm::cross(towards, right);
@@ -64,7 +64,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
         shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
     frame.shadowFromVolume = glm::mat4(shadowFromVolume);
     frame.eye = glm::vec4(eye);
-    frame.towardsLight = glm::vec4(glm::vec3(light.towardsLight), 0.0F);
+    frame.directionToLight = glm::vec4(glm::vec3(light.directionToLight), 0.0F);
     frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
     // Cones and the picture hold radiance in halves, which end at 65504; beyond, a black surface would be
     // NaN.

@@ -144,7 +144,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
             std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+                draw.trianglesByAxis[axis] = {first, sorted.indexCounts[axis]};
                 first += static_cast<std::size_t>(sorted.indexCounts[axis]);
             }
         }
@@ -210,7 +210,7 @@ void GpuScene::makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::u
                          count / 3,
                          {moving->firstVertex, draw.triangles.first, indices.size()}});
         if (!sorts) continue;
-        for (IndexRange& range : draw.trianglesAlong) {
+        for (IndexRange& range : draw.trianglesByAxis) {
             range = {indices.size(), draw.triangles.count};
             indices.resize(indices.size() + count, moving->firstVertex);
         }
@@ -250,7 +250,7 @@ void GpuScene::place(Draw& draw) {
                    [&](std::uint32_t index) { return moving.firstVertex + index; });
     std::size_t first = firstMovingIndex_ + moving.firstIndex;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+        draw.trianglesByAxis[axis] = {first, sorted.indexCounts[axis]};
         first += static_cast<std::size_t>(sorted.indexCounts[axis]);
     }
 }
@@ -375,7 +375,7 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, ScenePart part) c
             continue;
         }
         for (GLuint axis = 0; axis < 3; ++axis) {
-            const IndexRange& range = draw.trianglesAlong[axis];
+            const IndexRange& range = draw.trianglesByAxis[axis];
             if (range.count == 0) continue;
             gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
             drawTriangles(range.first, range.count);

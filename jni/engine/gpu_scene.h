@@ -66,7 +66,7 @@ class GpuScene {
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
         IndexRange triangles;
-        std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
+        std::array<IndexRange, 3> trianglesByAxis;  // of each axis, where they are sorted
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
     };

@@ -93,7 +93,7 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
 
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
                       std::size_t bytes) {
-    const std::vector<int> ofDriver =
+    const std::vector<int> driverGrids =
         possibleGrids(settings, capabilities, std::numeric_limits<std::size_t>::max());
     const Narrow narrow = narrowest(scene, settings.voxels);
     const double needed = narrow.across / voxelsAcross;
@@ -106,7 +106,7 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
         if (enough(chosen)) break;
         if (grid <= chosen) continue;
         if (grid > settings.gridRange.finest) break;
-        if (std::find(ofDriver.begin(), ofDriver.end(), grid) == ofDriver.end()) {
+        if (std::find(driverGrids.begin(), driverGrids.end(), grid) == driverGrids.end()) {
             limit = ", the finest that the driver allows";
             break;
         }

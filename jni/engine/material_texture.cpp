@@ -28,10 +28,10 @@ GLenum glWrap(Texture::Wrap wrap) {
 // it lies over. Alpha is linear.
 std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fromHeight, TextureOf of) {
     static const std::array<float, 256> lightOf = [] {
-        std::array<float, 256> ofCode{};
-        for (std::size_t code = 0; code < ofCode.size(); ++code)
-            ofCode[code] = srgbDecode(static_cast<float>(code) / 255.0F);
-        return ofCode;
+        std::array<float, 256> linearValues{};
+        for (std::size_t code = 0; code < linearValues.size(); ++code)
+            linearValues[code] = srgbDecode(static_cast<float>(code) / 255.0F);
+        return linearValues;
     }();
     const auto value = [of](std::uint8_t code) {
         return of == TextureOf::colors ? lightOf[code] : static_cast<float>(code) / 255.0F;

@@ -122,7 +122,7 @@ void Renderer::applyPose(const Pose& pose) {
 }
 
 SceneState Renderer::state() const {
-    return {scene_.placements(), light_.towardsLight,
+    return {scene_.placements(), light_.directionToLight,
             punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>()};
 }
 

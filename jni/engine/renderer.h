@@ -64,7 +64,7 @@ class Renderer {
     // Takes a pose for frames to come. Cameras and the sun follow it by posed().
     void setPose(const Pose& pose) { nextPose_ = pose; }
     // Turns the sun, in frames to come. Its strength stays, as emission is stored relative to it.
-    void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
+    void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
     // Switches one of Scene::punctualLights on or off, in frames to come.
     void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
     // Gives the sun another size, in frames to come; full opening angle. Throws vct::Error where it is out of

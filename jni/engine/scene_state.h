@@ -19,7 +19,7 @@ struct PunctualLightState {
 
 struct SceneState {
     std::vector<Placement> placements;
-    glm::dvec3 towardsLight{0.0};  // of the sun, world space
+    glm::dvec3 directionToLight{0.0};  // of the sun, world space
     std::vector<PunctualLightState> lights;
 
     bool operator==(const SceneState& other) const {
@@ -27,7 +27,7 @@ struct SceneState {
     }
     bool operator!=(const SceneState& other) const { return !(*this == other); }
     bool sameLight(const SceneState& other) const {
-        return towardsLight == other.towardsLight && lights == other.lights;
+        return directionToLight == other.directionToLight && lights == other.lights;
     }
 };
 

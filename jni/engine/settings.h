@@ -37,7 +37,7 @@ enum class Voxels {
 };
 
 // The purpose of a gather: all light, or ambient visibility within the AO distance.
-enum class GatherOf { light, occlusion };
+enum class GatherPurpose { light, occlusion };
 
 // A gather through the faces of directional coverage voxels. Lengths in voxels of the finest level. Measured
 // in docs/levers.md.
@@ -73,7 +73,7 @@ struct GatherSettings {
 
 // What a face received in k steps is a mean in which each step's share is this over (k + this): 1 would be
 // the plain mean, which never forgets the first steps, that knew no bounces.
-constexpr float irradianceForgetting = 6.0F;
+constexpr float recentStepWeight = 6.0F;
 
 // The grids among which one is chosen by the scene (grid_choice.h), both included.
 struct GridRange {

@@ -16,7 +16,7 @@ int levelsOf(int grid) {
     return static_cast<int>(std::log2(grid)) + 1;
 }
 
-shared::CommandLists emptyCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
+shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
     const auto cube = [grid](int level) {
         const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
         return side * side * side;
@@ -58,18 +58,18 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
     : grid_(grid),
       levels_(levelsOf(grid)),
       texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, textureLevels(grid, kind))),
-      initialCommands_(emptyCommands(grid, baseCapacity, kind)),
+      initialCommands_(makeInitialCommands(grid, baseCapacity, kind)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
       activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
                     GL_DYNAMIC_COPY) {
     if (kind == Kind::packed) sparseClear_ = gl::Program(shaders, packedClearProgram());
-    zeroTexture();
+    clearTexture();
 }
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind) {
     return gl::textureBytes(GL_R32UI, grid, grid, grid, textureLevels(grid, kind)) +
-           listBytes(emptyCommands(grid, baseCapacity, kind));
+           listBytes(makeInitialCommands(grid, baseCapacity, kind));
 }
 
 Resources VoxelPyramid::resources() const {

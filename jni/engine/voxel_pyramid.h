@@ -41,7 +41,7 @@ class VoxelPyramid {
     // before; afterwards the image and the buffers are ready for shaders.
     void clear();
     // Empties the texture, whatever is in it.
-    void zeroTexture() const { gl::zeroTexture3d(texture_, grid_); }
+    void clearTexture() const { gl::clearTexture3d(texture_, grid_); }
 
     // The commands of empty lists; and the commands replaced.
     const shared::CommandLists& initialCommands() const { return initialCommands_; }

@@ -133,9 +133,9 @@ Texture Texture::makeCube(const std::string& label, GLenum format, int side, int
     return texture;
 }
 
-Texture Texture::ownedElsewhere(GLuint name) {
+Texture Texture::wrapExternal(GLuint name) {
     Texture texture;
-    texture.ownedElsewhere_ = name;
+    texture.isExternal_ = name;
     return texture;
 }
 
@@ -272,7 +272,7 @@ void Framebuffer::bind() const {
 }
 
 // ES has no clear for textures, but each slice can be a colour target.
-void zeroTexture3d(const Texture& texture, int depth) {
+void clearTexture3d(const Texture& texture, int depth) {
     {
         const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
         framebuffer.bind();

@@ -60,9 +60,9 @@ class Texture {
     static Texture makeCube(const std::string& label, GLenum format, int side, int levels);
 
     // A 2D texture that somebody else owns: it is read, and neither changed nor deleted.
-    static Texture ownedElsewhere(GLuint name);
+    static Texture wrapExternal(GLuint name);
 
-    GLuint name() const { return ownedElsewhere_ != 0 ? ownedElsewhere_ : handle_.get(); }
+    GLuint name() const { return isExternal_ != 0 ? isExternal_ : handle_.get(); }
     GLenum target() const { return target_; }
     GLenum format() const { return format_; }
     int width() const { return width_; }
@@ -81,7 +81,7 @@ class Texture {
     static Texture create(const std::string& label, GLenum target, GLenum format, int width, int height,
                           int depth, int levels);
     Handle<&DeleteTextures> handle_;
-    GLuint ownedElsewhere_ = 0;
+    GLuint isExternal_ = 0;
     GLenum target_ = GL_TEXTURE_2D;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
@@ -105,7 +105,7 @@ class PlainSampler {
 std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
 
 // Zeroes all levels of a 3D texture whose texels can be rendered to.
-void zeroTexture3d(const Texture& texture, int depth);
+void clearTexture3d(const Texture& texture, int depth);
 
 // Throws as Texture does; a storage buffer also where it is larger than a block may be.
 class Buffer {

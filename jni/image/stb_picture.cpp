@@ -21,7 +21,7 @@ std::size_t bigEndian32(const unsigned char* p) {
 
 // What stb says of nothing at all. It keeps its last reason until it has another, and some failures have
 // none, so a reason of an earlier picture must not be there.
-std::string reasonOfNothing() {
+std::string stbiFailureReason() {
     int unused = 0;
     const unsigned char nothing = 0;
     stbi_info_from_memory(&nothing, 1, &unused, &unused, &unused);
@@ -119,7 +119,7 @@ std::vector<std::uint8_t> StbPicture::decode(int channels) const {
         throw PictureError("it says that it has " + extent + " but holds only " + std::to_string(size_) +
                            " bytes");
     if (isPng_) checkDeflatedSize();
-    const std::string noReason = reasonOfNothing();
+    const std::string noReason = stbiFailureReason();
     int width = 0, height = 0, channelsOfFile = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),

@@ -31,7 +31,7 @@ class Player {
         if (!scene_.animation.channels.empty()) {
             const Pose pose = poseAt(scene_.animation, 0.01 * frames_++);
             renderer_.setPose(pose);
-            renderer_.setLightDirection(posed(light_, pose).towardsLight);
+            renderer_.setLightDirection(posed(light_, pose).directionToLight);
         }
         renderer_.render({{options_.mode}, options_.camera});
     }
@@ -42,7 +42,7 @@ class Player {
             frame();
         const gl::CallLog log;
         frame();
-        return {gl::summaryOf(log.calls()), renderer_.resources()};
+        return {gl::summarize(log.calls()), renderer_.resources()};
     }
 
     double frameMs() {

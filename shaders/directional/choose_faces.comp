@@ -27,7 +27,7 @@ void main() {
         ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
         bool lookedUp = isLookedUp(faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
         FaceIrradiance mean = faceIrradianceAt(id);
-        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_CONES_OF_CREASES) : 1u);
+        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_CONES) : 1u);
         if (mean.steps > 0.0 && !turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow) continue;
         uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);
         faceIrradianceData[lightStep.chosenFaces + chosen] = id | (lookedUp ? lookedUpFlag : 0u);

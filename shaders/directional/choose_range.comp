@@ -12,7 +12,7 @@ layout(std430, binding = VCT_SSBO_FACE_RANGE) buffer FaceRangeBlock {
 
 const float headroom = 1.0625;
 // A range is replaced by a smaller one that is more than two steps of a fourth of a power of two below it.
-const float mostAbove = 1.5;
+const float maxExcess = 1.5;
 const float smallest = 1e-7;
 
 void main() {
@@ -20,7 +20,7 @@ void main() {
     float largest = uintBitsToFloat(largestRadiance);
     if (largest > 0.0) {
         float fitting = exp2(ceil(4.0 * log2(headroom * max(largest, smallest))) / 4.0);
-        if (faceRange.radiance < fitting || faceRange.radiance > mostAbove * fitting) faceRange.radiance = fitting;
+        if (faceRange.radiance < fitting || faceRange.radiance > maxExcess * fitting) faceRange.radiance = fitting;
     } else if (faceRange.radiance == 0.0) {
         // Nothing sends light yet. What the sky lights is at most as bright as the sky.
         faceRange.radiance = max(frame.largestSky, smallest);

@@ -15,7 +15,7 @@ shared uint groupSums[sums];
 
 struct Gathered {
     vec3 light;
-    SkySeen sky;
+    VisibleSky sky;
     float nearness;  // mean of 1 / distance of what the cones meet, in voxels
 };
 
@@ -32,10 +32,10 @@ vec3 gatherDirection(int i) {
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    int place = placeInBlock(voxel, axis);
+    int place = indexInBlock(voxel, axis);
     int first = int(firstDirection) + place;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
-    Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
+    Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
@@ -47,7 +47,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         gathered.light += cone.radiance;
         // The directions share the hemisphere, weighted by the cosine.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
-        gathered.sky += skySeen(direction, solidAngle, cone.transmittance);
+        gathered.sky += visibleSky(direction, solidAngle, cone.transmittance);
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
@@ -68,12 +68,12 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
 // a power of the number of steps. Then, in rounds, all directions weigh the same: by and by the mean of a round takes the
 // place of what was there when it began.
 FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
-    float steps = max(known + stepsNow, lightStep.leastHistory), share = VCT_FORGETTING / (known + VCT_FORGETTING);
+    float steps = max(known + stepsNow, lightStep.minHistory), share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
     nearness = mix(before.nearness, nearness, share);
-    if (lightStep.shareInRound == 0.0 || known == 0.0)
-        return FaceIrradiance(mix(before.light, light, share), steps, before.atStart, nearness);
-    vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
-    return FaceIrradiance(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
+    if (lightStep.roundShare == 0.0 || known == 0.0)
+        return FaceIrradiance(mix(before.light, light, share), steps, before.roundStart, nearness);
+    vec3 roundStart = lightStep.beginsRound != 0u ? before.light : before.roundStart;
+    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps, roundStart, nearness);
 }
 
 void main() {
@@ -100,26 +100,26 @@ void main() {
         float close = closeness(before.nearness);
         float memory = lightStep.memory * sqrt(rate);
         float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
-        uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
+        uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
         // A face without a history traces more cones, unless there is hardly anything of it.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.conesOfNew : cones));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.initialCones : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             // A face stands for those whose turn it is not.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
-            uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
+            uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {
                 atomicAdd(groupSums[c], fromFaces[c]);
                 atomicAdd(groupSums[3u + c], sky[c]);
             }
         }
         addToBlock(listed, light, surface.coverage);
-        storeFaceIrradiance(id, nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0));
+        storeFaceIrradiance(id, nextMean(before, known, light, now.nearness, isNew ? VCT_INITIAL_HISTORY : 1.0));
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)
-        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
+        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_FROM_FACES + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);
 }

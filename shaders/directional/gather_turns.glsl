@@ -16,11 +16,11 @@ const uint lookedUpFlag = 0x80000000u;
 // Turns per step; 1 where nothing changes, or the budget holds all faces.
 float turnRate(bool lookedUp) {
     uint before = lightSums(lightStep.frame + 2u);
-    float ofLookedUp = float(faceIrradianceData[before + VCT_SUM_LOOKED_UP_CONES]);
-    float ofOthers = float(faceIrradianceData[before + VCT_SUM_OTHER_CONES]);
+    float lookedUpCones = float(faceIrradianceData[before + VCT_SUM_LOOKED_UP_CONES]);
+    float otherCones = float(faceIrradianceData[before + VCT_SUM_OTHER_CONES]);
     float budget = float(lightStep.coneBudget);
-    if (lightStep.coneBudget == 0u || ofLookedUp + ofOthers <= budget) return 1.0;
-    return min(budget / (ofLookedUp + 0.25 * ofOthers), 1.0) * (lookedUp ? 1.0 : 0.25);
+    if (lightStep.coneBudget == 0u || lookedUpCones + otherCones <= budget) return 1.0;
+    return min(budget / (lookedUpCones + 0.25 * otherCones), 1.0) * (lookedUp ? 1.0 : 0.25);
 }
 
 float turnsBefore(bool lookedUp) {
@@ -42,7 +42,7 @@ struct Turn {
 };
 Turn turnOf(ivec3 voxel, int axis, bool lookedUp) {
     ivec3 block = voxel >> VCT_BRICK_LEVEL;
-    float before = turnsBefore(lookedUp) + 1.0 - float(placeInBlock(voxel, axis)) / 16.0;
+    float before = turnsBefore(lookedUp) + 1.0 - float(indexInBlock(voxel, axis)) / 16.0;
     if (!lookedUp) before += float((185 * block.x + 407 * block.y + 111 * block.z) & 255) / 256.0;
     float number = floor(before + turnRate(lookedUp));
     return Turn(uint(number), number > floor(before));

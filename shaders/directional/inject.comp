@@ -30,7 +30,7 @@ layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 // `slackShare`: of the surface, flatSlack to curvedSlack. `middle`: in voxels.
 vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     mat3 axes = frameAround(plane.normal);
-    float cosTheta = dot(plane.normal, frame.towardsLight.xyz);
+    float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
     vec2 slope = shadowSlope(plane.normal);
     float slack = sunSlack(slope, slackShare);
     vec2 points = vec2(0.0), texels = vec2(0.0);
@@ -127,7 +127,7 @@ void main() {
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
 #ifdef VCT_BOUNCES
-        radiance = withBounces(id, coverage, radiance, material.albedo);
+        radiance = addBounces(id, coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);

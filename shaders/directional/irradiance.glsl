@@ -16,12 +16,12 @@ uint brickAt(ivec3 block, int axis, int side) {
 }
 
 // From a brick's first texel to a position in a block (both in voxels), which may lie half a voxel beside it.
-vec3 inBrickOf(vec3 position, ivec3 block) {
+vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
 // What a brick holds at a place in it, between its texels; nothing if it is none.
-mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
+mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     // packBrick()'s numbers where they stand: a float holds them as exactly there, and one product shifts and scales them.
     const vec3 texelsOfUnit = float(VCT_BRICK_TEXELS) / vec3(1 << 20, 1 << 10, 1);
     vec3 texel = inBrick + vec3(brick & 0x3FF00000u, brick & 0xFFC00u, brick & 0x3FFu) * texelsOfUnit;
@@ -32,12 +32,12 @@ mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
 
 // The irradiance around a position (in voxels) of the faces towards one side of an axis, premultiplied by their coverage, and
 // that coverage. `block`: the position's, or one that is no more than half a voxel away.
-mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
-    return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
+mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
+    return irradianceInBrick(brickAt(block, axis, side), positionInBrick(position, block));
 }
 
 // From the middle of a cube to one of its corners, by the last three bits.
-vec3 towardsCorner(uint i) {
+vec3 cornerOffset(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
@@ -49,32 +49,32 @@ vec3 towardsCorner(uint i) {
 // the mean of what its block's faces received that look the same way, or else the other way: six faces with eight fetches
 // each, between eight texels; and if there are none, those of the blocks around it. All of them go through the one fetch
 // below, as a second would hold its registers in every pixel for the few that need it.
-mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
+mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
     // What looks this little along an axis has received nearly the same along the others.
-    const float leastWeight = 0.02;
+    const float minWeight = 0.02;
     // Of less coverage than this nothing is known.
-    const mediump float leastCoverage = 0.03;
+    const mediump float minCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 9u * 48u;
 
     vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
-    vec3 inBrick = inBrickOf(position, block);
-    int axes = int(dot(step(leastWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
+    vec3 inBrick = positionInBrick(position, block);
+    int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
     float instead = 0.0;  // of the normal along the axis, but where 0
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
         do {
-            COUNT(VCT_COUNTER_RECEIVED_AXIS);
+            COUNT(VCT_COUNTER_IRRADIANCE_AXIS);
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * receivedInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
+            sum += weight * irradianceInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
         } while (axes > 0);
         // A face of a block has all its eight fetches or none.
         bool whole = i <= borderTries || (i & 7u) == 0u;
-        if (i == tries || whole && sum.a >= leastCoverage) break;
-        COUNT(VCT_COUNTER_RECEIVED_NEARBY);
+        if (i == tries || whole && sum.a >= minCoverage) break;
+        COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
         uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
@@ -84,8 +84,8 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * towardsCorner(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
-        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * towardsCorner(i) + 3.0;
+        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
+        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);
@@ -93,5 +93,5 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
 
 // 1 - ambient occlusion, where that is what the faces have gathered.
 mediump float ambientVisibilityAt(vec3 position, vec3 normal) {
-    return receivedAt(position, normal).r;
+    return sampleIrradiance(position, normal).r;
 }

@@ -16,12 +16,12 @@ vec3 sumAt(uint at) {
 // give the share k that other faces receive; in balance the irradiance is k (direct + reflected) + sky, and a factor s on the
 // irradiance before solves that for all faces together, as a coarse grid of one cell does in a multigrid solver. The mean
 // of that step has moved by its own share already, and by as much less where faces take turns; here it comes as near to the
-// balance as `towardsBalance` says: half the way while the light is found, and in rounds no more than the mean does, as the
+// balance as `energyCorrection` says: half the way while the light is found, and in rounds no more than the mean does, as the
 // directions of one step favour some light.
 vec3 globalEnergyCorrection() {
     uint sums = lightSums(lightStep.frame + 2u);  // of the step before
     vec3 before = sumAt(sums + VCT_SUM_BEFORE);
-    vec3 fromFaces = sumAt(sums + VCT_SUM_RECEIVED);
+    vec3 fromFaces = sumAt(sums + VCT_SUM_FROM_FACES);
     vec3 reflected = sumAt(sums + VCT_SUM_REFLECTED);
     vec3 direct = sumAt(sums + VCT_SUM_DIRECT);
     vec3 sky = sumAt(sums + VCT_SUM_SKY);
@@ -30,7 +30,7 @@ vec3 globalEnergyCorrection() {
     vec3 left = max(before - share * reflected, (1.0 - frame.largestBounceShare) * before);
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
-    vec3 factor = (1.0 + lightStep.towardsBalance * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
+    vec3 factor = (1.0 + lightStep.energyCorrection * (balance - 1.0)) / (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 
@@ -44,18 +44,18 @@ void beginBalance() {
 }
 
 // A face's radiance with what it reflects of its irradiance. `direct`: without; both relative to E/pi.
-vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
+vec3 addBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
-    mean.light = min(mean.light * balanceFactor, largestLight);
-    mean.atStart *= balanceFactor;
+    mean.light = min(mean.light * balanceFactor, maxStoredLight);
+    mean.roundStart *= balanceFactor;
     storeFaceIrradiance(id, mean);
     irradianceMeasured = largerOf(irradianceMeasured, mean.light);
     // The gain makes up for what cones lose. No face reflects more than it receives.
     vec3 reflecting = min(lightStep.reflected * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
-    sumBefore += inSumUnits(coverage * mean.light);
-    sumReflected += inSumUnits(reflecting * mean.light);
-    sumDirect += inSumUnits(min(own, faceRange.radiance));
+    sumBefore += quantizeSum(coverage * mean.light);
+    sumReflected += quantizeSum(reflecting * mean.light);
+    sumDirect += quantizeSum(min(own, faceRange.radiance));
     return own + reflecting * mean.light;
 }
 

@@ -3,20 +3,20 @@
 #include "shared/sky.glsl"
 
 #ifdef VCT_ENVIRONMENT
-#define SkySeen vec3  // relative to E/pi
-SkySeen skySeen(vec3 direction, float solidAngle, float transmittance) {
+#define VisibleSky vec3  // relative to E/pi
+VisibleSky visibleSky(vec3 direction, float solidAngle, float transmittance) {
     if (transmittance == 0.0) return vec3(0.0);
-    return skyTowards(direction, solidAngle) * transmittance;
+    return sampleSky(direction, solidAngle) * transmittance;
 }
-vec3 skyLight(SkySeen seen) {
+vec3 skyLight(VisibleSky seen) {
     return seen;
 }
 #else
-#define SkySeen float  // of the hemisphere
-SkySeen skySeen(vec3 direction, float solidAngle, float transmittance) {
+#define VisibleSky float  // of the hemisphere
+VisibleSky visibleSky(vec3 direction, float solidAngle, float transmittance) {
     return transmittance;
 }
-vec3 skyLight(SkySeen seen) {
+vec3 skyLight(VisibleSky seen) {
     return seen * frame.skyRadiance.rgb;
 }
 #endif

@@ -10,11 +10,11 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 void main() {
     COUNT(VCT_COUNTER_SPARSE_CLEAR);
     uint side = uint(imageSize(voxels).x);
-    uint count = voxelsToEmpty(level, side);
+    uint count = voxelsToClear(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_SPARSE_CLEAR_VOXEL);
-        ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
+        ivec3 voxel = ivec3(voxelToClear(level, side, i));
         imageStore(voxels, voxel, uvec4(0u));
     }
 }

@@ -55,7 +55,7 @@ Gather gatherDiffuse(vec3 positionVolume, vec3 normal, float reach) {
             distance *= 2.0;
         }
         mediump float weight = i == 0 ? normalConeWeight : ringConeWeight;
-        mediump vec3 sky = max(1.0 - opacity, 0.0) * skyTowards(direction, diffuseConeSolidAngle);
+        mediump vec3 sky = max(1.0 - opacity, 0.0) * sampleSky(direction, diffuseConeSolidAngle);
         gather.radiance = gather.radiance + weight * (radiance + sky);
         gather.ambientVisibility = gather.ambientVisibility + weight * max(1.0 - nearOpacity, 0.0);
     }
@@ -83,7 +83,7 @@ mediump float traceShadowCone(vec3 positionVolume, vec3 normal) {
     for (float distance = voxel; distance < furthest && opacity < opaque;
          distance += shadowStep(distance, ratio * distance, voxel)) {
         float radius = ratio * distance;
-        vec3 p = start + frame.towardsLight.xyz * (distance + radius);
+        vec3 p = start + frame.directionToLight.xyz * (distance + radius);
         float level = min(log2(max(2.0 * radius * side, 1.0)), lastLevel);  // eq. 4.7
         int fine = int(level);
         if (outsideVolume(p, min(fine + 1, findMSB(frame.gridSide)))) break;

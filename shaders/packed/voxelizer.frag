@@ -34,7 +34,7 @@ void main() {
 
     // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
     vec3 normal = safeNormalize(fragmentNormal);
-    float facing = dot(normal, frame.towardsLight.xyz);
+    float facing = dot(normal, frame.directionToLight.xyz);
     float cosTheta = materialIsDoubleSided ? abs(facing) : max(facing, 0.0);
     bool lit = shadowMapLight(fragmentPosition, cosTheta) >= 0.5;
     vec3 radiance = cosTheta * baseColor.rgb * frame.lightColor.rgb;  // thesis eq. 4.4

@@ -8,13 +8,13 @@ in vec3 fragmentNormal;
 layout(location = 0) out vec4 albedoRoot;  // square root of linear albedo: spends the 8 bits where eyes look
 #ifdef VCT_MAPPED_NORMALS
 layout(location = 1) out uvec4 normalCodes;
-void storeNormals(vec3 mapped, vec3 ofGeometry) {
-    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(ofGeometry));
+void storeNormals(vec3 mapped, vec3 geometric) {
+    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(geometric));
 }
 #else
 layout(location = 1) out uvec2 normalCode;
-void storeNormals(vec3 mapped, vec3 ofGeometry) {
-    normalCode = encodeNormal(ofGeometry);
+void storeNormals(vec3 mapped, vec3 geometric) {
+    normalCode = encodeNormal(geometric);
 }
 #endif
 

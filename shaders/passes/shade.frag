@@ -26,12 +26,12 @@ struct Gather {
 };
 
 // The light that a surface gathers, by its pixel's own cones or, with directional voxels, by its faces.
-#ifdef VCT_RECEIVED
+#ifdef VCT_FACE_IRRADIANCE
 #include "directional/irradiance.glsl"
 const bool received = true;
 Gather indirectDiffuse(vec3 position, vec3 normal) {
     if (VCT_SHOWS_AMBIENT_VISIBILITY) return Gather(vec3(0.0), ambientVisibilityAt(position, normal));
-    return Gather(receivedAt(position, normal), 1.0);
+    return Gather(sampleIrradiance(position, normal), 1.0);
 }
 #else
 #include "packed/cones.glsl"
@@ -51,7 +51,7 @@ const bool softShadowIsAll = true;
 mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
     return softShadow(position, normal);
 }
-#elif defined(VCT_RECEIVED)
+#elif defined(VCT_FACE_IRRADIANCE)
 const bool softShadowIsAll = false;
 mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
     return 1.0;
@@ -134,7 +134,7 @@ mediump vec3 emitted(ivec2 pixel) {
 
 mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
-    vec3 reflection = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
+    vec3 reflection = 2.0 * cosTheta * normal - frame.directionToLight.xyz;
     return cosTheta > 0.0 ? pow(max(dot(reflection, toEye), 0.0), specularExponent) : 0.0;
 }
 
@@ -148,7 +148,7 @@ mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float co
     if (mode == VCT_VIEW_SPECULAR) return indirectSpecular(brdf, position, normal, gather.radiance);
     // Occlusion is in the received light already; it takes nothing from the sun.
     if (VCT_SHOWS_INDIRECT_LIGHT && received)
-        return light * evaluateBrdf(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
+        return light * evaluateBrdf(brdf, normal, frame.directionToLight.xyz) * frame.lightColor.rgb +
                brdf.diffuse * diffuseAlbedoScale(brdf, normal) * gather.radiance +
                indirectSpecular(brdf, position, normal, gather.radiance);
     // What the sun's disc shows is the direct light; nothing else dims or lifts it. Else eq. 4.9.
@@ -173,10 +173,10 @@ void main() {
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
     vec3 geometricNormal = geometryNormal(pixel, normal);
-    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
+    float cosTheta = max(dot(normal, frame.directionToLight.xyz), 0.0);
     // First what takes the most registers: a Mali has few.
     Gather gather = indirectDiffuse(position, geometricNormal);
-    mediump float light = directLight(position, geometricNormal, max(dot(geometricNormal, frame.towardsLight.xyz), 0.0));
+    mediump float light = directLight(position, geometricNormal, max(dot(geometricNormal, frame.directionToLight.xyz), 0.0));
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
     mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normal, cosTheta, light, gather);

@@ -11,12 +11,12 @@ void main() {
     vec2 texel = 1.0 / vec2(textureSize(finer, 0));
     vec2 middle = 2.0 * gl_FragCoord.xy * texel;
     vec2 at = middle - texel;
-    vec2 ofMeans =
+    vec2 meanMoments =
         momentsOf(textureGather(finer, at), textureGatherOffset(finer, at, ivec2(2, 0)),
                   textureGatherOffset(finer, at, ivec2(0, 2)), textureGatherOffset(finer, at, ivec2(2, 2)));
     // The variance within the texels, as the linear filter weighs them: (1 3 3 1)/8 are two pairs, each 1:3.
     vec4 pairs = vec4(middle - 0.75 * texel, middle + 0.75 * texel);
     float within = textureLod(finer, pairs.xy, 0.0).g + textureLod(finer, pairs.zy, 0.0).g +
                    textureLod(finer, pairs.xw, 0.0).g + textureLod(finer, pairs.zw, 0.0).g;
-    outMoments = vec2(ofMeans.x, max(ofMeans.y, 0.0) + 0.25 * within);
+    outMoments = vec2(meanMoments.x, max(meanMoments.y, 0.0) + 0.25 * within);
 }

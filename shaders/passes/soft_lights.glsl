@@ -20,7 +20,7 @@ struct Beside {
     float least;          // nearness up to which it may be the plane itself
 };
 
-Beside besideReceiver(int i, vec3 position, vec3 normal, vec3 aside) {
+Beside projectTap(int i, vec3 position, vec3 normal, vec3 aside) {
     vec4 place = punctual.light[i].place;
     vec3 beside = position + aside;
     vec3 away = beside * place.w - place.xyz;
@@ -65,7 +65,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         COUNT(VCT_COUNTER_BLOCKER_TAP);
         float radius = float(tap) / float(sourceSearchTaps - 1);
         radius *= radius * reach;
-        Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         float nearness = (there.depth - textureLod(lightMaps, there.inMap, 0.0).r) * there.perDepth;
         float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         addTap(search, nearness > there.least ? penumbra : 0.0, radius);
@@ -73,7 +73,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     }
     // What touches the receiver is the hard shadow's.
     if (search.weight == 0.0) return hard;
-    float penumbra = min(penumbraOf(search), reach);
+    float penumbra = min(penumbraWidth(search), reach);
     float share = clamp(0.5 * penumbra / texel - 0.5, 0.0, 1.0);
     if (share == 0.0) return hard;
 
@@ -85,7 +85,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
         COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
-        Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
         vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;

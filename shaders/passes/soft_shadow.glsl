@@ -15,7 +15,7 @@ const int blockerTaps = 7;  // with 6 a penumbra has steps where the search lose
 // Lengths across the light are in units of the sun's cone: at 1, a blocker must be 1 nearer to the light, in units
 // of the map's depth, to be within the cone.
 float softShadow(vec3 positionVolume, vec3 normal) {
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     vec2 mapFromCone = frame.shadowConeRadius;
 
@@ -55,9 +55,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
     // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
     const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
-    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
+    const float borderShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
     const float aside = 2.0;          // in texels
-    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+    if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
     // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
@@ -79,14 +79,14 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
     if (search.weight > 0.0) {
-        penumbra = penumbraOf(search);
+        penumbra = penumbraWidth(search);
     } else {
         // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
         // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.
         vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
         float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
-        const float leastShare = 0.001;
-        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        const float minShare = 0.001;
+        if (nearer <= max(sqrt(minShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
         penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
     }
 
@@ -96,8 +96,8 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float radius = penumbra * coneInTexels;
     float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // texels of the map, up to one of the coarsest level
     float level = log2(0.5 * wide);
-    float ofRadius = wide / max(radius, 1e-6);
-    float distance = sqrt(max(0.6 - 0.835 * ofRadius * ofRadius, 0.25 * ofRadius * ofRadius));
+    float relativeWidth = wide / max(radius, 1e-6);
+    float distance = sqrt(max(0.6 - 0.835 * relativeWidth * relativeWidth, 0.25 * relativeWidth * relativeWidth));
     distance = min(distance, 0.7) * penumbra;
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.

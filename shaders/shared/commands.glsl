@@ -37,9 +37,9 @@ uvec3 activeVoxel(uint level, uint i) {
 
 // What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
 // found no room in it is not empty either.
-uint voxelsToEmpty(uint level, uint side) {
+uint voxelsToClear(uint level, uint side) {
     return overflowed(level) ? side * side * side : activeVoxelCount(level);
 }
-uvec3 voxelToEmpty(uint level, uint side, uint i) {
+uvec3 voxelToClear(uint level, uint side, uint i) {
     return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side)) : activeVoxel(level, i);
 }

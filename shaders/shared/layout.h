@@ -76,7 +76,7 @@ using glm::vec4;
 #define VCT_COUNTER_SHADOW_STEP 10
 #define VCT_COUNTER_BLOCKER_TAP 11
 #define VCT_COUNTER_FILTER_TAP 12
-#define VCT_COUNTER_RECEIVED_AXIS 13
+#define VCT_COUNTER_IRRADIANCE_AXIS 13
 #define VCT_COUNTER_MARK_FACES 14
 #define VCT_COUNTER_LIST_FACES 15
 #define VCT_COUNTER_LIST_FACES_VOXEL 16
@@ -101,14 +101,14 @@ using glm::vec4;
 #define VCT_COUNTER_BRICKS_CLEAR 35
 #define VCT_COUNTER_BRICKS_CLEAR_TEXEL 36
 #define VCT_COUNTER_BRICKS_CLEAR_PLACE 37
-#define VCT_COUNTER_BRICKS_PLACE 38
-#define VCT_COUNTER_BRICKS_PLACE_FACE 39
+#define VCT_COUNTER_PLACE_BRICKS 38
+#define VCT_COUNTER_PLACE_BRICKS_FACE 39
 #define VCT_COUNTER_IRRADIANCE 40
 #define VCT_COUNTER_IRRADIANCE_FACE 41
 #define VCT_COUNTER_IRRADIANCE_CONE 42
 #define VCT_COUNTER_IRRADIANCE_STEP 43
 #define VCT_COUNTER_FILL_BRICKS_TEXEL 44
-#define VCT_COUNTER_RECEIVED_NEARBY 45
+#define VCT_COUNTER_IRRADIANCE_NEARBY 45
 #define VCT_COUNTER_LIGHT_BLOCKS 46
 #define VCT_COUNTER_SPECULAR_STEP 47
 #define VCT_COUNTER_SHADOW_MOMENTS 48
@@ -221,8 +221,8 @@ using glm::vec4;
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
 #define VCT_BRICK_TEXELS 6
-#define VCT_CONES_OF_CREASES 4    // that a face looks into in a step, at least, where something is near
-#define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
+#define VCT_MIN_CREASE_CONES 4    // that a face looks into in a step, at least, where something is near
+#define VCT_INITIAL_HISTORY 6.0      // that a face counts as having seen when it has gathered for the first time
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
 #define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
 
@@ -233,7 +233,7 @@ struct FrameUniforms {
     mat4 volumeFromWindow;  // pixels, and depth as the depth buffer has it
     mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
     vec4 eye;               // xyz: volume space
-    vec4 towardsLight;      // xyz: unit length
+    vec4 directionToLight;      // xyz: unit length
     vec4 lightColor;        // rgb: largest component 1
     vec4 skyRadiance;       // rgb: relative to E/pi, where it is the same in all directions (shared/sky.glsl)
     vec2 shadowConeRadius;     // of the sun's cone in the shadow map, at one unit of its depth
@@ -272,7 +272,7 @@ struct PunctualLightBlock {
 // A part of a lamp (jni/engine/emitters.h). Lengths and areas in sides of the volume.
 struct EmitterPartUniforms {
     vec4 place;     // xyz: its middle, volume space; w: its radius
-    vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see seenArea() in shared/emitters.glsl
+    vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see projectedArea() in shared/emitters.glsl
     vec4 side;      // xyz: half of one side of the rectangle that it is nearly; zero where it is round
     vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
 };
@@ -293,19 +293,19 @@ struct LightStep {
     uint frame;          // counts steps
     uint direction;      // the first of the set that a step without a budget looks into
     uint cones;          // how many
-    uint conesOfNew;     // of a face that has received nothing yet
+    uint initialCones;     // of a face that has received nothing yet
     uint beginsRound;    // 1 where this step is the first of a round
     uint bricksAlong;    // of the texture of bricks, along x and y
-    float shareInRound;  // of a step; 0 outside of rounds
+    float roundShare;  // of a step; 0 outside of rounds
     float memory;        // most steps that a face's mean remembers
     float inherited;     // most steps that a new face takes over from its neighbours' history
-    float towardsBalance;  // the share of the way to the balance of all faces' light that a step makes good
+    float energyCorrection;  // the share of the way to the balance of all faces' light that a step makes good
     float reflected;     // gain of what faces send on, or 0 for the first bounce alone
     float amplitude;     // the share that the step before had in the means
     float sumUnits;      // fixed point of the sums
     uint blockSums;      // word of the received light where the blocks' sums begin
     float smoothing;     // how much of a face's light may be its block's, 0..1
-    float leastHistory;  // history length that every face has after the step: long where the light has converged
+    float minHistory;  // history length that every face has after the step: long where the light has converged
     uint coneBudget;     // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
     uint chosenFaces;    // word of the face irradiance where the list of the faces that gather begins
     uint unused0, unused1;

@@ -44,7 +44,7 @@ float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, 
         shadowFootprint(textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
-    vec2 next = nextOfFootprint(four, slope);
+    vec2 next = tieBreakTexel(four, slope);
     return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope, slack, contact);
 }
 

@@ -7,7 +7,7 @@ layout(binding = VCT_TEX_ENVIRONMENT) uniform mediump samplerCube environment;
 
 // The mean over a cone of a solid angle (sr): of the mip level whose texels fill as much of a face's middle. The filter
 // between its texels and levels is about twice as wide.
-mediump vec3 skyTowards(vec3 direction, float solidAngle) {
+mediump vec3 sampleSky(vec3 direction, float solidAngle) {
     float side = float(textureSize(environment, 0).x);
     float level = max(0.5 * log2(0.25 * side * side * max(solidAngle, 1e-9)), 0.0);
     return textureLod(environment, direction, level).rgb;
@@ -17,10 +17,10 @@ mediump vec3 skyTowards(vec3 direction, float solidAngle) {
 mediump vec3 skyBehind(vec2 window) {
     vec4 near = frame.volumeFromWindow * vec4(window, 0.0, 1.0);
     vec4 far = frame.volumeFromWindow * vec4(window, 1.0, 1.0);  // at infinity, perhaps: its w is 0 then
-    return skyTowards(far.xyz * near.w - near.xyz * far.w, 0.0);
+    return sampleSky(far.xyz * near.w - near.xyz * far.w, 0.0);
 }
 #else
-mediump vec3 skyTowards(vec3 direction, float solidAngle) {
+mediump vec3 sampleSky(vec3 direction, float solidAngle) {
     return frame.skyRadiance.rgb;
 }
 mediump vec3 skyBehind(vec2 window) {

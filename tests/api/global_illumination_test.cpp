@@ -119,7 +119,7 @@ TEST_F(Embedded, AMovedInstanceIsSeenAtItsNewPlace) {
     EXPECT_NE(before.pixels, after.pixels);
 
     scene.instances[1].worldFromObject = moved;
-    scene.sun.towardsSun = {-0.4, 1, 0.5};
+    scene.sun.directionToSun = {-0.4, 1, 0.5};
     GlobalIllumination fresh(getProcAddress, scene, optionsOf("mobile"));
     EXPECT_EQ(imageOf(fresh.render(view).sunVisibility).pixels, after.pixels);
 }
@@ -197,7 +197,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         light.setSun({1, 1, 1});
         light.setTransform(1, {});
         expectSame("setSun() and setTransform()");
-        light.setSun(described_.scene.sun.towardsSun);
+        light.setSun(described_.scene.sun.directionToSun);
         light.setTransform(1, described_.scene.instances[1].worldFromObject);
         EXPECT_THROW(light.resize(0, 0), Error);
         expectSame("an error");

@@ -30,7 +30,7 @@ Image screenOf(const std::string& show, int width, int height, const std::string
 }
 
 // The largest difference of 8-bit values between the window and the picture in a file.
-long largestDifference(const Image& screen, const std::string& file) {
+long maxDifference(const Image& screen, const std::string& file) {
     const Image picture = readImage(file);
     if (screen.pixels.size() != picture.pixels.size()) return 256;
     long largest = 0;
@@ -55,7 +55,7 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/courtyard.glb --preset thesis --grid 64 --size 120x90 --out out --mode " +
                           mode);
-    EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
+    EXPECT_EQ(maxDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
 TEST(Animated, APoseIsThePictureOfRenderAtThatTime) {
@@ -65,7 +65,7 @@ TEST(Animated, APoseIsThePictureOfRenderAtThatTime) {
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/moving.glb --preset thesis --size 96x72 --out out "
                           "--mode gi --time 1.5");
-    EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
+    EXPECT_LE(maxDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
 TEST(Animated, PlaysUnlessItIsStopped) {
@@ -130,7 +130,7 @@ TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     ProgramRun program;
     program.expectSuccess("render " + scenes.file("unlit.glb") +
                           " --preset thesis --grid 64 --size 96x72 --out out --mode gi");
-    EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
+    EXPECT_LE(maxDifference(screen, program.folder.file("out/gi.png")), 1);
     EXPECT_GT(screen.at(2, 2).b, 0.1F);
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }

@@ -90,24 +90,24 @@ class Creases : public testing::TestWithParam<Sizes> {
         Count count;
         for (const glm::dvec3& sun : suns) {
             frame.setLight(sun);
-            const glm::dvec3 towardsLight = cubeFromWorld * glm::normalize(sun);
+            const glm::dvec3 directionToLight = cubeFromWorld * glm::normalize(sun);
             const std::vector<float> light = soft ? frame.softShadow() : frame.hardShadow();
             for (std::size_t i = 0; i < light.size(); ++i) {
                 if (!frame.pixels()[i].surface) continue;
                 const glm::dvec3 p = cubeFromWorld * frame.pixels()[i].positionWorld;
                 const glm::dvec3 normal = cubeFromWorld * frame.pixels()[i].normal;
                 // n.l accounts for a sun that is partly below the surface's horizon.
-                if (glm::dot(normal, towardsLight) < std::sin(discRad) + 0.05) continue;
+                if (glm::dot(normal, directionToLight) < std::sin(discRad) + 0.05) continue;
                 glm::dvec3 toWalls = glm::abs(1.0 - glm::abs(p));
                 std::sort(&toWalls.x, &toWalls.x + 3);  // the nearest wall is the pixel's own
                 const double near = 4.0 * pixel * glm::length(p - eye);
                 // The rasterizer rounds corners, so either wall may be seen this near to a crease. Walls with
                 // a thickness have narrow sides, too.
                 if (toWalls[0] > 1e-3 || toWalls[1] < near / 80.0 || glm::dot(normal, p) > 0.0) continue;
-                const double outside = outsideOfTheOpening(p, towardsLight, room.open);
+                const double outside = outsideOfTheOpening(p, directionToLight, room.open);
                 // The filter's reach and the sun's size.
                 const double border =
-                    2.0 * (6.0 * texel + 4.0 * discRad) / std::max(std::abs(towardsLight.z), 1e-3);
+                    2.0 * (6.0 * texel + 4.0 * discRad) / std::max(std::abs(directionToLight.z), 1e-3);
                 if (outside > border) {
                     count.dark += toWalls[1] < near;
                     count.leaks += light[i] > (soft ? softLeak : hardLeak);
@@ -123,9 +123,9 @@ class Creases : public testing::TestWithParam<Sizes> {
   private:
     // Distance between the missing wall and the point where a ray leaves the cube; negative where the ray
     // leaves through that wall.
-    static double outsideOfTheOpening(const glm::dvec3& p, const glm::dvec3& towardsLight, bool open) {
-        if (!open || towardsLight.z <= 0.0) return 1e9;
-        const glm::dvec3 leaves = p + (1.0 - p.z) / towardsLight.z * towardsLight;
+    static double outsideOfTheOpening(const glm::dvec3& p, const glm::dvec3& directionToLight, bool open) {
+        if (!open || directionToLight.z <= 0.0) return 1e9;
+        const glm::dvec3 leaves = p + (1.0 - p.z) / directionToLight.z * directionToLight;
         return std::max(std::abs(leaves.x), std::abs(leaves.y)) - 1.0;
     }
     const Context context_ = openContext(Backend::egl);

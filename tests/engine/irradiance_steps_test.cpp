@@ -120,14 +120,14 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const ReceivedFaces before = readReceived(renderer);
     DirectionalLight turned = light;
     const double angle = glm::radians(30.0);
-    const glm::dvec3 l = light.towardsLight;
-    turned.towardsLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
+    const glm::dvec3 l = light.directionToLight;
+    turned.directionToLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
                                                     l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
     fresh.render({{Output::gi}, camera, LightSteps::all});
     const ReceivedFaces right = readReceived(fresh);
     const double change = differenceOf(before, right).rms;
-    renderer.setLightDirection(turned.towardsLight);
+    renderer.setLightDirection(turned.directionToLight);
     double last = change;
     for (int frame = 1; frame <= settings.lightFrames; ++frame) {
         renderer.render({{Output::gi}, camera});
@@ -168,7 +168,7 @@ TEST(ReceivedLight, HasNoTraceOfAMovedBoxSixteenFramesLater) {
     const Scene scene = passingBox();
     const Settings settings = mobileSettings();
     for (const Output mode : {Output::gi, Output::ao}) {
-        const GatherOf of = mode == Output::ao ? GatherOf::occlusion : GatherOf::light;
+        const GatherPurpose of = mode == Output::ao ? GatherPurpose::occlusion : GatherPurpose::light;
         PlayingScene stage(context, scene, settings);
         stage.convergedAt(0.0, mode);
         for (int frame = 1; frame <= 30; ++frame)

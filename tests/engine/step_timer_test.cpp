@@ -38,8 +38,8 @@ StepTimes timesOf(int gpuTimerBits, int frames, Clocks clocks = Clocks::cpuAndGp
     return timer.stopRecording();
 }
 
-std::vector<double> samplesOf(const std::array<std::vector<double>, stepCount>& ofSteps, Step step) {
-    return ofSteps[static_cast<std::size_t>(step)];
+std::vector<double> samplesOf(const std::array<std::vector<double>, stepCount>& stepTime, Step step) {
+    return stepTime[static_cast<std::size_t>(step)];
 }
 
 TEST(StepTimer, SumsTheTimesOfAStepInEachFrameByBothClocks) {

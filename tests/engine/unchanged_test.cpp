@@ -74,7 +74,7 @@ TEST_P(Unchanged, ARepeatedFrameRunsNoStepNorDoesAMovedCamera) {
 
 TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     frame();
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     EXPECT_EQ(steps(), "");
     renderer_.setLightDirection(glm::dvec3(0.1, 1.0, 0.2));
     EXPECT_EQ(steps(), allForLight());
@@ -85,7 +85,7 @@ TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     EXPECT_EQ(steps().find("mipmap"), std::string::npos);
     // Two changes before a frame of a mode that needs neither.
     pose(0.5);
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     frame(Output::phong);
     EXPECT_EQ(steps(Output::shadowMap), "shadow_map");
     EXPECT_EQ(steps(Output::shadowMap), "");

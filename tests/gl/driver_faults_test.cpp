@@ -90,7 +90,7 @@ TEST(DriverFaults, ABarrierFollowsAClearThroughAFramebuffer) {
     const GlSpy<&gl::MemoryBarrier> barriers([&](GLbitfield bits) {
         isBarred |= isClear && bits == (GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     });
-    gl::zeroTexture3d(texture, 4);
+    gl::clearTexture3d(texture, 4);
     EXPECT_TRUE(isBarred);
 }
 

@@ -47,10 +47,10 @@ TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
 
 TEST(ShaderSource, PointsMessagesOfThreeVendorsHome) {
     const std::vector<std::string> names{"a.frag", "shared/b.glsl"};
-    EXPECT_EQ(gl::pointHome("1:35(12): error: x", names), "shaders/shared/b.glsl:35: error: x\n");
-    EXPECT_EQ(gl::pointHome("1(35) : error C1: x", names), "shaders/shared/b.glsl:35: error C1: x\n");
-    EXPECT_EQ(gl::pointHome("ERROR: 0:7: 'x' : y", names), "ERROR: shaders/a.frag:7: 'x' : y\n");
-    EXPECT_EQ(gl::pointHome("9:1: unknown file", names), "9:1: unknown file\n");
+    EXPECT_EQ(gl::locateInFiles("1:35(12): error: x", names), "shaders/shared/b.glsl:35: error: x\n");
+    EXPECT_EQ(gl::locateInFiles("1(35) : error C1: x", names), "shaders/shared/b.glsl:35: error C1: x\n");
+    EXPECT_EQ(gl::locateInFiles("ERROR: 0:7: 'x' : y", names), "ERROR: shaders/a.frag:7: 'x' : y\n");
+    EXPECT_EQ(gl::locateInFiles("9:1: unknown file", names), "9:1: unknown file\n");
 }
 
 TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {

@@ -41,7 +41,7 @@ class FrameInspector {
                    const Settings& settings, const Camera& camera);
 
     Renderer& renderer() { return renderer_; }
-    void setLight(const glm::dvec3& towardsLight);
+    void setLight(const glm::dvec3& directionToLight);
 
     // A converged output, relative to E/pi. Indirect light has one bounce unless all are asked for.
     Image view(Output output);

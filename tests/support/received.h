@@ -22,7 +22,7 @@ struct ReceivedLight {
 
 // The key is shared::packFace(voxel, face), so the order of the list does not matter.
 using ReceivedFaces = std::map<std::uint32_t, ReceivedLight>;
-ReceivedFaces readReceived(const Renderer& renderer, GatherOf of = GatherOf::light);
+ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of = GatherPurpose::light);
 
 // The green channel over the faces of both, weighted by coverage as pixels see them. `mean` is that of b.
 struct ReceivedDifference {

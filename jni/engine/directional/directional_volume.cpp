@@ -60,7 +60,7 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset(capacities);
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_);
-    voxels_.keepStatic();
+    voxels_.markStatic();
 }
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {
@@ -77,8 +77,8 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     for (int level = 1; level < voxels_.levels(); ++level)
         grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
     if (grows) {
-        const auto reserve = [&](std::size_t list, std::uint32_t ofStatic, std::uint32_t count) {
-            capacities[list] = std::max(capacities[list], ofStatic + withHeadroom(count));
+        const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
+            capacities[list] = std::max(capacities[list], staticCount + withHeadroom(count));
         };
         reserve(VCT_LIST_DYNAMIC, 0, dynamic.faceCount);
         reserve(VCT_LIST_DYNAMIC + 1, 0, dynamic.faceCount);
@@ -124,7 +124,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         if (!isInjected_) inject(nullptr);
         return light;
     }
-    Irradiance& irradiance = irradianceFor(occlusion ? GatherOf::occlusion : GatherOf::light);
+    Irradiance& irradiance = irradianceFor(occlusion ? GatherPurpose::occlusion : GatherPurpose::light);
     if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces)
         irradiance.invalidate();
     if (occlusion && !isInjected_) inject(nullptr);
@@ -138,16 +138,16 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     return light;
 }
 
-Irradiance& DirectionalVolume::irradianceFor(GatherOf of) {
-    std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
+Irradiance& DirectionalVolume::irradianceFor(GatherPurpose of) {
+    std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
     if (!pass)
-        pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
+        pass.emplace(shaders_, of == GatherPurpose::occlusion ? settings_.occlusion : settings_.gather, of,
                      settings_.lightFrames, hasDynamic_, featuresFor(of, sources_));
     return *pass;
 }
 
-const Irradiance* DirectionalVolume::irradiance(GatherOf of) const {
-    const std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
+const Irradiance* DirectionalVolume::irradiance(GatherPurpose of) const {
+    const std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
     return pass ? &*pass : nullptr;
 }
 

@@ -31,7 +31,7 @@ class DirectionalVolume final : public VoxelVolume {
 
     const DirectionalVoxels& voxels() const { return voxels_; }
     // Null until an output needed it.
-    const Irradiance* irradiance(GatherOf of) const;
+    const Irradiance* irradiance(GatherPurpose of) const;
 
   private:
     void voxelizeStatic(const GpuScene& scene);
@@ -39,7 +39,7 @@ class DirectionalVolume final : public VoxelVolume {
     // Makes room where dynamic objects found none, and removes them then. Returns whether it did. Throws
     // vct::Error where their list of voxels is too short, which does not grow.
     bool growIfNeeded(const shared::CommandLists& found);
-    Irradiance& irradianceFor(GatherOf of);
+    Irradiance& irradianceFor(GatherPurpose of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;

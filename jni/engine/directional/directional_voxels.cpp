@@ -90,10 +90,10 @@ std::size_t DirectionalVoxels::words() const {
 
 void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     const gl::DebugGroup group("clear voxels");
-    gl::zeroTexture3d(faces_, grid());
-    index_.zeroTexture();
+    gl::clearTexture3d(faces_, grid());
+    index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::zeroTexture3d(texture, grid());
+        gl::clearTexture3d(texture, grid());
     // If there is no memory for the new buffer, there is no room.
     faceData_ = {};
     capacities_ = capacities;
@@ -106,7 +106,7 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::keepStatic() {
+void DirectionalVoxels::markStatic() {
     shared::CommandLists commands = index_.readCommands();
     for (shared::LevelCommands& list : commands.lists) {
         list.staticVoxels = list.voxelCount;
@@ -144,7 +144,7 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
     for (const std::uint32_t list : {VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U})
         commands.lists[list].faceCount = commands.lists[list].voxelCount = commands.lists[list].groupsX = 0;
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::zeroTexture3d(texture, grid());
+        gl::clearTexture3d(texture, grid());
     faceData_ = {};
     faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
                            after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);

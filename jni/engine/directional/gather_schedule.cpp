@@ -26,8 +26,8 @@ GatherSchedule::GatherSchedule(const GatherSettings& settings, int lightFrames)
     : cones_(settings.cones),
       coneBudget_(settings.coneBudget),
       lightFrames_(lightFrames),
-      settlingRound_(settings.directions / settings.cones),
-      refinementSteps_(lightFrames >= 2 * settlingRound_ ? settings.refinedDirections / settings.cones : 0) {
+      convergenceRound_(settings.directions / settings.cones),
+      refinementSteps_(lightFrames >= 2 * convergenceRound_ ? settings.refinedDirections / settings.cones : 0) {
     invalidate();
 }
 
@@ -43,9 +43,9 @@ GatherSchedule::Round GatherSchedule::round(bool changed) const {
     if (changed) return {};
     if (stepsLeft_ <= refinementSteps_) return {refinementSteps_, refinementSteps_ - stepsLeft_};
     const int left = stepsLeft_ - refinementSteps_;
-    const int rounds = std::max(lightFrames_ / settlingRound_ - 1, 0);
-    if (left > rounds * settlingRound_) return {};
-    return {settlingRound_, (settlingRound_ - left % settlingRound_) % settlingRound_};
+    const int rounds = std::max(lightFrames_ / convergenceRound_ - 1, 0);
+    if (left > rounds * convergenceRound_) return {};
+    return {convergenceRound_, (convergenceRound_ - left % convergenceRound_) % convergenceRound_};
 }
 
 GatherStep GatherSchedule::advance(const Change& change) {
@@ -54,29 +54,29 @@ GatherStep GatherSchedule::advance(const Change& change) {
         history_ = std::min(history_, maxHistoryWhileChanging);
         stepsLeft_ = convergenceSteps();
     }
-    if (!changed && !isSettling_) history_ = std::min(history_, maxHistoryAfterChange);
+    if (!changed && !lastStepUnchanged_) history_ = std::min(history_, maxHistoryAfterChange);
     smoothing_ = changed ? 1.0F : std::max(smoothing_ - smoothingDecay, 0.0F);
-    isSettling_ = !changed;
+    lastStepUnchanged_ = !changed;
 
     const Round inRound = round(changed);
     const float share = inRound.length > 0 ? 1.0F / static_cast<float>(inRound.length)
-                                           : irradianceForgetting / (history_ + irradianceForgetting);
+                                           : recentStepWeight / (history_ + recentStepWeight);
     GatherStep step;
     step.frame = frame_;
     step.direction = direction_;
     step.cones = changed ? 1U : static_cast<std::uint32_t>(cones_);
     step.coneBudget = changed ? static_cast<std::uint32_t>(coneBudget_) : 0U;
-    step.conesOfNew = std::max(initialCones, step.cones);
+    step.initialCones = std::max(initialCones, step.cones);
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
     step.roundShare = inRound.length > 0 ? share : 0.0F;
     step.history = history_;
-    step.leastHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
+    step.minHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
     step.amplitude = lastShare_;
     step.energyCorrection = inRound.length > 0 ? lastShare_ : std::max(lastShare_, 0.5F);
     step.smoothing = smoothing_;
 
     lastShare_ = share;
-    history_ = history_ == 0.0F ? float{VCT_STEPS_OF_NEW} : std::min(history_ + 1.0F, maxHistory);
+    history_ = history_ == 0.0F ? float{VCT_INITIAL_HISTORY} : std::min(history_ + 1.0F, maxHistory);
     if (!changed) direction_ += static_cast<std::uint32_t>(cones_);
     ++frame_;
     stepsLeft_ = std::max(stepsLeft_ - 1, 0);

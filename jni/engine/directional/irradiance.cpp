@@ -44,8 +44,8 @@ gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures
     return {name, {"directional/" + name + ".comp"}, defines};
 }
 
-LightFeatures featuresFor(GatherOf of, const LightFeatures& sources) {
-    if (of == GatherOf::light) return sources;
+LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources) {
+    if (of == GatherPurpose::light) return sources;
     LightFeatures emission;
     emission.emission = sources.emission;  // decides how many words a face has
     return emission;
@@ -58,18 +58,18 @@ gl::ProgramDescription emittersProgram(const GatherSettings& settings, const Lig
     return {"emitters", {"directional/emitters.comp"}, defines};
 }
 
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
                                      const LightFeatures& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
-    defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
-    defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
+    defines.push_back("VCT_RECENT_STEP_WEIGHT " + number(recentStepWeight));
+    defines.emplace_back(of == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
                                                    : "VCT_GATHER_OCCLUSION false");
     append(defines, lightDefines(sources));
     append(defines, emissionDefines(sources.emission));
-    return {of == GatherOf::occlusion ? "gather, occlusion" : "gather", {"directional/gather.comp"}, defines};
+    return {of == GatherPurpose::occlusion ? "gather, occlusion" : "gather", {"directional/gather.comp"}, defines};
 }
 
-Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
+Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
                        int lightFrames, bool dynamicObjects, const LightFeatures& sources)
     : settings_(settings),
       schedule_(settings, lightFrames),
@@ -84,7 +84,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
     const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
-    if (of == GatherOf::occlusion)
+    if (of == GatherPurpose::occlusion)
         visibilityRange_.emplace("range of visibility", GL_UNIFORM_BUFFER, sizeof one, &one, GL_STATIC_DRAW);
 }
 
@@ -170,7 +170,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     const bool isFirst = idCapacity_ == 0;
     // The histories, the sums of blocks, and the list of the faces that gather.
     const std::size_t words =
-        VCT_LIGHT_HEADER + (wordsOfFace() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
+        VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
@@ -180,7 +180,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
-        const std::size_t kept = VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{std::min(ids, idCapacity_)};
+        const std::size_t kept = VCT_LIGHT_HEADER + irradianceWords() * std::size_t{std::min(ids, idCapacity_)};
         gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
                               static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
     }
@@ -207,7 +207,7 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
     lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
-    gl::zeroTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
+    gl::clearTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
 }
 
 void Irradiance::uploadUniforms(bool allBounces) const {
@@ -215,20 +215,20 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.frame = step_.frame;
     values.direction = step_.direction;
     values.cones = step_.cones;
-    values.conesOfNew = step_.conesOfNew;
+    values.initialCones = step_.initialCones;
     values.beginsRound = step_.beginsRound ? 1 : 0;
-    values.shareInRound = step_.roundShare;
+    values.roundShare = step_.roundShare;
     values.bricksAlong = bricksAlong_;
     // Each face's history is shortened to what the light's allows.
     values.memory = std::max(step_.history, 1.0F);
     values.inherited = step_.history;
-    values.leastHistory = step_.leastHistory;
+    values.minHistory = step_.minHistory;
     values.reflected = allBounces ? settings_.bounceGain : 0.0F;
     values.amplitude = step_.amplitude;
-    values.towardsBalance = step_.energyCorrection;
+    values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
-    values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
-    values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
+    values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
+    values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);

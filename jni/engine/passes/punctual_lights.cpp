@@ -83,14 +83,14 @@ void PunctualLights::setSize(const LightSize& size) {
 
 void PunctualLights::setPose(const Pose& pose) {
     for (std::size_t i = 0; i < lights_.size(); ++i)
-        states_[i].worldFromLight = posed(lights_[i].asGiven, pose).worldFromLight;
+        states_[i].worldFromLight = posed(lights_[i].definition, pose).worldFromLight;
 }
 
 std::vector<glm::dvec4> PunctualLights::places() const {
     std::vector<glm::dvec4> places;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const glm::dmat4& world = states_[i].worldFromLight;
-        places.push_back(lights_[i].asGiven.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+        places.push_back(lights_[i].definition.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
                                                                       : volume_.volumeFromWorld() * world[3]);
     }
     return places;
@@ -108,7 +108,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         if (!states_[i].on) continue;
-        std::vector<Placement> placements = inReach(light, states_[i], now.placements);
+        std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
         if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
@@ -123,7 +123,7 @@ void PunctualLights::upload() {
     const std::vector<glm::dvec4> places = this->places();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
-        const PunctualLight& light = lights_[i].asGiven;
+        const PunctualLight& light = lights_[i].definition;
         shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
         to.place = glm::vec4(places[i]);
         const bool placed = light.type != Type::directional;
@@ -156,7 +156,7 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
     };
-    if (light.asGiven.type == Type::directional) {
+    if (light.definition.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
@@ -170,10 +170,10 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     for (const glm::dvec3& corner : cornersOf(boundsWorld_))
         farthest =
             std::max(farthest, glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), place));
-    const double far = 1.001 * std::min(farthest, light.asGiven.range / volume_.side);
+    const double far = 1.001 * std::min(farthest, light.definition.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
-        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
+        (light.usesCube ? 1.0 : std::tan(light.definition.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
     const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
@@ -189,14 +189,14 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     }
 }
 
-std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
+std::vector<Placement> PunctualLights::placementsInRange(const Light& light, const PunctualLightState& state,
                                                const std::vector<Placement>& placements) const {
-    if (!std::isfinite(light.asGiven.range)) return placements;
+    if (!std::isfinite(light.definition.range)) return placements;
     const glm::dvec3 place(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;
     for (const Placement& placement : placements)
         if (glm::distance(glm::clamp(place, placement.box.min, placement.box.max), place) <=
-            light.asGiven.range / volume_.side)
+            light.definition.range / volume_.side)
             found.push_back(placement);
     return found;
 }

@@ -53,7 +53,7 @@ class PunctualLights {
 
   private:
     struct Light {
-        PunctualLight asGiven;
+        PunctualLight definition;
         bool usesCube;
         int firstMap;
         // The state that its maps show, and the placements in its reach.
@@ -62,7 +62,7 @@ class PunctualLights {
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
+    std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
                                    const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
 

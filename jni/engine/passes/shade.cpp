@@ -29,7 +29,7 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     // Only reflections meet emitters here: face irradiance has their light already.
     append(lightDefines({false, lights.environment, lights.emitters && reflects}));
     const bool gathers = read.ambientVisibility || read.indirectLight;
-    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
+    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_FACE_IRRADIANCE");
     if (reflects) append(gatherDefines(settings.gather));
     return {"shade " + number, {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }
