@@ -70,7 +70,7 @@ void run(const std::string& out) {
     const Matrix4 cameraFromWorld = product(rotationAboutX(25), translation({0, -2.2F, -4}));
     const Matrix4 clipFromCamera = perspective(45, 640.0F / 480.0F, 0.1F, 20);
     const vct::View view{vct::Matrix::of(cameraFromWorld.data()), vct::Matrix::of(clipFromCamera.data())};
-    const vct::Pictures pictures = renderer.render(view, vct::GlobalIllumination::Light::settled);
+    const vct::Pictures pictures = renderer.render(view, vct::GlobalIllumination::Light::converged);
 
     writePpm(out, pictures.radiance, options.width, options.height);
 }

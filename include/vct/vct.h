@@ -67,9 +67,9 @@ struct InstanceDescription {
 // The only light besides emission and the sky.
 struct Sun {
     std::array<double, 3> directionToSun{0, 1, 0};  // of any length but 0
-    std::array<float, 3> color{1, 1, 1};        // multiplies the illuminance; the largest must be 1
-    float illuminance = 3.14159265F;            // of a surface that faces it (lux, for example)
-    float diameterDegrees = 5.0F;               // full opening angle, 0.1 to 170: how soft shadows are
+    std::array<float, 3> color{1, 1, 1};            // multiplies the illuminance; the largest must be 1
+    float illuminance = 3.14159265F;                // of a surface that faces it (lux, for example)
+    float diameterDegrees = 5.0F;                   // full opening angle, 0.1 to 170: how soft shadows are
 };
 
 struct Box {
@@ -187,7 +187,7 @@ class GlobalIllumination {
 
     // How far a call brings the light: after a change, what surfaces receive approaches its final value over
     // some 16 frames.
-    enum class Light { oneStep, settled };
+    enum class Light { oneStep, converged };
     // Draws the pictures. With `gBuffer`, from the caller's G-buffer, which must show the scene from the same
     // View; else from a G-buffer of the library's own.
     Pictures render(const View& view, Light light = Light::oneStep);

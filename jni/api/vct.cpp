@@ -157,8 +157,8 @@ struct GlobalIllumination::Implementation {
     }
 
     Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
-        renderer->render(
-            {outputs, cameraOf(view), light == Light::settled ? LightSteps::all : LightSteps::one, surface});
+        renderer->render({outputs, cameraOf(view),
+                          light == Light::converged ? LightSteps::all : LightSteps::one, surface});
         return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
                 textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility)};
     }

@@ -122,7 +122,7 @@ DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
         light.node = -1;  // stays there
         light.directionToLight = {std::cos(angles.y) * std::sin(angles.x), std::sin(angles.y),
-                              std::cos(angles.y) * std::cos(angles.x)};
+                                  std::cos(angles.y) * std::cos(angles.x)};
     }
     return light;
 }

@@ -10,7 +10,7 @@ namespace vct::app {
 namespace {
 
 // From one to the next the number of pixels changes by about a half.
-constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::maxDivisor};
+constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::largestDivisor};
 
 constexpr std::size_t framesToFall = 10, framesToRise = 30;
 

@@ -17,8 +17,8 @@ const glm::vec3 black(0.0F), background(0.08F);
 
 }  // namespace
 
-Viewer::Viewer(ViewerHost surroundings, const ShowRequest& request)
-    : host_(std::move(surroundings)),
+Viewer::Viewer(ViewerHost host, const ShowRequest& request)
+    : host_(std::move(host)),
       scenes_(host_.findScenes, host_.readScene),
       choices_(request.choices),
       animationS_(request.timeS),
@@ -125,7 +125,7 @@ void Viewer::drawScene(glm::ivec2 window) {
             const Pose pose = poseAt(scene_->animation, sceneTimeS());
             renderer.setPose(pose);
             renderer.setLightDirection(posed(light(), pose).directionToLight);
-            const Camera* const first = defaults_.camera              ? &*defaults_.camera
+            const Camera* const first = defaults_.camera          ? &*defaults_.camera
                                         : scene_->cameras.empty() ? nullptr
                                                                   : &scene_->cameras.front();
             if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
@@ -239,7 +239,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
             log(LogLevel::warning, warning);
         log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
         const double aspect = aspectOf(sizeIn(window));
-        const Look look = host_.defaultsFor(*loaded, aspect);
+        const ViewDefaults look = host_.defaultsFor(*loaded, aspect);
         if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
         show(loaded, look, window);
         if (!defaults_.camera) {
@@ -254,7 +254,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
     }
 }
 
-void Viewer::show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window) {
+void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window) {
     scene_ = std::move(scene);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);

@@ -23,7 +23,7 @@
 namespace vct::app {
 
 // How a scene is shown before anybody touches anything.
-struct Look {
+struct ViewDefaults {
     std::optional<Camera> camera;  // for the window's shape; else OrbitView's
     DirectionalLight light;
     // The scene's own sky, which may be replaced by a dark or a plain one.
@@ -43,12 +43,12 @@ struct ViewerHost {
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
     // Of a scene that was just loaded, for a window of `aspect`. May throw vct::Error.
-    std::function<Look(const Scene&, double aspect)> defaultsFor;
+    std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
 
 class Viewer {
   public:
-    Viewer(ViewerHost surroundings, const ShowRequest& request);
+    Viewer(ViewerHost host, const ShowRequest& request);
     ~Viewer();  // in its context
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
@@ -134,12 +134,12 @@ class Viewer {
 
     std::string scenePath() const;  // of what is being loaded or shown
     void takeLoadedScene(glm::ivec2 window);
-    void show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window);
+    void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
 
     ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
-    Look defaults_;
+    ViewDefaults defaults_;
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // of the last picture
 
@@ -147,7 +147,7 @@ class Viewer {
     ResolutionScale scale_;
     double animationS_ = 0.0;       // what has been played, of any scene
     std::optional<Wanted> good_;    // of the last frame that could be rendered
-    Look goodDefaults_;                 // likewise
+    ViewDefaults goodDefaults_;     // likewise
     std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
     Exposure exposure_;             // unless the look has one
     std::string message_;

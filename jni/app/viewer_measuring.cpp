@@ -28,8 +28,7 @@ void Viewer::startMeasuring(const std::string& command) {
         BenchRequest request = benchRequestFromText(command);
         scenes_.rescan();
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
-        if (index < 0)
-            throw Error("there is no scene " + request.scene + "; copy it into " + host_.folder);
+        if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + host_.folder);
         const SceneFile& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
@@ -51,8 +50,8 @@ void Viewer::measure() {
             if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
-                                gl_->capabilities(), host_.shaders, host_.backend,
-                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
+                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*selfTest_),
+                                [](const std::string& line) { log(line); }},
                 results_->path());
         }
         more = bench_->advance();

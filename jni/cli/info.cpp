@@ -132,7 +132,7 @@ void addInfo(CLI::App& app, int& exitCode) {
                       "that repeats it, and stop");
     options->sky.addTo(*command);
     for (const char* sceneOption : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
-                                 "--light", "--sky", "--environment", "--times", "--print-camera"})
+                                    "--light", "--sky", "--environment", "--times", "--print-camera"})
         command->get_option(sceneOption)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {

@@ -49,7 +49,7 @@ struct SceneOptions : SceneFileOption {
     std::optional<double> voxelSize;  // metres
     BackendOption backend;
 
-    CLI::Option* addTo(CLI::App& command);                // returns the scene's
+    CLI::Option* addTo(CLI::App& command);       // returns the scene's
     CLI::Option* addSceneTo(CLI::App& command);  // likewise
     // Says what is to be said of it.
     Camera cameraOf(const Scene& loaded) const;

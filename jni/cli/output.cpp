@@ -23,7 +23,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
         missing.push_back(folder);
     // Each before it is made, the outermost first: an interruption may come in between.
     for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
-        made_.emplace_back(folder->string());
+        created_.emplace_back(folder->string());
         fs::create_directory(*folder, error);
     }
     if (error) fail(error.message());
@@ -36,7 +36,7 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::removeCreated() {
     std::error_code ignored;
-    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+    for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder)
         fs::remove(folder->path(), ignored);
 }
 

@@ -142,7 +142,7 @@ bool view(const ViewOptions& options) {
 
     request.title = "vct: " + std::filesystem::path(path).filename().string();
     request.size = options.scene.size;
-    app::ViewerHost& desktop = request.surroundings;
+    app::ViewerHost& desktop = request.host;
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
@@ -160,7 +160,7 @@ bool view(const ViewOptions& options) {
     desktop.defaultsFor = [&options, sky](const Scene& scene, double aspect) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
-        app::Look look;
+        app::ViewDefaults look;
         if (named && !options.scene.camera.empty()) {
             look.camera = cameraFromText(options.scene.camera, scene, aspect);
             look.camera->aspectRatio = aspect;  // to which it was fitted

@@ -71,8 +71,8 @@ class Window {
         glfwMakeContextCurrent(window_);
         float scale = 1.0F;
         glfwGetWindowContentScale(window_, &scale, nullptr);
-        request_.surroundings.pixelsPerDp = std::max(scale, 1.0F);
-        viewer_.emplace(request_.surroundings, request_.show);
+        request_.host.pixelsPerDp = std::max(scale, 1.0F);
+        viewer_.emplace(request_.host, request_.show);
         glfwSetWindowUserPointer(window_, this);
         glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE);  // a key that was let go since the last frame
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
@@ -158,8 +158,7 @@ class Window {
 
     void wheel(double clicks) {
         if (held_ != -1) return;
-        if (viewer_->hudCovers(cursor_))
-            return viewer_->scrollHud(cursor_, static_cast<float>(clicks));
+        if (viewer_->hudCovers(cursor_)) return viewer_->scrollHud(cursor_, static_cast<float>(clicks));
         fingers(2, cursor_);
         fingers(2, cursor_, 100.0F * std::pow(1.1F, static_cast<float>(clicks)));
         fingers(0, cursor_);

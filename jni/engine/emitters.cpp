@@ -11,7 +11,7 @@ namespace vct {
 namespace {
 
 // Of a part, in voxels: what is wider is divided.
-constexpr double maxRadius = 5.0;
+constexpr double largestRadius = 5.0;
 // The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
 constexpr double freeVoxels = 2.0;
 // More parts than these and it is no lamp.
@@ -144,7 +144,7 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
 }
 
-EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
+EmitterPart aggregate(std::size_t instance, const std::vector<Piece>& pieces) {
     EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0,
                      0.0,      glm::dvec3(0.0)};
     for (const Piece& piece : pieces) {
@@ -180,7 +180,7 @@ bool isIsotropic(const std::vector<Piece>& pieces) {
 }
 
 // Six groups, by the axis that they face most.
-std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
+std::vector<std::vector<Piece>> splitByFacing(const std::vector<Piece>& pieces) {
     std::vector<std::vector<Piece>> sides(6);
     for (const Piece& piece : pieces) {
         const glm::dvec3 size = glm::abs(piece.facing);
@@ -193,7 +193,7 @@ std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
 }
 
 // Halves along the longest axis.
-std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
+std::vector<std::vector<Piece>> splitAtMedian(std::vector<Piece> pieces) {
     glm::dvec3 low(pieces[0].centre), high(low);
     for (const Piece& piece : pieces) {
         low = glm::min(low, piece.centre);
@@ -215,12 +215,12 @@ std::vector<EmitterPart> partsOf(std::size_t instance, std::vector<Piece> pieces
         if (done.size() + left.size() > maxPartsPerEmitter) return {};
         const std::vector<Piece> group = std::move(left.back());
         left.pop_back();
-        const EmitterPart part = together(instance, group);
+        const EmitterPart part = aggregate(instance, group);
         std::vector<std::vector<Piece>> divided;
         if (part.radius > largest)
-            divided = halves(group);
+            divided = splitAtMedian(group);
         else if (glm::length(part.facing) < 0.8 * part.area && !isIsotropic(group))
-            divided = bySide(group);
+            divided = splitByFacing(group);
         if (divided.size() < 2)
             done.push_back(part);
         else
@@ -258,7 +258,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
+        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), largestRadius * volume.voxelSize());
         if (!parts.empty()) lamps.push_back(std::move(parts));
     }
     std::stable_sort(lamps.begin(), lamps.end(),
@@ -279,7 +279,7 @@ std::vector<bool> emittingInstances(const Scene& scene, const std::vector<Emitte
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
                    float radianceUnit)
-    : lamps_(emittingInstances(scene, parts)),
+    : instances_(emittingInstances(scene, parts)),
       volume_(volume),
       radianceUnit_(radianceUnit),
       uniforms_("emitters", GL_UNIFORM_BUFFER, sizeof(shared::EmitterBlock), nullptr, GL_DYNAMIC_DRAW) {
@@ -310,8 +310,8 @@ void Emitters::upload(const Pose* pose) const {
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
         shared::EmitterPartUniforms& to = block.part[i];
-        to.place = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
-                             part.radius * larger / volume_.side);
+        to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
+                                part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),

@@ -46,7 +46,7 @@ class Emitters {
     void setPose(const Pose& pose);
     void bind() const { uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_EMITTERS); }
     // Which of the scene's instances they are of.
-    const std::vector<bool>& lamps() const { return lamps_; }
+    const std::vector<bool>& instances() const { return instances_; }
     const gl::Buffer& uniforms() const { return uniforms_; }
 
   private:
@@ -58,7 +58,7 @@ class Emitters {
     void upload(const Pose* pose) const;
 
     std::vector<Placed> parts_;
-    std::vector<bool> lamps_;
+    std::vector<bool> instances_;
     Volume volume_;
     float radianceUnit_;
     gl::Buffer uniforms_;

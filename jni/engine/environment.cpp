@@ -218,8 +218,8 @@ gl::Texture Environment::texture(float radianceUnit) const {
         for (int face = 0; face < cubeFaces; ++face) {
             std::vector<glm::vec4> rgba;
             for (std::size_t i = 0; i < texelsOfFace; ++i)
-                rgba.emplace_back(
-                    glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, maxHalf), 1.0F);
+                rgba.emplace_back(glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, maxHalf),
+                                  1.0F);
             gl::TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                               side(level), side(level), GL_RGBA, GL_FLOAT, rgba.data());
         }

@@ -45,12 +45,12 @@ bool isMirrored(const glm::dmat4& worldFromObject) {
     return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
 }
 
-shared::DrawUniforms materialUniforms(const Material& material, bool lamp, float radianceUnit) {
+shared::DrawUniforms materialUniforms(const Material& material, bool isEmitter, float radianceUnit) {
     shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, material.normalScale);
     uniforms.surface =
-        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, lamp ? 0.0F : 1.0F);
+        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, isEmitter ? 0.0F : 1.0F);
     return uniforms;
 }
 
@@ -102,8 +102,9 @@ class Indices {
 
 }  // namespace
 
-GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
-                   const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization)
+GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
+                   const std::vector<bool>& emitterInstances, const Volume& volume, float radianceUnit,
+                   int uniformAlignment, Voxelization voxelization)
     : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
@@ -131,7 +132,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
         draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
         const auto place = static_cast<std::size_t>(&instance - scene.instances.data());
         shared::DrawUniforms values =
-            materialUniforms(material, !lamps.empty() && lamps[place], radianceUnit);
+            materialUniforms(material, !emitterInstances.empty() && emitterInstances[place], radianceUnit);
         vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
         if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);

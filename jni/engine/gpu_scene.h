@@ -24,10 +24,10 @@ enum class ScenePart { all, dynamicOnly, staticOnly };
 
 class GpuScene {
   public:
-    // The scene is at rest. `lamps`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
+    // The scene is at rest. `emitterInstances`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
     // E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes the triangles of
     // each instance are sorted by their axis (axis_sort.h).
-    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& emitterInstances,
              const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization);
 
     // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.

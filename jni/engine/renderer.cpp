@@ -59,7 +59,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       emissionRange_(largestEmission(scene) / radianceUnit(light)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       emitters_(compactEmitters(scene, volume_, settings, radianceUnit(light))),
-      scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
+      scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
              radianceUnit(light), capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),

@@ -39,11 +39,11 @@ std::string whyGpuTimesAreWrong(const StepTimes& times) {
     if (times.gpuDisjoint) return "the driver reported a disjoint operation";
     // What submitting costs is in glFinish's times and not in the GPU's: short steps may differ widely.
     constexpr double longStepMs = 5.0;
-    constexpr double minShare = 0.2;
+    constexpr double leastShare = 0.2;
     for (int i = 0; i < stepCount; ++i) {
         const double finishMs = median(times.stepMs[i]);
         const double gpuMs = median(times.gpuMs[i]);
-        if (gpuMs > 1.1 * finishMs + 0.2 || (finishMs > longStepMs && gpuMs < minShare * finishMs))
+        if (gpuMs > 1.1 * finishMs + 0.2 || (finishMs > longStepMs && gpuMs < leastShare * finishMs))
             return std::string("it says ") + numberText(gpuMs) + " ms for " + stepName(static_cast<Step>(i)) +
                    " and glFinish " + numberText(finishMs);
     }

@@ -54,7 +54,7 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
 
 // Of the current context: GL_RENDERER or another string, "unknown" where the driver has none, and
 // GL_EXTENSIONS.
-std::string glString(GLenum name);
+std::string stringOf(GLenum name);
 std::vector<std::string> extensionNames();
 
 }  // namespace vct::gl

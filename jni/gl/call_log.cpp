@@ -92,7 +92,7 @@ CallLog::~CallLog() {
     current = nullptr;
 }
 
-CallSummary summarize(const std::vector<Call>& calls) {
+CallSummary summaryOf(const std::vector<Call>& calls) {
     CallSummary summary;
     std::vector<std::string> groups{""};
     const auto countOf = [&](const std::string& group) -> int& {

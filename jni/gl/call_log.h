@@ -48,6 +48,6 @@ struct CallSummary {
     // have no names here: they differ between two renderers that do the same.
     std::set<std::string> bindings;
 };
-CallSummary summarize(const std::vector<Call>& calls);
+CallSummary summaryOf(const std::vector<Call>& calls);
 
 }  // namespace vct::gl

@@ -56,10 +56,10 @@ bool Capabilities::meets(const std::string& name) const {
 
 Capabilities queryCapabilities() {
     Capabilities result;
-    result.vendor = glString(GL_VENDOR);
-    result.renderer = glString(GL_RENDERER);
-    result.version = glString(GL_VERSION);
-    result.shadingLanguage = glString(GL_SHADING_LANGUAGE_VERSION);
+    result.vendor = stringOf(GL_VENDOR);
+    result.renderer = stringOf(GL_RENDERER);
+    result.version = stringOf(GL_VERSION);
+    result.shadingLanguage = stringOf(GL_SHADING_LANGUAGE_VERSION);
     const Version version = parseVersion(result.version);
     result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;

@@ -257,7 +257,7 @@ Framebuffer::Framebuffer(const std::string& label, const Texture& depths, GLint 
     check(label);
 }
 
-Framebuffer Framebuffer::ofWindow(int width, int height) {
+Framebuffer Framebuffer::window(int width, int height) {
     using Kind = Attachment::Kind;
     Framebuffer window;
     window.attachments_ = {{GL_COLOR, Kind::color}, {GL_DEPTH, Kind::unused}, {GL_STENCIL, Kind::unused}};

@@ -153,7 +153,7 @@ class Framebuffer {
     // Depth alone, in one layer of an array.
     Framebuffer(const std::string& label, const Texture& depths, GLint layer);
     // The default framebuffer of the current context.
-    static Framebuffer ofWindow(int width, int height);
+    static Framebuffer window(int width, int height);
     ~Framebuffer();
     Framebuffer(Framebuffer&&) = default;
     Framebuffer& operator=(Framebuffer&&) = default;

@@ -31,7 +31,7 @@ Shader compile(const ShaderLibrary& library, const ProgramDescription& descripti
     GetShaderiv(shader.get(), GL_COMPILE_STATUS, &ok);
     if (ok != GL_TRUE)
         throw Error("shaders/" + path + " does not compile for '" + description.name + "':\n" +
-                    locateInFiles(infoLog(shader.get(), GetShaderiv, GetShaderInfoLog), source.files));
+                    pointHome(infoLog(shader.get(), GetShaderiv, GetShaderInfoLog), source.files));
     return shader;
 }
 

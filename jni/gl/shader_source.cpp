@@ -118,7 +118,7 @@ GLenum shaderStage(const std::string& path) {
     throw Error("shaders/" + path + ": the extension names no stage (.vert .geom .frag .comp)");
 }
 
-std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files) {
+std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files) {
     // Mesa: "0:35(12): error", NVIDIA: "0(35) : error", Arm and glslang: "0:35: ..." after an optional
     // "ERROR: ".
     static const std::regex place(R"((^|\s)(\d+)(?:\((\d+)\)|:(\d+)(?:\(\d+\))?)\s*:)");

@@ -35,6 +35,6 @@ AssembledShader assembleShader(const ReadShader& read, const std::string& path,
 GLenum shaderStage(const std::string& path);
 
 // "2:35(12): error: x" or "2(35) : error x" or "ERROR: 2:35: x" -> "shared/frame.glsl:35: ..."
-std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files);
+std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files);
 
 }  // namespace vct::gl

@@ -31,8 +31,7 @@ std::string stbiFailureReason() {
 // It quotes a damaged chunk's name, which may be any four bytes; a message is one line of text.
 std::string failureReason() {
     std::string reason = stbi_failure_reason();
-    std::replace_if(
-        reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+    std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
     return reason;
 }
 

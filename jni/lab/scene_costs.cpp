@@ -42,7 +42,7 @@ class Player {
             frame();
         const gl::CallLog log;
         frame();
-        return {gl::summarize(log.calls()), renderer_.resources()};
+        return {gl::summaryOf(log.calls()), renderer_.resources()};
     }
 
     double frameMs() {

@@ -210,7 +210,7 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
 }
 
 // Whether the scene is a room, closed in so many of all directions, whose inside is what there is to see.
-bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double minClosed) {
+bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double leastClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     // The very middle may be inside a column; a place with a column before an opening may look closed.
     const std::vector<Around> places = placesAround(
@@ -220,7 +220,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     for (const Around& around : places) {
         const Enclosure enclosure = enclosureOf(around);
         if (enclosure.volume < roomShare * size.x * size.y * size.z) continue;
-        if (enclosure.closed < minClosed) return false;
+        if (enclosure.closed < leastClosed) return false;
         if (enclosure.volume < most) continue;
         most = enclosure.volume;
         widest = &around;

@@ -183,7 +183,7 @@ class ChannelLoader {
 
     // Of each key, and each of its tangents, the file has one value for each target.
     std::vector<AnimationChannel> weightChannels(const json& sampler, const AnimationChannel& timed,
-                                            std::size_t targets) const {
+                                                 std::size_t targets) const {
         if (targets == 0) {
             file_.warn("animated weights of a mesh without morph targets are ignored");
             return {};

@@ -152,7 +152,7 @@ std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Com
 
 template <class Holder>
 void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource& source,
-           std::vector<Holder>& holders, glm::vec2 Holder::*member) {
+           std::vector<Holder>& holders, glm::vec2 Holder::* member) {
     const std::string name = "TEXCOORD_" + std::to_string(source.texCoord);
     const int accessor = attribute(primitive, name);
     if (accessor == -1) {

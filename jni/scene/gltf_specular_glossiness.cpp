@@ -128,7 +128,7 @@ void MaterialLoader::loadSpecularGlossiness(const tinygltf::Value& extension, Ma
         for (int x = 0; x < color.width; ++x) {
             const glm::vec4 diffuseColor = diffuseFactor * texelAt(diffuse, x, y, color.width, color.height);
             const glm::vec4 specularColor = glm::vec4(glm::vec3(specularFactor), glossiness) *
-                                         texelAt(specular, x, y, color.width, color.height);
+                                            texelAt(specular, x, y, color.width, color.height);
             const MetallicRoughness result = converted(glm::vec3(diffuseColor), glm::vec3(specularColor));
             for (int c = 0; c < 3; ++c)
                 colorCodes.push_back(codeOf(srgbEncode(result.baseColor[c])));

@@ -20,9 +20,9 @@ void add(inout History history, uint cell, int face, uint firstId, uint endId) {
     FaceIrradiance mean = faceIrradianceAt(id);
     if (mean.steps == 0.0) return;
     history.mean.light += mean.light;
-    history.mean.roundStart += mean.roundStart;
+    history.mean.atStart += mean.atStart;
     history.mean.nearness += mean.nearness;
-    history.mean.steps += min(mean.steps, lightStep.inherited);
+    history.mean.steps += min(mean.steps, lightStep.maxInheritedHistory);
     history.emitterLight += emitterIrradiance(id);
     history.weight += 1.0;
 }
@@ -47,7 +47,7 @@ void main() {
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;
         uint id = commands[dynamicList].firstId + i;
-        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share, mean.roundStart * share,
+        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share, mean.atStart * share,
                                                mean.nearness * share));
         storeEmitterIrradiance(id, history.emitterLight * share);
     }

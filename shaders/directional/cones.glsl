@@ -91,7 +91,7 @@ mediump vec4 sampleLevel(Cone cone, float distance, vec3 position, float level) 
 
 // Adds the cone's next sample and advances by one step; true where the cone ends. `blend`: the sample's place between the
 // level and the next, which makes the footprint (1 + blend) texels wide. `opacity`: of a covered sample that is a texel wide.
-bool addSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
+bool takeSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
     float distance = result.distance;
     vec3 position = positionAt(cone, distance);
     result.distance += VCT_GATHER_STEP * exp2(level) * (1.0 + blend);
@@ -141,7 +141,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         if (cone.fades && shareInside(positionAt(cone, result.distance), level) <= 0.0) break;
         float next = levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
         // The next sample is wider than it is far away where the level rises: the two share the space between them.
-        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
+        if (takeSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
         level = next;
     }
     return coneEnd(result);

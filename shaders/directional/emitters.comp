@@ -12,7 +12,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 // A cone's width over the part's own: a cone as wide as the part would meet what is beside it.
 const float coneWidth = 0.25;
 // Halves hold nothing below it.
-const float minStoredLight = 6e-8;
+const float smallestLight = 6e-8;
 
 // A cone's transmittance at `reach`; `tangent` is that of its half angle. Lengths in voxels.
 mediump float transmittanceTo(Cone cone, float reach, float tangent) {
@@ -24,7 +24,7 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
         float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
         // The last sample reaches beyond the end.
         mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
-        if (addSample(result, cone, level, 0.0, within * sampleOpacity)) break;
+        if (takeSample(result, cone, level, 0.0, within * sampleOpacity)) break;
     }
     return coneEnd(result).transmittance;
 }
@@ -35,20 +35,20 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        vec3 offset = part.place.xyz - start / grid;
+        vec3 offset = part.position.xyz - start / grid;
         float distance = max(length(offset), 1e-6);
         vec3 towards = offset / distance;
         float area = projectedArea(part, towards);
         // Form factor of a small disc (near to it, of one that faces the surface).
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
         vec3 light = part.radiance.rgb * share;
-        if (max(light.r, max(light.g, light.b)) < minStoredLight) continue;
+        if (max(light.r, max(light.g, light.b)) < smallestLight) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
         // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
         float reach = (distance - part.radiance.w / rising) * grid;
         Cone cone = coneFrom(start, plane.normal, ownBelow, towards, false);
-        sum += light * transmittanceTo(cone, reach, coneWidth * part.place.w / distance);
+        sum += light * transmittanceTo(cone, reach, coneWidth * part.position.w / distance);
     }
     return sum;
 }

@@ -12,7 +12,7 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 struct FaceIrradiance {
     vec3 light;      // the history's mean; for ambient occlusion the ambient visibility, three times
     float steps;     // history length; 0: there is none
-    vec3 roundStart;    // `light` when the present round began
+    vec3 atStart;    // `light` when the present round began
     float nearness;  // mean of 1 / distance of what is around, in voxels
 };
 
@@ -37,15 +37,15 @@ float historyLength(uint id) {
 }
 
 // Brighter light is cut off: halves end at 65504.
-const float maxStoredLight = 6e4;
+const float largestLight = 6e4;
 
 void storeFaceIrradiance(uint id, FaceIrradiance value) {
     uint at = irradianceIndex(id);
-    vec3 light = min(value.light, maxStoredLight), roundStart = min(value.roundStart, maxStoredLight);
+    vec3 light = min(value.light, largestLight), atStart = min(value.atStart, largestLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, value.steps));
-    faceIrradianceData[at + 2u] = packHalf2x16(roundStart.rg);
-    faceIrradianceData[at + 3u] = packHalf2x16(vec2(roundStart.b, value.nearness));
+    faceIrradianceData[at + 2u] = packHalf2x16(atStart.rg);
+    faceIrradianceData[at + 3u] = packHalf2x16(vec2(atStart.b, value.nearness));
 }
 
 // Irradiance changes no faster from place to place than what sends it is near (Ward, Rubinstein and Clear 1988).
@@ -71,7 +71,7 @@ vec3 emitterIrradiance(uint id) {
 }
 void storeEmitterIrradiance(uint id, vec3 light) {
     uint at = irradianceIndex(id) + 4u;
-    light = min(light, maxStoredLight);
+    light = min(light, largestLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
 }
@@ -91,7 +91,7 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 #define VCT_SUM_SKY 12u
 
 // A value in fixed point, for these sums: integers add up to the same in any order. The bound keeps a product in 32 bits.
-uvec3 quantizeSum(vec3 value) {
+uvec3 inSumUnits(vec3 value) {
     return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + 0.5);
 }
 

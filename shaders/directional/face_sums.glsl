@@ -85,7 +85,7 @@ FaceSums faceSums(uint id) {
     return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, faceData[at + VCT_FACE_PLANE]);
 }
 
-FaceSums together(FaceSums a, FaceSums b) {
+FaceSums combine(FaceSums a, FaceSums b) {
     return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, max(a.plane, b.plane));
 }
 

@@ -51,7 +51,7 @@ void main() {
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceSurface surface = faceSurface(id);
-        vec3 light = min(smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id), maxStoredLight);
+        vec3 light = min(smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id), largestLight);
         storeInBricks(listed, vec4(light, 1.0) * surface.coverage);
     }
 }

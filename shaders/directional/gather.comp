@@ -41,8 +41,8 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
         // From half a level less to half a level more, evenly; the same for a direction of a face in each round.
-        int chance = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
-        float spread = exp2(float(chance & 65535) / 65536.0 - 0.5);
+        int noise = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
+        float spread = exp2(float(noise & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;
         // The directions share the hemisphere, weighted by the cosine.
@@ -71,9 +71,9 @@ FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float ne
     float steps = max(known + stepsNow, lightStep.minHistory), share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
     nearness = mix(before.nearness, nearness, share);
     if (lightStep.roundShare == 0.0 || known == 0.0)
-        return FaceIrradiance(mix(before.light, light, share), steps, before.roundStart, nearness);
-    vec3 roundStart = lightStep.beginsRound != 0u ? before.light : before.roundStart;
-    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps, roundStart, nearness);
+        return FaceIrradiance(mix(before.light, light, share), steps, before.atStart, nearness);
+    vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
+    return FaceIrradiance(max(before.light + (light - atStart) * lightStep.roundShare, 0.0), steps, atStart, nearness);
 }
 
 void main() {
@@ -98,7 +98,7 @@ void main() {
         // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
         // crawls. It traces more cones, and its history is longer.
         float close = closeness(before.nearness);
-        float memory = lightStep.memory * sqrt(rate);
+        float memory = lightStep.maxHistory * sqrt(rate);
         float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
         uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
         // A face without a history traces more cones, unless there is hardly anything of it.
@@ -109,7 +109,7 @@ void main() {
         if (!occlusion) {
             // A face stands for those whose turn it is not.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
-            uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
+            uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {
                 atomicAdd(groupSums[c], fromFaces[c]);
                 atomicAdd(groupSums[3u + c], sky[c]);

@@ -57,7 +57,7 @@ FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
     if (!hasFace(dynamicCell, face)) return sums;
     uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
-    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? together(sums, faceSums(id)) : sums;
+    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? combine(sums, faceSums(id)) : sums;
 }
 
 // Whether the face's surface is one side of a sheet or a thin plate. Two walls of an edge look to opposite sides too, but
@@ -127,7 +127,7 @@ void main() {
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
 #ifdef VCT_BOUNCES
-        radiance = addBounces(id, coverage, radiance, material.albedo);
+        radiance = withBounces(id, coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);

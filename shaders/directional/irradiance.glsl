@@ -16,7 +16,7 @@ uint brickAt(ivec3 block, int axis, int side) {
 }
 
 // From a brick's first texel to a position in a block (both in voxels), which may lie half a voxel beside it.
-vec3 positionInBrick(vec3 position, ivec3 block) {
+vec3 inBrickOf(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
@@ -33,7 +33,7 @@ mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
 // The irradiance around a position (in voxels) of the faces towards one side of an axis, premultiplied by their coverage, and
 // that coverage. `block`: the position's, or one that is no more than half a voxel away.
 mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    return irradianceInBrick(brickAt(block, axis, side), positionInBrick(position, block));
+    return irradianceInBrick(brickAt(block, axis, side), inBrickOf(position, block));
 }
 
 // From the middle of a cube to one of its corners, by the last three bits.
@@ -51,15 +51,15 @@ vec3 cornerOffset(uint i) {
 // below, as a second would hold its registers in every pixel for the few that need it.
 mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
     // What looks this little along an axis has received nearly the same along the others.
-    const float minWeight = 0.02;
+    const float leastWeight = 0.02;
     // Of less coverage than this nothing is known.
-    const mediump float minCoverage = 0.03;
+    const mediump float leastCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 9u * 48u;
 
     vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
-    vec3 inBrick = positionInBrick(position, block);
-    int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
+    vec3 inBrick = inBrickOf(position, block);
+    int axes = int(dot(step(leastWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
     float instead = 0.0;  // of the normal along the axis, but where 0
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
@@ -73,7 +73,7 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         } while (axes > 0);
         // A face of a block has all its eight fetches or none.
         bool whole = i <= borderTries || (i & 7u) == 0u;
-        if (i == tries || whole && sum.a >= minCoverage) break;
+        if (i == tries || whole && sum.a >= leastCoverage) break;
         COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
@@ -85,7 +85,7 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
         block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
-        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
+        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);

@@ -44,18 +44,18 @@ void beginBalance() {
 }
 
 // A face's radiance with what it reflects of its irradiance. `direct`: without; both relative to E/pi.
-vec3 addBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
+vec3 withBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
-    mean.light = min(mean.light * balanceFactor, maxStoredLight);
-    mean.roundStart *= balanceFactor;
+    mean.light = min(mean.light * balanceFactor, largestLight);
+    mean.atStart *= balanceFactor;
     storeFaceIrradiance(id, mean);
     irradianceMeasured = largerOf(irradianceMeasured, mean.light);
     // The gain makes up for what cones lose. No face reflects more than it receives.
-    vec3 reflecting = min(lightStep.reflected * albedo, coverage);
+    vec3 reflecting = min(lightStep.bounceGain * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
-    sumBefore += quantizeSum(coverage * mean.light);
-    sumReflected += quantizeSum(reflecting * mean.light);
-    sumDirect += quantizeSum(min(own, faceRange.radiance));
+    sumBefore += inSumUnits(coverage * mean.light);
+    sumReflected += inSumUnits(reflecting * mean.light);
+    sumDirect += inSumUnits(min(own, faceRange.radiance));
     return own + reflecting * mean.light;
 }
 

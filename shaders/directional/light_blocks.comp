@@ -27,7 +27,7 @@ void main() {
         for (uint c = 0u; c < 4u; ++c)
             faceIrradianceData[at + c] = 0u;
         // Before the first step there is nothing in the texture.
-        vec4 before = lightStep.inherited > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
+        vec4 before = lightStep.maxInheritedHistory > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
         light = vec4(sum.rgb * faceRange.sums, sum.a) / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);
         if (before.a > 0.0) light = sum.a > 0.0 ? mix(before, light, shareOfStep(texel)) : before;
     }

@@ -73,7 +73,7 @@ EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
         float seen = projectedArea(part, direction);
-        vec3 offset = part.place.xyz - start / float(frame.gridSide);
+        vec3 offset = part.position.xyz - start / float(frame.gridSide);
         float along = dot(offset, direction);
         // A surface does not reflect the emitter that it belongs to.
         if (seen <= 0.0 || along * float(frame.gridSide) < 1.0) continue;
@@ -126,7 +126,7 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         float level = floor(log2(footprint));
         // The wider of the two texels has left the volume.
         if (shareInside(positionAt(cone, result.distance), level + 1.0) <= 0.0) break;
-        if (addSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
+        if (takeSample(result, cone, level, footprint * exp2(-level) - 1.0, VCT_GATHER_STEP)) break;
     }
     return min(result.radiance * faceRange.radiance, 6e4) +
            result.transmittance * sampleSky(direction, 3.1415927 * tangent * tangent);

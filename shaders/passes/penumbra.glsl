@@ -21,6 +21,6 @@ void addTap(inout BlockerSearch search, float penumbra, float radius) {
 
 // The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it to where
 // the light is, and light the creases of a room; one too narrow hardens the edge of the farther one.
-float penumbraWidth(BlockerSearch search) {
+float penumbraOf(BlockerSearch search) {
     return search.weight / search.weightPerPenumbra;
 }

@@ -21,5 +21,5 @@ void main() {
     c = mix(c, nearest, equal(c, nothing));
     d = mix(d, nearest, equal(d, nothing));
     vec2 moments = momentsOf(a, b, c, d);
-    outMoments = vec2(moments.x - momentMiddle, moments.y * momentUnit + minVariance / momentUnit) * momentUnit;
+    outMoments = vec2(moments.x - momentMiddle, moments.y * momentUnit + leastVariance / momentUnit) * momentUnit;
 }

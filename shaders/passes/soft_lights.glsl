@@ -20,8 +20,8 @@ struct Beside {
     float least;          // nearness up to which it may be the plane itself
 };
 
-Beside projectTap(int i, vec3 position, vec3 normal, vec3 aside) {
-    vec4 place = punctual.light[i].place;
+Beside besideReceiver(int i, vec3 position, vec3 normal, vec3 aside) {
+    vec4 place = punctual.light[i].position;
     vec3 beside = position + aside;
     vec3 away = beside * place.w - place.xyz;
     float distance = length(away);
@@ -52,9 +52,9 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     float size = light.cone.z;
     // The largest penumbra. Blockers nearer to a lamp than an eighth of the way, or than four times its radius, leave one that
     // is too narrow: in the middle of a side of a cube this is a quarter of it.
-    float distance = length(position * light.place.w - light.place.xyz);
+    float distance = length(position * light.position.w - light.position.xyz);
     float reach = size * nearestMap;
-    if (light.place.w > 0.0) reach = min(reach, min(7.0 * size, 0.25 * distance));
+    if (light.position.w > 0.0) reach = min(reach, min(7.0 * size, 0.25 * distance));
     mat3 across = frameAround(towards);
 
     // Places close to each other in the middle: blockers may be anywhere on the way, and those close to the receiver
@@ -65,7 +65,7 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
         COUNT(VCT_COUNTER_BLOCKER_TAP);
         float radius = float(tap) / float(sourceSearchTaps - 1);
         radius *= radius * reach;
-        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         float nearness = (there.depth - textureLod(lightMaps, there.inMap, 0.0).r) * there.perDepth;
         float penumbra = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
         addTap(search, nearness > there.least ? penumbra : 0.0, radius);
@@ -73,23 +73,23 @@ float softVisibility(int i, vec3 position, vec3 normal, vec3 towards, float hard
     }
     // What touches the receiver is the hard shadow's.
     if (search.weight == 0.0) return hard;
-    float penumbra = min(penumbraWidth(search), reach);
+    float penumbra = min(penumbraOf(search), reach);
     float share = clamp(0.5 * penumbra / texel - 0.5, 0.0, 1.0);
     if (share == 0.0) return hard;
 
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.
-    const float ofCone = 0.5;
+    const float coneShare = 0.5;
     vec2 mapSize = vec2(textureSize(lightMaps, 0).xy);
     float seen = 0.0;
     for (int tap = 0; tap < sourceFilterTaps; ++tap) {
         COUNT(VCT_COUNTER_FILTER_TAP);
         float radius = penumbra * sqrt((float(tap) + 0.5) / float(sourceFilterTaps));
-        Beside there = projectTap(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
+        Beside there = besideReceiver(i, position, normal, radius * (across[0] * direction.x + across[2] * direction.y));
         vec3 corner = vec3(footprintCorner(there.inMap.xy, mapSize), there.inMap.z);
         vec4 nearness = (there.depth - textureGather(lightMaps, corner)) * there.perDepth;
         vec4 cone = (nearness * there.fromReceiver.x + there.fromReceiver.y) * size;
-        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(ofCone * radius)));
+        vec4 blocked = vec4(greaterThan(nearness, vec4(there.least))) * vec4(greaterThan(cone, vec4(coneShare * radius)));
         seen += 1.0 - filterFootprint(blocked, fract(there.inMap.xy * mapSize - 0.5));
         direction = goldenTurn * direction;
     }

@@ -55,9 +55,9 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
     // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
     const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
-    const float borderShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
+    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
     const float aside = 2.0;          // in texels
-    if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
+    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
     // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
@@ -79,14 +79,14 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
     if (search.weight > 0.0) {
-        penumbra = penumbraWidth(search);
+        penumbra = penumbraOf(search);
     } else {
         // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
         // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.
         vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
         float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
-        const float minShare = 0.001;
-        if (nearer <= max(sqrt(minShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        const float leastShare = 0.001;
+        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
         penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
     }
 
@@ -101,8 +101,8 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     distance = min(distance, 0.7) * penumbra;
     // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
     // that are nearer than their mean.
-    const float ofCone = 0.1;
-    vec3 middle = vec3(onPlane.xy, onPlane.z - ofCone * toNearPlane * distance);
+    const float coneShare = 0.1;
+    vec3 middle = vec3(onPlane.xy, onPlane.z - coneShare * toNearPlane * distance);
     vec4 light = vec4(0.0);
     vec4 compared = vec4(0.0);
     for (int i = 0; i < VCT_FILTER_TAPS / 4; ++i) {
@@ -112,11 +112,11 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec3 y = (stepY * cos(angle) - stepX * sin(angle)) * distance;
         vec3 a = middle + x, b = middle + y, c = middle - x, d = middle - y;
         compared += vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
-        vec2 ofA = textureLod(shadowMoments, a.xy, level).rg, ofB = textureLod(shadowMoments, b.xy, level).rg;
-        vec2 ofC = textureLod(shadowMoments, c.xy, level).rg, ofD = textureLod(shadowMoments, d.xy, level).rg;
+        vec2 momentsA = textureLod(shadowMoments, a.xy, level).rg, momentsB = textureLod(shadowMoments, b.xy, level).rg;
+        vec2 momentsC = textureLod(shadowMoments, c.xy, level).rg, momentsD = textureLod(shadowMoments, d.xy, level).rg;
         vec4 plane = (vec4(a.z, b.z, c.z, d.z) - (momentMiddle + momentRounding)) * momentUnit;
-        vec4 nearer = min(vec4(ofA.x, ofB.x, ofC.x, ofD.x) - plane, 0.0);
-        vec4 variance = vec4(ofA.y, ofB.y, ofC.y, ofD.y);
+        vec4 nearer = min(vec4(momentsA.x, momentsB.x, momentsC.x, momentsD.x) - plane, 0.0);
+        vec4 variance = vec4(momentsA.y, momentsB.y, momentsC.y, momentsD.y);
         // Chebyshev's bound: exact where one blocker covers a part of a receiver, whatever its share.
         light += variance / (variance + nearer * nearer);
     }

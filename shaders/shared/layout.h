@@ -249,7 +249,7 @@ struct FrameUniforms {
 
 // A light besides the sun (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h).
 struct PunctualLightUniforms {
-    vec4 place;      // xyz: volume space, w: 1; of a directional light the unit vector towards it, and 0
+    vec4 position;   // xyz: volume space, w: 1; of a directional light the unit vector towards it, and 0
     vec4 backwards;  // xyz: unit length, against its axis; w: 1 / range^2, or 0, lengths in sides of the volume
     vec4 intensity;  // rgb: irradiance, at the distance 1, of a surface that faces it, relative to the sun's E
     vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
@@ -271,7 +271,7 @@ struct PunctualLightBlock {
 
 // A part of a lamp (jni/engine/emitters.h). Lengths and areas in sides of the volume.
 struct EmitterPartUniforms {
-    vec4 place;     // xyz: its middle, volume space; w: its radius
+    vec4 position;  // xyz: its middle, volume space; w: its radius
     vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see projectedArea() in shared/emitters.glsl
     vec4 side;      // xyz: half of one side of the rectangle that it is nearly; zero where it is round
     vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
@@ -297,10 +297,10 @@ struct LightStep {
     uint beginsRound;    // 1 where this step is the first of a round
     uint bricksAlong;    // of the texture of bricks, along x and y
     float roundShare;  // of a step; 0 outside of rounds
-    float memory;        // most steps that a face's mean remembers
-    float inherited;     // most steps that a new face takes over from its neighbours' history
+    float maxHistory;        // most steps that a face's mean remembers
+    float maxInheritedHistory;     // most steps that a new face takes over from its neighbours' history
     float energyCorrection;  // the share of the way to the balance of all faces' light that a step makes good
-    float reflected;     // gain of what faces send on, or 0 for the first bounce alone
+    float bounceGain;     // gain of what faces send on, or 0 for the first bounce alone
     float amplitude;     // the share that the step before had in the means
     float sumUnits;      // fixed point of the sums
     uint blockSums;      // word of the received light where the blocks' sums begin

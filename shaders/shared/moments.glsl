@@ -4,7 +4,7 @@
 const float momentUnit = 256.0;     // halves: means of +-128, variances up to 2^14
 const float momentMiddle = 0.5;     // of the depth range, where halves are finest
 const float momentRounding = 3e-4;  // of the depth range: a half's, once for each of the first levels
-const float minVariance = 0.0625;  // of (256 depths)^2: at a thousandth of the range a blocker is no rounding
+const float leastVariance = 0.0625;  // of (256 depths)^2: at a thousandth of the range a blocker is no rounding
 
 // The 16 texels around the corner that a coarser texel's middle is, weighed (1 3 3 1)/8 in each direction: repeated over the
 // levels that is smooth, and neighbours overlap, so that between them the filter knows an edge as they do. In the order of

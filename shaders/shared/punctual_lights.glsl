@@ -16,7 +16,7 @@ struct LightAt {
 // The extension's attenuation by distance, range and cone.
 LightAt lightAt(int i, vec3 position) {
     PunctualLightUniforms light = punctual.light[i];
-    vec3 offset = light.place.xyz - position * light.place.w;
+    vec3 offset = light.position.xyz - position * light.position.w;
     float squared = max(dot(offset, offset), 1e-12);
     vec3 towards = offset * inversesqrt(squared);
     float share = squared * light.backwards.w;
@@ -44,7 +44,7 @@ float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, 
         shadowFootprint(textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
-    vec2 next = tieBreakTexel(four, slope);
+    vec2 next = nextOfFootprint(four, slope);
     return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope, slack, contact);
 }
 

@@ -8,11 +8,11 @@ layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 // so that it stays finite at grazing light.
 float shadowMapLight(vec3 positionVolume, float cosTheta) {
     const float slopeBias = 0.005;   // thesis eq. 4.2
-    const float maxBias = 0.01;  // thesis eq. 4.3
+    const float largestBias = 0.01;  // thesis eq. 4.3
     // Where the light is perpendicular the slope is 0, and rounding alone would shade the surface by itself.
-    const float minBias = 1e-4;
+    const float smallestBias = 1e-4;
     float slope = sqrt(max(1.0 - cosTheta * cosTheta, 0.0)) / max(cosTheta, 1e-4);
-    float bias = clamp(slopeBias * slope, minBias, maxBias);
+    float bias = clamp(slopeBias * slope, smallestBias, largestBias);
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
 }
@@ -81,7 +81,7 @@ float footprintLight(ShadowFootprint four, float slack, float contact) {
 
 // In a crease the edges of the shadow and of the surface are one: beyond the shadow there is no surface, and down the surface
 // from its border there is no light. One texel more tells: this one.
-vec2 tieBreakTexel(ShadowFootprint four, vec2 slope) {
+vec2 nextOfFootprint(ShadowFootprint four, vec2 slope) {
     vec4 blocked = four.blocked;
     vec2 aside = sign(four.blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope);
     return mix(floor(four.texel + 0.5), four.corner + 0.5 + 1.5 * aside, abs(aside));
@@ -103,7 +103,7 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
         shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
-    vec2 next = tieBreakTexel(four, slope);
+    vec2 next = nextOfFootprint(four, slope);
     return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack, contact);
 }
 

@@ -48,7 +48,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     const Image expected = readImage(program.folder.file("gi-cone-shadow.exr"));
 
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf(GetParam()));
-    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const Image picture = imageOf(pictures.radiance, light.radianceUnit());
     // The product of the camera's two matrices differs in its last bits from the program's matrix.
     const Difference difference = compareImages(picture, expected, 0.002F);
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile"
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
     const View view = described_.view();
-    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::converged).radiance);
 
     const gl::Capabilities capabilities = gl::queryCapabilities();
     Settings settings = presetSettings("mobile");

@@ -119,7 +119,7 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         look();
     }
     EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
-                                                 "preset", "scene", "second lamp", "sky", "time"}));
+                                              "preset", "scene", "second lamp", "sky", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);

@@ -122,7 +122,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const double angle = glm::radians(30.0);
     const glm::dvec3 l = light.directionToLight;
     turned.directionToLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
-                                                    l.z * std::cos(angle) - l.x * std::sin(angle)));
+                                                        l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
     fresh.render({{Output::gi}, camera, LightSteps::all});
     const ReceivedFaces right = readReceived(fresh);

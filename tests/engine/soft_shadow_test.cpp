@@ -52,8 +52,8 @@ struct Point {
 };
 
 // The shadow on the surfaces that a camera above the scene sees.
-std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& directionToLight, const Settings& settings,
-                                 double fovDeg) {
+std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& directionToLight,
+                                 const Settings& settings, double fovDeg) {
     const Context context = openContext(Backend::egl);
     FrameInspector frame(context, scene, lightFrom(directionToLight), settings,
                          lookAt({0, 3, 0.001}, {0, 0, 0}, fovDeg));
@@ -109,7 +109,8 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     addQuad(scene, turned({0, edge.height, -1.2}), turned({1.6, 0, 0}), turned({0, 0, 2.4}));
     scene = finished(std::move(scene));
     const glm::dvec3 directionToLight = glm::normalize(disc.towards);
-    const glm::dvec3 inShadow = -edge.height / directionToLight.y * glm::dvec3(directionToLight.x, 0, directionToLight.z);
+    const glm::dvec3 inShadow =
+        -edge.height / directionToLight.y * glm::dvec3(directionToLight.x, 0, directionToLight.z);
 
     const int rows = 24;
     Settings settings = presetSettings(disc.preset);

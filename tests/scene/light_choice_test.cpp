@@ -11,7 +11,8 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     Scene scene;
     const DirectionalLight fallback = chooseLight(scene);
     EXPECT_NEAR(glm::length(fallback.directionToLight), 1.0, 1e-12);
-    EXPECT_GT(glm::min(fallback.directionToLight.x, glm::min(fallback.directionToLight.y, fallback.directionToLight.z)),
+    EXPECT_GT(glm::min(fallback.directionToLight.x,
+                       glm::min(fallback.directionToLight.y, fallback.directionToLight.z)),
               0.0);
     EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
     // Beside other lights the default gives none.

@@ -81,8 +81,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     if (a.received || b.received) return;
     // Sums of static and of dynamic geometry are rounded before they are added.
     for (std::size_t level = 0; level < std::min(a.faces.size(), b.faces.size()); ++level)
-        EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1)
-            << what << ": radiance, level " << level;
+        EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1) << what << ": radiance, level " << level;
 }
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what) {

@@ -20,10 +20,10 @@ ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
         ReceivedLight face;
         for (std::size_t w = 0; w < 4; ++w)
-            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.irradianceWords() * id + w);
+            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.irradianceWords() == 6) {  // the light of emitters is apart
+        if (irradiance.wordsOfFace() == 6) {  // the light of emitters is apart
             const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
             face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
         }

@@ -32,7 +32,7 @@ ViewerHost hostFor(android_app& glue) {
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
     };
     android.defaultsFor = [](const Scene& scene, double) {
-        Look look;
+        ViewDefaults look;
         look.light = chooseLight(scene);
         look.skyRadiance = chooseSky(scene);
         return look;

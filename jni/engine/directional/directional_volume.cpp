@@ -60,7 +60,7 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset(capacities);
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_);
-    voxels_.markStatic();
+    voxels_.keepStatic();
 }
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {

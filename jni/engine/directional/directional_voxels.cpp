@@ -106,7 +106,7 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::markStatic() {
+void DirectionalVoxels::keepStatic() {
     shared::CommandLists commands = index_.readCommands();
     for (shared::LevelCommands& list : commands.lists) {
         list.staticVoxels = list.voxelCount;

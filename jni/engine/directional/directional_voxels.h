@@ -64,7 +64,7 @@ class DirectionalVoxels {
     void reset(const FaceCapacities& capacities);
     // Takes what is listed now for the static geometry, to which the lists return for each pose. Waits for
     // the GPU.
-    void markStatic();
+    void keepStatic();
     // Makes room for more faces of dynamic objects, which are removed. Waits for the GPU.
     void growDynamic(const FaceCapacities& capacities);
     // Removes the dynamic objects in their last pose. The faces that they shared with the static geometry

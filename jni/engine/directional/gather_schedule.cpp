@@ -26,8 +26,8 @@ GatherSchedule::GatherSchedule(const GatherSettings& settings, int lightFrames)
     : cones_(settings.cones),
       coneBudget_(settings.coneBudget),
       lightFrames_(lightFrames),
-      convergenceRound_(settings.directions / settings.cones),
-      refinementSteps_(lightFrames >= 2 * convergenceRound_ ? settings.refinedDirections / settings.cones : 0) {
+      settlingRound_(settings.directions / settings.cones),
+      refinementSteps_(lightFrames >= 2 * settlingRound_ ? settings.refinedDirections / settings.cones : 0) {
     invalidate();
 }
 
@@ -43,9 +43,9 @@ GatherSchedule::Round GatherSchedule::round(bool changed) const {
     if (changed) return {};
     if (stepsLeft_ <= refinementSteps_) return {refinementSteps_, refinementSteps_ - stepsLeft_};
     const int left = stepsLeft_ - refinementSteps_;
-    const int rounds = std::max(lightFrames_ / convergenceRound_ - 1, 0);
-    if (left > rounds * convergenceRound_) return {};
-    return {convergenceRound_, (convergenceRound_ - left % convergenceRound_) % convergenceRound_};
+    const int rounds = std::max(lightFrames_ / settlingRound_ - 1, 0);
+    if (left > rounds * settlingRound_) return {};
+    return {settlingRound_, (settlingRound_ - left % settlingRound_) % settlingRound_};
 }
 
 GatherStep GatherSchedule::advance(const Change& change) {
@@ -54,9 +54,9 @@ GatherStep GatherSchedule::advance(const Change& change) {
         history_ = std::min(history_, maxHistoryWhileChanging);
         stepsLeft_ = convergenceSteps();
     }
-    if (!changed && !lastStepUnchanged_) history_ = std::min(history_, maxHistoryAfterChange);
+    if (!changed && !isSettling_) history_ = std::min(history_, maxHistoryAfterChange);
     smoothing_ = changed ? 1.0F : std::max(smoothing_ - smoothingDecay, 0.0F);
-    lastStepUnchanged_ = !changed;
+    isSettling_ = !changed;
 
     const Round inRound = round(changed);
     const float share = inRound.length > 0 ? 1.0F / static_cast<float>(inRound.length)

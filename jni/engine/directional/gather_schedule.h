@@ -10,18 +10,18 @@ namespace vct {
 
 // The way in which one light step gathers (shaders/shared/layout.h: LightStep).
 struct GatherStep {
-    std::uint32_t frame = 0;        // number of the step
-    std::uint32_t direction = 0;    // the first of the set of directions that a step without a budget visits
-    std::uint32_t cones = 0;        // per face
-    std::uint32_t initialCones = 0;   // per face without a history
-    std::uint32_t coneBudget = 0;   // cones of the whole step, for which faces take turns; 0: no limit
-    bool beginsRound = false;       // the step is the first of a round, which visits each direction once
-    float roundShare = 0.0F;        // of the step in its round; 0 outside of rounds
-    float history = 0.0F;           // longest history of a face, in steps
-    float minHistory = 0.0F;      // shortest history after the step: long where the light has converged
-    float amplitude = 0.0F;         // share that the step before had in the means
-    float energyCorrection = 0.0F;  // share of the way to the balance of all light that the step makes good
-    float smoothing = 0.0F;         // how much of a face's light may be its block's, 0..1
+    std::uint32_t frame = 0;         // number of the step
+    std::uint32_t direction = 0;     // the first of the set of directions that a step without a budget visits
+    std::uint32_t cones = 0;         // per face
+    std::uint32_t initialCones = 0;  // per face without a history
+    std::uint32_t coneBudget = 0;    // cones of the whole step, for which faces take turns; 0: no limit
+    bool beginsRound = false;        // the step is the first of a round, which visits each direction once
+    float roundShare = 0.0F;         // of the step in its round; 0 outside of rounds
+    float history = 0.0F;            // longest history of a face, in steps
+    float minHistory = 0.0F;         // shortest history after the step: long where the light has converged
+    float amplitude = 0.0F;          // share that the step before had in the means
+    float energyCorrection = 0.0F;   // share of the way to the balance of all light that the step makes good
+    float smoothing = 0.0F;          // how much of a face's light may be its block's, 0..1
 };
 
 class GatherSchedule {
@@ -54,9 +54,9 @@ class GatherSchedule {
     };
     Round round(bool changed) const;
 
-    int cones_, coneBudget_, lightFrames_, convergenceRound_, refinementSteps_;
+    int cones_, coneBudget_, lightFrames_, settlingRound_, refinementSteps_;
     int stepsLeft_ = 0;
-    bool lastStepUnchanged_ = true;  // nothing had changed before the last step
+    bool isSettling_ = true;  // nothing had changed before the last step
     float history_ = 0.0F;    // of the means, in steps
     float lastShare_ = 0.0F;  // of the last step in them
     float smoothing_ = 0.0F;

@@ -63,10 +63,12 @@ gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpo
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_RECENT_STEP_WEIGHT " + number(recentStepWeight));
     defines.emplace_back(of == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
-                                                   : "VCT_GATHER_OCCLUSION false");
+                                                        : "VCT_GATHER_OCCLUSION false");
     append(defines, lightDefines(sources));
     append(defines, emissionDefines(sources.emission));
-    return {of == GatherPurpose::occlusion ? "gather, occlusion" : "gather", {"directional/gather.comp"}, defines};
+    return {of == GatherPurpose::occlusion ? "gather, occlusion" : "gather",
+            {"directional/gather.comp"},
+            defines};
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
@@ -170,7 +172,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     const bool isFirst = idCapacity_ == 0;
     // The histories, the sums of blocks, and the list of the faces that gather.
     const std::size_t words =
-        VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
+        VCT_LIGHT_HEADER + (wordsOfFace() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
@@ -180,7 +182,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
-        const std::size_t kept = VCT_LIGHT_HEADER + irradianceWords() * std::size_t{std::min(ids, idCapacity_)};
+        const std::size_t kept = VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{std::min(ids, idCapacity_)};
         gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
                               static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
     }
@@ -220,15 +222,15 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.roundShare = step_.roundShare;
     values.bricksAlong = bricksAlong_;
     // Each face's history is shortened to what the light's allows.
-    values.memory = std::max(step_.history, 1.0F);
-    values.inherited = step_.history;
+    values.maxHistory = std::max(step_.history, 1.0F);
+    values.maxInheritedHistory = step_.history;
     values.minHistory = step_.minHistory;
-    values.reflected = allBounces ? settings_.bounceGain : 0.0F;
+    values.bounceGain = allBounces ? settings_.bounceGain : 0.0F;
     values.amplitude = step_.amplitude;
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
-    values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
-    values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
+    values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
+    values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
     values.smoothing = step_.smoothing;
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);

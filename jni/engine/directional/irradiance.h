@@ -26,8 +26,8 @@ LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources);
 class Irradiance {
   public:
     // `lightFrames`: steps after a change until the light has converged.
-    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of, int lightFrames,
-               bool dynamicObjects, const LightFeatures& sources);
+    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
+               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
 
     // Says what has happened to the voxels since the last step.
     void onVoxelsChanged(const GatherSchedule::Change& change);
@@ -53,7 +53,7 @@ class Irradiance {
     // The history of each face, by its id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words of each face in it: two more if the scene has compact emitters.
-    std::uint32_t irradianceWords() const { return emitters_ ? 6 : 4; }
+    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
 
     // For shaders of a step.

@@ -38,11 +38,11 @@ const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& ligh
 
 // +x, -x, +y, -y, +z, -z, as shaders/shared/punctual_lights.glsl has them: rows are the map's right, its up,
 // and against the view.
-glm::dmat4 viewOfCube(int face, const glm::dvec3& place) {
+glm::dmat4 viewOfCube(int face, const glm::dvec3& position) {
     glm::dvec3 forward(0.0), up(0.0);
     forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
     up[(face / 2 + 1) % 3] = 1.0;
-    return glm::lookAt(place, place + forward, up);
+    return glm::lookAt(position, position + forward, up);
 }
 
 }  // namespace
@@ -86,14 +86,15 @@ void PunctualLights::setPose(const Pose& pose) {
         states_[i].worldFromLight = posed(lights_[i].definition, pose).worldFromLight;
 }
 
-std::vector<glm::dvec4> PunctualLights::places() const {
-    std::vector<glm::dvec4> places;
+std::vector<glm::dvec4> PunctualLights::positions() const {
+    std::vector<glm::dvec4> positions;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const glm::dmat4& world = states_[i].worldFromLight;
-        places.push_back(lights_[i].definition.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
-                                                                      : volume_.volumeFromWorld() * world[3]);
+        positions.push_back(lights_[i].definition.type == Type::directional
+                                ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+                                : volume_.volumeFromWorld() * world[3]);
     }
-    return places;
+    return positions;
 }
 
 void PunctualLights::invalidate() {
@@ -108,7 +109,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         if (!states_[i].on) continue;
-        std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
+        std::vector<Placement> placements = inReach(light, states_[i], now.placements);
         if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
@@ -120,12 +121,12 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
 // Lights that are off are left out.
 void PunctualLights::upload() {
     values_.count = glm::ivec4(0);
-    const std::vector<glm::dvec4> places = this->places();
+    const std::vector<glm::dvec4> positions = this->positions();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
         const PunctualLight& light = lights_[i].definition;
         shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
-        to.place = glm::vec4(places[i]);
+        to.position = glm::vec4(positions[i]);
         const bool placed = light.type != Type::directional;
         const double range = light.range / volume_.side;
         to.backwards = glm::vec4(glm::vec3(states_[i].worldFromLight[2]),
@@ -165,11 +166,11 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
             glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
         return;
     }
-    const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
+    const glm::dvec3 position(volumeFromWorld * state.worldFromLight[3]);
     double farthest = 0.0;
     for (const glm::dvec3& corner : cornersOf(boundsWorld_))
-        farthest =
-            std::max(farthest, glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), place));
+        farthest = std::max(farthest,
+                            glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), position));
     const double far = 1.001 * std::min(farthest, light.definition.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
@@ -182,20 +183,20 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
         const glm::dmat4 view = light.usesCube
-                                    ? viewOfCube(i, place)
-                                    : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
+                                    ? viewOfCube(i, position)
+                                    : glm::lookAt(position, position - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
         set(light.firstMap + i, mapFromView * view, quarterTexel, b);
     }
 }
 
-std::vector<Placement> PunctualLights::placementsInRange(const Light& light, const PunctualLightState& state,
+std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
                                                const std::vector<Placement>& placements) const {
     if (!std::isfinite(light.definition.range)) return placements;
-    const glm::dvec3 place(volume_.volumeFromWorld() * state.worldFromLight[3]);
+    const glm::dvec3 position(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;
     for (const Placement& placement : placements)
-        if (glm::distance(glm::clamp(place, placement.box.min, placement.box.max), place) <=
+        if (glm::distance(glm::clamp(position, placement.box.min, placement.box.max), position) <=
             light.definition.range / volume_.side)
             found.push_back(placement);
     return found;

@@ -40,7 +40,7 @@ class PunctualLights {
     // Of all, as they are now.
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Where each is, in volume space; for a directional one the direction towards it, and w 0.
-    std::vector<glm::dvec4> places() const;
+    std::vector<glm::dvec4> positions() const;
 
     // Draws the maps of those lights that have changed, or in whose reach something has.
     void update(const GpuScene& scene, const SceneState& now, bool forceRebuild, StepTimer& timer);
@@ -62,7 +62,7 @@ class PunctualLights {
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
+    std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
                                    const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
 
