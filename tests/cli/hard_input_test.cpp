@@ -98,5 +98,13 @@ TEST(HardInput, JsonThatTakesMoreMemoryThanThereIsIsNotParsed) {
     expectMentions(program.err, {"numbers.gltf", "reading its JSON asks for 401 MB", "free memory"});
 }
 
+TEST(Output, AnInterruptedRunLeavesNothing) {
+    ProgramRun program;
+    const std::string slow = std::string("render ") + ProgramRun::cornell +
+                             " --size 2000x2000 --preset quality --mode gi --out deep/er/out";
+    EXPECT_EQ(program.run(slow, "timeout 2"), 124) << program.err;
+    EXPECT_EQ(program.folder.list(), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace vct::test

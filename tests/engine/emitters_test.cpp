@@ -51,15 +51,6 @@ TEST(EmitterParts, ASquareIsDividedAndKeepsItsArea) {
     EXPECT_NEAR(area, 0.25, 1e-6);
 }
 
-TEST(EmitterParts, BothSidesOfASheetAreParts) {
-    Scene scene = roomWithLamp(0.2, 0.5);
-    scene.materials.back().doubleSided = true;
-    const std::vector<EmitterPart> parts = partsAt64(scene);
-    ASSERT_EQ(parts.size(), 2U);
-    EXPECT_NEAR(parts[0].facing.y + parts[1].facing.y, 0.0, 1e-9);
-    EXPECT_NEAR(std::abs(parts[0].facing.y), 0.04, 1e-6);
-}
-
 TEST(EmitterParts, ASmallBoxIsOnePartWithoutADirection) {
     Scene scene = closedBox(0);
     addBox(scene, glm::dvec3(0.1), {0.2, 0.1, 0.3}, addGlow(scene));

@@ -47,31 +47,5 @@ TEST_F(RenderPass, InvalidatesWhatIsNeitherLoadedNorStored) {
     EXPECT_NO_THROW(gl::checkErrors("pass"));
 }
 
-TEST_F(RenderPass, SetsTheStateThatDrawsNeed) {
-    gl::Enable(GL_CULL_FACE);
-    gl::Viewport(1, 1, 1, 1);
-    gl::DepthMask(GL_FALSE);
-    const auto state = [](GLenum name) {
-        GLint values[4] = {};
-        gl::GetIntegerv(name, values);
-        return name == GL_VIEWPORT ? values[2] : values[0];
-    };
-    {
-        const gl::RenderPass pass(framebuffer_);
-    }
-    EXPECT_EQ(state(GL_DEPTH_TEST), 1);
-    EXPECT_EQ(state(GL_DEPTH_FUNC), GL_LESS);
-    EXPECT_EQ(state(GL_DEPTH_WRITEMASK), 1);
-    EXPECT_EQ(state(GL_CULL_FACE), 0);
-    EXPECT_EQ(state(GL_VIEWPORT), 4);
-
-    const gl::Framebuffer none("no attachments", 8, 8);
-    {
-        const gl::RenderPass pass(none);
-    }
-    EXPECT_EQ(state(GL_DEPTH_TEST), 0);
-    EXPECT_EQ(state(GL_VIEWPORT), 8);
-}
-
 }  // namespace
 }  // namespace vct::test

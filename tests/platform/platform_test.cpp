@@ -1,5 +1,8 @@
 #include "platform/platform.h"
 
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
 #include <gtest/gtest.h>
 
 #include "platform/contexts.h"
@@ -77,6 +80,21 @@ TEST(Platform, ASecondEglContextOutlivesTheFirst) {
     gl::GenBuffers(1, &buffer);
     EXPECT_NE(buffer, 0u);
     EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST(Platform, DestructionLeavesNoContextBehind) {
+    auto platform = createContext(Backend::egl);
+    EXPECT_NE(eglGetCurrentContext(), EGL_NO_CONTEXT);
+    platform.reset();
+    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
+}
+
+TEST(Platform, ZinkIsRefusedBesideAnotherEglContext) {
+    VCT_SKIP_IF_ABSENT(Backend::zink);
+    auto egl = createContext(Backend::egl);
+    EXPECT_THROW(createContext(Backend::zink), Error);
+    egl.reset();
+    EXPECT_NO_THROW(createContext(Backend::zink));
 }
 
 }  // namespace

@@ -117,7 +117,6 @@ TEST(Deformations, DamagedOnesAreNamed) {
     };
     const auto has = [](const std::string& text, const char* part) { expectMentions(text, {part}); };
     has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"].erase(2); }), "follow joint 2 of 2");
-    has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"][1] = 99; }), "node 99");
     has(changed([](GltfBuilder& b) {
             b.document["skins"][0]["inverseBindMatrices"] =
                 b.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4");

@@ -164,12 +164,6 @@ TEST(Ktx2, IsTheSamePicture) {
     }
 }
 
-TEST(Ktx2, IsReadWithoutTheExtensionToo) {
-    TexturedField field;
-    field.texture = {{"source", field.image(encodeKtx2(Codec::uastc))}};
-    EXPECT_EQ(load(field.file()).textures.at(0).height, 24);
-}
-
 TEST(Ktx2, DamagedPicturesAreRefusedByName) {
     expectDamageIsRefused({encodeKtx2(Codec::plainZstd), encodeKtx2(Codec::etc1s), encodeKtx2(Codec::uastc)},
                           "KHR_texture_basisu", 200);
