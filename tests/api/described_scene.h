@@ -20,7 +20,7 @@ namespace vct::test {
 // Size of the pictures.
 constexpr int width = 96, height = 72;
 
-// A floor, a box on it, a lamp and a glossy wall.
+// A floor, a box on it, an emitter and a glossy wall.
 struct Described {
     std::vector<float> positions, normals;
     std::vector<std::uint32_t> indices;

@@ -35,7 +35,7 @@ TEST(Choices, ATimeStopsTheAnimationThere) {
         EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
 }
 
-TEST(Choices, LampsAreSwitchedAndTheSkyIsChosenInWords) {
+TEST(Choices, LightsAreSwitchedAndTheSkyIsChosenInWords) {
     const Choices choices = showRequestFromText("show sky=plain lights-off=1,16").choices;
     EXPECT_EQ(choices.sky, Sky::plain);
     EXPECT_EQ(choices.lightsOff.to_ulong(), 0x8001UL);

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Frame, testing::Values("phong", "gi", "gi-cone-s
                              return name == "gi-cone-shadow" ? std::string("giConeShadow") : name;
                          });
 
-TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
+TEST_P(Frame, EqualsThePictureOfRender) {
     const std::string mode = GetParam();
     const Image screen = screenOf("scene=courtyard.glb preset=thesis pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
@@ -87,8 +87,8 @@ TEST(Animated, PlaysUnlessItIsStopped) {
     EXPECT_FALSE(changes("time=1"));
 }
 
-// A floor and a box below a row of lamps.
-Bytes sceneWithLamps(const std::vector<double>& candela) {
+// A floor and a box below a row of lights.
+Bytes sceneWithLights(const std::vector<double>& candela) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
@@ -101,10 +101,10 @@ Bytes sceneWithLamps(const std::vector<double>& candela) {
 }
 
 // The mode phong has no shadow maps and voxels, which differ between the two scenes.
-TEST(Lamps, GiveNoLightIfTheyAreOff) {
+TEST(Lights, GiveNoLightIfTheyAreOff) {
     const TemporaryFolder scenes;
-    writeBytes(scenes.file("both.glb"), sceneWithLamps({40, 30}));
-    writeBytes(scenes.file("first.glb"), sceneWithLamps({40}));
+    writeBytes(scenes.file("both.glb"), sceneWithLights({40, 30}));
+    writeBytes(scenes.file("first.glb"), sceneWithLights({40}));
     const auto screenWith = [&](const std::string& scene) {
         return screenOf("preset=mobile pixels=1 mode=phong scene=" + scene, 96, 72, scenes.path());
     };

@@ -80,7 +80,7 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     Fingers fingers;
     fingers.message = "wrong";
     fingers.animated = true;
-    fingers.lights = {"lamp", "lamp", ""};
+    fingers.lights = {"light", "light", ""};
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
@@ -96,8 +96,8 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         note(now.resolution != before.resolution, "pixels");
         note(now.coneAngleDeg != before.coneAngleDeg, "cone");
         note(now.lightAnglesDeg.has_value(), "light");
-        note(now.lightsOff.any(), "lamps");
-        note(now.lightsOff.test(1), "second lamp");
+        note(now.lightsOff.any(), "lights");
+        note(now.lightsOff.test(1), "second light");
         note(now.sky != before.sky, "sky");
         note(now.timeSteps != before.timeSteps, "time");
         note(now.play != before.play, "play");
@@ -118,8 +118,8 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.tap({165.0F, y});  // the second one of a row
         look();
     }
-    EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
-                                              "preset", "scene", "second lamp", "sky", "time"}));
+    EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lights", "light", "mode", "pixels", "play",
+                                              "preset", "scene", "second light", "sky", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);

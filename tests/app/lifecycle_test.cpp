@@ -40,7 +40,7 @@ TEST(Lifecycle, StartsTestsTheDriverShowsASceneAndEnds) {
 TEST(Lifecycle, DrawsOnlyWithAWindowAndWhileResumed) {
     Small android;
     int before = 0;
-    const auto remember = [&] { before = android.shown; };
+    const auto keep = [&] { before = android.shown; };
     const auto expectNoFrame = [&](const char* when) {
         android.frames(3);
         android.then([&, when] { EXPECT_EQ(android.shown, before) << when; });
@@ -52,14 +52,14 @@ TEST(Lifecycle, DrawsOnlyWithAWindowAndWhileResumed) {
     android.window(width, height);
     android.frames(3);
     android.then([&] { EXPECT_GT(android.shown, before); });
-    android.then(remember);
+    android.then(keep);
     android.command(APP_CMD_PAUSE);
     expectNoFrame("paused");
     android.command(APP_CMD_RESUME);
     android.frames(3);
     android.then([&] { EXPECT_GT(android.shown, before); });
     android.loseWindow();
-    android.then(remember);
+    android.then(keep);
     expectNoFrame("without a window");
     android.run();
     expectClean(android);

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, MeasureFails,
                                          Failure{"bench nonsense", "unknown 'nonsense'"}),
                          [](const auto& test) { return "Case" + std::to_string(test.index); });
 
-TEST_P(MeasureFails, AndSaysWhyInTheFileFailed) {
+TEST_P(MeasureFails, WithTheReasonInTheFileFailed) {
     Measuring android(GetParam().command);
     const TemporaryFolder& files = android.folder;
     android.framesUntilLogged("measuring failed: ");

@@ -85,7 +85,7 @@ TEST_F(BadScene, WithoutACameraHasAViewThatAnOptionRepeats) {
     expectMentions(program.err, {"no camera", "leave out --camera"});
 }
 
-TEST_F(BadScene, IsWarnedOfIfItsCameraIsNotUsedAsItIs) {
+TEST_F(BadScene, GetsAWarningIfItsCameraIsNotUsedAsItIs) {
     GltfBuilder builder;
     builder.triangle();
     builder.add("cameras", {{"type", "orthographic"},

@@ -70,7 +70,7 @@ TEST(HardInput, StandardOutputThatIsFullIsAnError) {
     expectMentions(program.err, {"error: cannot write to standard output: No space left on device"});
 }
 
-TEST(HardInput, APictureThatMemoryDoesNotHoldIsOneErrorBeforeAnythingSlow) {
+TEST(HardInput, APictureTooLargeForMemoryIsOneErrorAtOnce) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
 #endif
@@ -84,7 +84,7 @@ TEST(HardInput, APictureThatMemoryDoesNotHoldIsOneErrorBeforeAnythingSlow) {
 }
 
 // The text has 4 MB, and takes 400 MB while it is read.
-TEST(HardInput, JsonThatTakesMoreMemoryThanThereIsIsNotParsed) {
+TEST(HardInput, JsonThatNeedsTooMuchMemoryIsNotParsed) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
 #endif

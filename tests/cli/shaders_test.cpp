@@ -10,7 +10,7 @@
 namespace vct::test {
 namespace {
 
-TEST(Shaders, OfEveryPresetAreWrittenAndCounted) {
+TEST(Shaders, AreWrittenAndCountedForEveryPreset) {
     ProgramRun program;
     program.expectSuccess(std::string("shaders ") + ProgramRun::cornell + " --out out --size 32x32");
     const std::filesystem::path out = program.folder.file("out");

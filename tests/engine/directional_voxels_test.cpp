@@ -215,13 +215,13 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FaceVoxelsOf, testing::Values("cornell", "court
                          [](const auto& test) { return std::string(test.param); });
 
 // Faces do not reflect their irradiance in this mode.
-constexpr Output modeWithoutReceivedLight = Output::ao;
+constexpr Output modeWithoutIrradiance = Output::ao;
 
 TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
     const Context context = openContext(Backend::egl);
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
-    renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
+    renderer.render({{modeWithoutIrradiance}, chooseCamera(scene, "")});
     const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
     for (std::size_t level = 1; level < levels.size(); ++level)
         EXPECT_LE(maxDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
@@ -238,7 +238,7 @@ TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelAndEachFaceOnce) {
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     for (int frame = 0; frame < 2; ++frame)
-        renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
+        renderer.render({{modeWithoutIrradiance}, chooseCamera(scene, "")});
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
     const FaceLevel base = readFaceLevel(voxels, 0);
     std::set<std::uint32_t> expected;

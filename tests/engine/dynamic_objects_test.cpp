@@ -110,7 +110,7 @@ TEST(DynamicObjects, NoFrameReadsBackBetweenItsPasses) {
     const Scene scene = load(twoThatMove());
     PlayingScene stage(context, scene, mobileSettings());
     for (const double seconds : {0.0, 1.0, 0.0})
-        stage.settledAt(seconds);
+        stage.drawTwiceAt(seconds);
     int reads = 0;
     bool isInPasses = false;
     const auto pass = [&](auto...) { isInPasses = true; };

@@ -47,7 +47,7 @@ TEST(FaceRange, FitsTheBrightestFace) {
     }
 }
 
-// The range of a step is that of the light before it. A lamp that is switched on is clipped for a step, and
+// The range of a step is that of the light before it. A light that is switched on is clipped for a step, and
 // the step after it is switched off uses few of the 8 bits. Neither may show as a flash.
 TEST(FaceRange, NoFrameIsBrighterOrDarkerThanTheLightBeforeAndAfterASwitch) {
     const Context context = openContext(Backend::egl);

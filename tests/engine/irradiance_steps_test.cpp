@@ -6,9 +6,9 @@
 
 #include "scene/camera.h"
 #include "scene/light_choice.h"
+#include "support/face_irradiance.h"
 #include "support/gl_spy.h"
 #include "support/playing_scene.h"
-#include "support/received.h"
 #include "support/scenes.h"
 #include "support/steps.h"
 #include "support/voxel_kinds.h"
@@ -23,13 +23,14 @@ struct DispatchCount {
     const GlSpy<&gl::DispatchComputeIndirect> indirect{[this](GLintptr) { ++count; }};
 };
 
-void expectAlike(const ReceivedFaces& a, const ReceivedFaces& right, double rms, const std::string& what) {
-    const ReceivedDifference d = differenceOf(a, right);
+void expectAlike(const IrradianceByFace& a, const IrradianceByFace& right, double rms,
+                 const std::string& what) {
+    const IrradianceDifference d = differenceOf(a, right);
     EXPECT_GT(d.common, 500U) << what;
     EXPECT_LE(d.rms, rms * d.mean) << what;
 }
 
-TEST(ReceivedLight, InAStaticSceneConvergesToPicturesEqualToTheBitWithoutADispatch) {
+TEST(Irradiance, InAStaticSceneConvergesToPicturesEqualToTheBitWithoutADispatch) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     const Settings settings = mobileSettings();
@@ -54,7 +55,7 @@ TEST(ReceivedLight, InAStaticSceneConvergesToPicturesEqualToTheBitWithoutADispat
     }
 }
 
-TEST(ReceivedLight, OneConvergedFrameEqualsAllFramesUntilThen) {
+TEST(Irradiance, OneConvergedFrameEqualsAllFramesUntilThen) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     Settings settings = mobileSettings();
@@ -65,7 +66,7 @@ TEST(ReceivedLight, OneConvergedFrameEqualsAllFramesUntilThen) {
     still.render({{Output::gi}, camera, LightSteps::all});
     for (int i = 0; i < settings.lightFrames; ++i)
         frames.render({{Output::gi}, camera});
-    EXPECT_TRUE(readReceived(still) == readReceived(frames));
+    EXPECT_TRUE(readIrradiance(still) == readIrradiance(frames));
     // Atomics decide the order of the faces and so the places of bricks, whose texel coordinates round
     // differently.
     const Image one = still.radiance(), other = frames.radiance();
@@ -74,7 +75,7 @@ TEST(ReceivedLight, OneConvergedFrameEqualsAllFramesUntilThen) {
             ASSERT_NEAR(one.pixels[i][c], other.pixels[i][c], 2e-3 * (0.1 + one.pixels[i][c])) << i;
 }
 
-TEST(ReceivedLight, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
+TEST(Irradiance, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("courtyard.glb"));
     const Camera camera = chooseCamera(scene, "");
@@ -84,7 +85,7 @@ TEST(ReceivedLight, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
         Renderer renderer = makeRenderer(context, of, chooseLight(of), settings);
         for (int step = 0; step < 3; ++step)
             renderer.render({{Output::gi}, camera});
-        return std::make_pair(readReceived(renderer), renderer.radiance());
+        return std::make_pair(readIrradiance(renderer), renderer.radiance());
     };
     const auto [faces, picture] = lit(scene);
     ASSERT_GT(faces.size(), 10000U);
@@ -100,14 +101,14 @@ TEST(ReceivedLight, DoesNotDependOnTheOrderOfTrianglesAndInstances) {
                 << "pixel " << i;
 }
 
-double brightness(const ReceivedFaces& faces) {
+double brightness(const IrradianceByFace& faces) {
     double sum = 0.0;
     for (const auto& [entry, face] : faces)
         sum += face.coverage * face.light.g;
     return sum;
 }
 
-TEST(ReceivedLight, FollowsALightThatTurns) {
+TEST(Irradiance, FollowsALightThatTurns) {
     const Context context = openContext(Backend::egl);
     const Scene scene = loadGltf(asset("cornell.glb"));
     const DirectionalLight light = chooseLight(scene);
@@ -116,7 +117,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = makeRenderer(context, scene, light, settings);
     renderer.render({{Output::gi}, camera, LightSteps::all});
-    const ReceivedFaces before = readReceived(renderer);
+    const IrradianceByFace before = readIrradiance(renderer);
     DirectionalLight turned = light;
     const double angle = glm::radians(30.0);
     const glm::dvec3 l = light.directionToLight;
@@ -124,14 +125,14 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
                                                         l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
     fresh.render({{Output::gi}, camera, LightSteps::all});
-    const ReceivedFaces right = readReceived(fresh);
+    const IrradianceByFace right = readIrradiance(fresh);
     const double change = differenceOf(before, right).rms;
     renderer.setLightDirection(turned.directionToLight);
     double last = change;
     for (int frame = 1; frame <= settings.lightFrames; ++frame) {
         renderer.render({{Output::gi}, camera});
         if ((frame & (frame - 1)) != 0) continue;
-        const double error = differenceOf(readReceived(renderer), right).rms;
+        const double error = differenceOf(readIrradiance(renderer), right).rms;
         EXPECT_LE(error, last) << frame;
         last = error;
     }
@@ -150,7 +151,7 @@ Scene passingBox() {
     return load(builder);
 }
 
-TEST(ReceivedLight, HasNoTraceOfAMovedBoxSixteenFramesLater) {
+TEST(Irradiance, HasNoTraceOfAMovedBoxSixteenFramesLater) {
     const Context context = openContext(Backend::egl);
     const Scene scene = passingBox();
     const Settings settings = mobileSettings();
@@ -160,32 +161,32 @@ TEST(ReceivedLight, HasNoTraceOfAMovedBoxSixteenFramesLater) {
         stage.convergedAt(0.0, mode);
         for (int frame = 1; frame <= 30; ++frame)
             stage.frameAt(frame / 30.0, mode);
-        const ReceivedFaces moving = readReceived(stage.renderer(), of);
+        const IrradianceByFace moving = readIrradiance(stage.renderer(), of);
         for (int frame = 0; frame < 16; ++frame)
             stage.frameAt(1.0, mode);
         const Scene frozen = frozenAt(scene, 1.0);
         PlayingScene fresh(context, frozen, settings);
         fresh.convergedAt(0.0, mode);
-        const ReceivedFaces right = readReceived(fresh.renderer(), of);
+        const IrradianceByFace right = readIrradiance(fresh.renderer(), of);
         // These are single faces; pixels see the mean with the face's block.
         expectAlike(moving, right, 0.65, std::string(outputName(mode)) + ", while it moves");
         ASSERT_EQ(settings.lightFrames, 16);
-        expectAlike(readReceived(stage.renderer(), of), right, 0.02,
+        expectAlike(readIrradiance(stage.renderer(), of), right, 0.02,
                     std::string(outputName(mode)) + ", 16 frames later");
     }
 }
 
-TEST(ReceivedLight, StaysWhenVoxelsAreRebuiltInTheSameLight) {
+TEST(Irradiance, StaysWhenVoxelsAreRebuiltInTheSameLight) {
     const Context context = openContext(Backend::egl);
     for (const Scene& scene : {loadGltf(asset("cornell.glb")), passingBox()}) {
         Settings settings = mobileSettings();
         settings.revoxelize = true;
         PlayingScene stage(context, scene, settings);
         stage.renderer().render({{Output::gi}, chooseCamera(scene, ""), LightSteps::all});
-        const ReceivedFaces before = readReceived(stage.renderer());
+        const IrradianceByFace before = readIrradiance(stage.renderer());
         for (int frame = 0; frame < 20; ++frame)
             stage.frame();
-        const ReceivedFaces after = readReceived(stage.renderer());
+        const IrradianceByFace after = readIrradiance(stage.renderer());
         ASSERT_EQ(after.size(), before.size());
         int kept = 0;
         for (const auto& [entry, face] : after)
@@ -200,7 +201,7 @@ TEST(ReceivedLight, StaysWhenVoxelsAreRebuiltInTheSameLight) {
 
 // A box under the floor grows to twenty times its voxels. The capacity grows; static faces keep their history
 // and their light, which has not changed.
-TEST(ReceivedLight, KeepsItsHistoryWhenItsBuffersGrow) {
+TEST(Irradiance, KeepsItsHistoryWhenItsBuffersGrow) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.8F, 0.8F}, {{"translation", {0, 1, -1.9}}, {"scale", {4, 2, 0.2}}});
@@ -210,14 +211,14 @@ TEST(ReceivedLight, KeepsItsHistoryWhenItsBuffersGrow) {
     const Scene scene = load(builder);
     PlayingScene stage(context, scene, mobileSettings());
     stage.convergedAt(0.0);
-    const std::size_t received = bytesOf(stage.renderer().resources(), "face irradiance"),
+    const std::size_t faces = bytesOf(stage.renderer().resources(), "face irradiance"),
                       bricks = bytesOf(stage.renderer().resources(), "irradiance");
-    const ReceivedFaces before = readReceived(stage.renderer());
+    const IrradianceByFace before = readIrradiance(stage.renderer());
     for (const double seconds : {0.3, 0.6, 1.0})
         stage.frameAt(seconds);
-    EXPECT_GT(bytesOf(stage.renderer().resources(), "face irradiance"), received);
+    EXPECT_GT(bytesOf(stage.renderer().resources(), "face irradiance"), faces);
     EXPECT_GT(bytesOf(stage.renderer().resources(), "irradiance"), bricks);
-    const ReceivedFaces after = readReceived(stage.renderer());
+    const IrradianceByFace after = readIrradiance(stage.renderer());
     EXPECT_GT(after.size(), before.size() + 1000);
     int kept = 0;
     for (const auto& [entry, face] : before) {
@@ -227,7 +228,7 @@ TEST(ReceivedLight, KeepsItsHistoryWhenItsBuffersGrow) {
     }
     EXPECT_GT(kept, 9 * static_cast<int>(before.size()) / 10) << "of " << before.size();
     expectAlike(after, before, 0.6, "after it has grown");  // three frames' noise
-    const ReceivedDifference d = differenceOf(after, before);
+    const IrradianceDifference d = differenceOf(after, before);
     EXPECT_NEAR(d.bias / d.mean, 0.0, 0.06);
     expectFreshLight(stage, context, scene, mobileSettings(), 1.0);
 }

@@ -27,7 +27,7 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
             expectFresh(stage, context, scene, settings, seconds, mode);
-        EXPECT_EQ(gridOf(stage.renderer()).received,
+        EXPECT_EQ(gridOf(stage.renderer()).hasIrradiance,
                   mode == Output::gi && stage.renderer().directional() != nullptr);
         // The scene goes back to rest.
         const Grid moved = gridOf(stage.renderer());
@@ -230,9 +230,9 @@ TEST_P(Deforming, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     for (const Output mode : {Output::gi, Output::ao}) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35}) {
-            stage.settledAt(seconds, mode);
+            stage.drawTwiceAt(seconds, mode);
             PlayingScene fresh(context, scene, settings);
-            fresh.settledAt(seconds, mode);
+            fresh.drawTwiceAt(seconds, mode);
             expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), std::to_string(seconds));
         }
         const Grid before = gridOf(stage.renderer());

@@ -15,7 +15,7 @@ Image picture(const Context& context, const Scene& scene, const DirectionalLight
     return renderer.radiance();
 }
 
-TEST(Order, OfInstancesDoesNotChangeAPictureOfCoincidentSurfaces) {
+TEST(OrderOfInstances, DoesNotChangeAPictureOfCoincidentSurfaces) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();
     for (int i = 0; i < 4; ++i) {

@@ -140,21 +140,21 @@ TEST(PunctualLights, HaveTheShadowsThatRaysFindAndLightNoCrease) {
     }
 }
 
-struct Lamp {
+struct SizedLight {
     const char* name;
     PunctualLight light;
     double radius;  // or half of the sun's angle, in radians
 };
-void PrintTo(const Lamp& lamp, std::ostream* out) {
-    *out << lamp.name;
+void PrintTo(const SizedLight& sized, std::ostream* out) {
+    *out << sized.name;
 }
 
-// The share of a lamp that a point sees, by rays to a disc that faces the point.
-double shareOf(const Lamp& lamp, const glm::dvec3& from) {
-    const bool isSun = lamp.light.type == PunctualLight::Type::directional;
-    const glm::dvec3 middle = isSun ? 10.0 * glm::dvec3(lamp.light.worldFromLight[2])
-                                    : glm::dvec3(lamp.light.worldFromLight[3]) - from;
-    const double radius = isSun ? 10.0 * std::tan(lamp.radius) : lamp.radius;
+// The share of a light that a point sees, by rays to a disc that faces the point.
+double shareOf(const SizedLight& sized, const glm::dvec3& from) {
+    const bool isSun = sized.light.type == PunctualLight::Type::directional;
+    const glm::dvec3 middle = isSun ? 10.0 * glm::dvec3(sized.light.worldFromLight[2])
+                                    : glm::dvec3(sized.light.worldFromLight[3]) - from;
+    const double radius = isSun ? 10.0 * std::tan(sized.radius) : sized.radius;
     const glm::dvec3 x = glm::normalize(glm::cross(middle, glm::dvec3(0.6, 0, 0.8)));
     const glm::dvec3 y = glm::normalize(glm::cross(middle, x));
     const int rays = 64;
@@ -166,31 +166,31 @@ double shareOf(const Lamp& lamp, const glm::dvec3& from) {
     return static_cast<double>(seen) / rays;
 }
 
-class LampsWithASize : public testing::TestWithParam<Lamp> {};
+class LightsWithASize : public testing::TestWithParam<SizedLight> {};
 INSTANTIATE_TEST_SUITE_P(
-    SoftLights, LampsWithASize,
+    SoftLights, LightsWithASize,
     testing::Values(
-        Lamp{"Small", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.03},
-        Lamp{"Large", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.12},
-        Lamp{"Spot", punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1}), 0.1},
-        Lamp{"SecondSun", punctualLightAt(PunctualLight::Type::directional, {-0.4, 1, 0.2}, {0, 0, 0}),
-             0.05}),
+        SizedLight{"Small", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.03},
+        SizedLight{"Large", punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0}), 0.12},
+        SizedLight{"Spot", punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1}), 0.1},
+        SizedLight{"SecondSun", punctualLightAt(PunctualLight::Type::directional, {-0.4, 1, 0.2}, {0, 0, 0}),
+                   0.05}),
     [](const auto& row) { return std::string(row.param.name); });
 
 // The blocker search finds walls, creases, a table and its leg.
-TEST_P(LampsWithASize, HaveThePenumbraeThatRaysFindAndLightNoCorner) {
-    const Lamp& lamp = GetParam();
+TEST_P(LightsWithASize, HaveThePenumbraeThatRaysFindAndLightNoCorner) {
+    const SizedLight& sized = GetParam();
     const Context context = openContext(Backend::egl);
-    Scene scene = roomAtNight({lamp.light});
-    if (lamp.light.type == PunctualLight::Type::directional)
+    Scene scene = roomAtNight({sized.light});
+    if (sized.light.type == PunctualLight::Type::directional)
         scene.instances.erase(scene.instances.begin() + 1);  // the ceiling
     // The room is so dark that a second bounce does not matter.
     scene.materials[0].baseColor = glm::vec4(0.04F, 0.04F, 0.04F, 1.0F);
     Settings settings = presetSettings("mobile");
     settings.size = glm::ivec2(128);
     settings.gather.refinedDirections = 0;
-    settings.lightRadius = static_cast<float>(lamp.radius);
-    settings.shadowConeAngleDeg = static_cast<float>(glm::degrees(2.0 * lamp.radius));
+    settings.lightRadius = static_cast<float>(sized.radius);
+    settings.shadowConeAngleDeg = static_cast<float>(glm::degrees(2.0 * sized.radius));
     FrameInspector inspector(context, scene, darkSun(), settings, intoRoom);
     const Image picture = inspector.view(Output::giConeShadow);
     const Image indirect = inspector.view(Output::indirectLight);
@@ -199,9 +199,9 @@ TEST_P(LampsWithASize, HaveThePenumbraeThatRaysFindAndLightNoCorner) {
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const SurfacePixel& pixel = inspector.pixels()[i];
         if (!pixel.surface) continue;
-        const double hard = irradianceOf(lamp.light, pixel.positionWorld, pixel.normal);
+        const double hard = irradianceOf(sized.light, pixel.positionWorld, pixel.normal);
         if (hard < 0.02) continue;
-        const double exact = shareOf(lamp, pixel.positionWorld + 2e-3 * pixel.normal);
+        const double exact = shareOf(sized, pixel.positionWorld + 2e-3 * pixel.normal);
         const double seen = (picture.pixels[i].r - indirect.pixels[i].r) / pixel.albedo.r / hard;
         ++judged;
         seenWidth += std::max(seen * (1.0 - seen), 0.0);
@@ -214,7 +214,7 @@ TEST_P(LampsWithASize, HaveThePenumbraeThatRaysFindAndLightNoCorner) {
         squares += std::pow(seen - exact, 2.0);
         errors += seen - exact;
     }
-    std::printf("%s: judged %d penumbra %d rms %.3f mean %.3f width %.3f wrong %d\n", lamp.name, judged,
+    std::printf("%s: judged %d penumbra %d rms %.3f mean %.3f width %.3f wrong %d\n", sized.name, judged,
                 inPenumbra, std::sqrt(squares / inPenumbra), errors / inPenumbra, seenWidth / exactWidth,
                 wrong);
     EXPECT_GT(judged, 4000);
@@ -288,9 +288,9 @@ TEST(PunctualLights, VoxelsOfAMovingBoxEqualThoseOfAFreshScene) {
     scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {1.8, 0.1, 1.8}, {0, 0, 0}));
     for (const bool carried : {false, true}) {
         if (carried) {
-            PunctualLight lamp = punctualLightAt(PunctualLight::Type::point, {0, 0, 0}, {0, -1, 0});
-            lamp.node = 0;
-            scene.punctualLights.push_back(posed(lamp, poseAt(scene.animation, 0.0)));
+            PunctualLight carriedLight = punctualLightAt(PunctualLight::Type::point, {0, 0, 0}, {0, -1, 0});
+            carriedLight.node = 0;
+            scene.punctualLights.push_back(posed(carriedLight, poseAt(scene.animation, 0.0)));
         }
         const Settings settings = mobileAt(64);
         PlayingScene stage(context, scene, settings);
@@ -306,10 +306,10 @@ TEST(PunctualLights, MapsAndVoxelsFollowALightThatMovesAlone) {
     addCube(builder, {0.7F, 0.7F, 0.2F}, {{"translation", {0.4, 0.5, -0.2}}, {"scale", {0.6, 1.0, 0.3}}});
     json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
     lights.push_back({{"type", "point"}, {"intensity", 4}});
-    const int lamp =
+    const int light =
         builder.node({{"translation", {0.2, 1.6, 0.4}},
                       {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
-    builder.animate(lamp, "translation", {0, 2}, {0.2F, 1.6F, 0.4F, -1.2F, 1.2F, -0.5F});
+    builder.animate(light, "translation", {0, 2}, {0.2F, 1.6F, 0.4F, -1.2F, 1.2F, -0.5F});
     Scene scene = load(builder);
     ASSERT_EQ(scene.punctualLights.size(), 1U);
     // This light is so near to static faces that it alone decides the range of the 8 bits.

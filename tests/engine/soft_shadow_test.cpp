@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(SoftShadow, Penumbrae,
                                          Sun{"low", "mobile", 5, {0.94, 0.34, 0}, {0.5}, 2.5}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(Penumbrae, OfAStraightEdgeAreSmoothRampsOfADisc) {
+TEST_P(Penumbrae, AreSmoothRampsAlongAStraightEdge) {
     const Sun& disc = GetParam();
     const Context context = openContext(Backend::egl);
     for (const double height : disc.heights)

@@ -57,7 +57,7 @@ TEST(AutomaticExposure, BringsAPictureToMiddleGrey) {
     EXPECT_EQ(automaticExposure(Image(0, 0)), 1.0F);
 }
 
-TEST(AutomaticExposure, IsMovedLittleByASmallLampAndNotByBlack) {
+TEST(AutomaticExposure, IsChangedLittleByASmallEmitterAndNotByBlack) {
     Image image(32, 32, glm::vec3(0.1F));
     const float without = automaticExposure(image);
     for (int i = 0; i < 5; ++i)

@@ -130,7 +130,7 @@ TEST(FrameScene, AMovingObjectIsSeenInEveryPose) {
     }
 }
 
-TEST(FrameRoom, AClosedOneIsSeenFromInsideWhateverTheSidesOfItsWalls) {
+TEST(FrameRoom, AClosedRoomIsSeenFromInsideWhateverTheSidesOfItsWalls) {
     const Scene inwards = roomWithABox();
     EXPECT_TRUE(isInside(inwards, frameScene(inwards, 1.0)));
     Scene doubleSided = roomWithABox();
@@ -152,7 +152,7 @@ TEST(FrameRoom, LooksAlongTheRoom) {
     EXPECT_LT(std::abs(camera.worldFromCamera[2].y), 0.2);
 }
 
-TEST(FrameRoom, AnOpenOneAndAThingAreSeenFromOutside) {
+TEST(FrameRoom, AnOpenRoomAndAnObjectAreSeenFromOutside) {
     const Scene open = roomWithABox(5);
     const Camera camera = frameScene(open, 1.0);
     EXPECT_FALSE(isInside(open, camera));

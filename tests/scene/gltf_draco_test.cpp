@@ -100,7 +100,7 @@ std::vector<const Vertex*> cornersByPlace(const Mesh& mesh) {
     return corners;
 }
 
-TEST(Draco, UnpacksToTheMeshThatIsNotPackedWithinTheQuantisation) {
+TEST(Draco, UnpacksToThePlainMeshWithinTheQuantisation) {
     const Mesh plain = load(plainField(dracoField)).meshes.at(0);
     for (const int method : dracoMethods) {
         const Scene scene = load(encodeDraco(dracoField, method).file());

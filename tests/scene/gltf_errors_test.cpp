@@ -113,7 +113,7 @@ const Damage damages[] = {
     {"/asset", "", "asset.version"},
 };
 
-TEST(GltfErrors, TheFileThatIsDamagedBelowLoads) {
+TEST(GltfErrors, TheUndamagedFileLoads) {
     const Scene scene = load(completeFile(encodePng(8)));
     EXPECT_EQ(scene.triangleCount(), 1U);
     EXPECT_EQ(scene.textures.size(), 1U);

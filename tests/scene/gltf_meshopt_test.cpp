@@ -93,7 +93,7 @@ GltfBuilder packedField(bool triangles, const char* extension = "EXT_meshopt_com
     return builder;
 }
 
-TEST(Meshopt, UnpacksToTheMeshThatIsNotPacked) {
+TEST(Meshopt, UnpacksToThePlainMesh) {
     const Mesh plain = load(plainField(meshoptField)).meshes.at(0);
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
         for (const bool triangles : {true, false}) {

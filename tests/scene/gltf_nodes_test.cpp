@@ -97,7 +97,7 @@ TEST(GltfNodes, AnOrthographicCameraFramesItsAreaInPerspectiveAndComesLast) {
     EXPECT_NEAR(near[1].verticalFovRad, pi / 2, 1e-12);
 }
 
-TEST(GltfNodes, LightsShineAlongMinusZAndScaleIsIgnored) {
+TEST(GltfNodes, LightsPointAlongMinusZAndScaleIsIgnored) {
     GltfBuilder builder;
     builder.triangle();
     builder.document["extensionsUsed"] = {"KHR_lights_punctual"};

@@ -53,7 +53,7 @@ TEST_F(Uris, FilesOutsideAreRefusedAfterLinksAreResolvedUnlessTheyAreAllowed) {
 }
 
 // The error must not reveal that there is no such file.
-TEST_F(Uris, AFileOutsideThatIsNotThereIsRefusedAlike) {
+TEST_F(Uris, AMissingFileOutsideIsRefusedLikeAnyOther) {
     expectMentions(errorFor("../none.bin"), {"outside of the scene's folder"});
     expectMentions(errorFor("none.bin"), {"there is no such file"});
 }

@@ -177,9 +177,9 @@ std::vector<FaceLevel> FrameInspector::faceLevels() {
     return readFaces(renderer_.directional()->voxels());
 }
 
-ReceivedFaces FrameInspector::received(bool allBounces) {
+IrradianceByFace FrameInspector::irradiance(bool allBounces) {
     view(Output::indirectLight, allBounces);
-    return readReceived(renderer_);
+    return readIrradiance(renderer_);
 }
 
 }  // namespace vct::test

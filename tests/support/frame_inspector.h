@@ -6,8 +6,8 @@
 
 #include "engine/renderer.h"
 #include "platform/platform.h"
+#include "support/face_irradiance.h"
 #include "support/faces.h"
-#include "support/received.h"
 #include "support/voxels.h"
 
 namespace vct::test {
@@ -63,10 +63,10 @@ class FrameInspector {
 
     // The radiance that faces store as 1 in the last frame, relative to E/pi.
     double faceRange() const;
-    // The faces of directional voxels. They reflect their irradiance only after received() was called.
+    // The faces of directional voxels. They reflect their irradiance only after irradiance() was called.
     std::vector<FaceLevel> faceLevels();
     // Converged irradiance of each face, with all bounces or with one.
-    ReceivedFaces received(bool allBounces);
+    IrradianceByFace irradiance(bool allBounces);
 
   private:
     Scene scene_;

@@ -63,7 +63,7 @@ Grid gridOf(Renderer& renderer) {
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
         grid.sums = sumsOf(voxels);
-        grid.received = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
+        grid.hasIrradiance = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
     }
     return grid;
 }
@@ -78,7 +78,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
             << " against " << b.faceLists[level].size();
     EXPECT_TRUE(a.sums == b.sums) << what << ": coverage, albedo, emission or plane differ";
     EXPECT_TRUE(coverageOf(a) == coverageOf(b)) << what << ": what faces cover differs";
-    if (a.received || b.received) return;
+    if (a.hasIrradiance || b.hasIrradiance) return;
     // Sums of static and of dynamic geometry are rounded before they are added.
     for (std::size_t level = 0; level < std::min(a.faces.size(), b.faces.size()); ++level)
         EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1) << what << ": radiance, level " << level;

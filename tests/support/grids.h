@@ -18,7 +18,7 @@ struct Grid {
     std::vector<std::vector<std::uint32_t>> faceLists;  // of each level, sorted
     // The sums of voxelization for each face of the base level.
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
-    bool received = false;  // the faces also reflect their irradiance, which no frame alone determines
+    bool hasIrradiance = false;  // the faces also reflect their irradiance, which no frame alone determines
 };
 Grid gridOf(Renderer& renderer);
 

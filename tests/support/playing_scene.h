@@ -16,7 +16,7 @@ class PlayingScene {
 
     void frameAt(double seconds, Output mode = Output::gi);
     // Draws two frames: where dynamic objects need more capacity, a frame after the GPU has finished adds it.
-    void settledAt(double seconds, Output mode = Output::gi);
+    void drawTwiceAt(double seconds, Output mode = Output::gi);
     // Draws a frame with converged irradiance.
     void convergedAt(double seconds, Output mode = Output::gi);
     void frame(Output mode = Output::gi) { renderer_.render({{mode}, chooseCamera(scene_, "")}); }

@@ -1,4 +1,4 @@
-#include "support/received.h"
+#include "support/face_irradiance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,17 +8,17 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
+IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
     const Irradiance& irradiance = *renderer.directional()->irradiance(of);
-    const gl::Buffer& received = irradiance.faceIrradiance();
-    std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
-    received.read(words.data(), received.bytes());
+    const gl::Buffer& buffer = irradiance.faceIrradiance();
+    std::vector<std::uint32_t> words(buffer.bytes() / sizeof(std::uint32_t));
+    buffer.read(words.data(), buffer.bytes());
     const FaceLevel base = readFaceLevel(voxels, 0);
-    ReceivedFaces faces;
+    IrradianceByFace faces;
     // shaders/directional/face_irradiance.glsl
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
-        ReceivedLight face;
+        FaceIrradiance face;
         for (std::size_t w = 0; w < 4; ++w)
             face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
@@ -37,8 +37,8 @@ ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
     return faces;
 }
 
-ReceivedDifference differenceOf(const ReceivedFaces& a, const ReceivedFaces& b) {
-    ReceivedDifference result;
+IrradianceDifference differenceOf(const IrradianceByFace& a, const IrradianceByFace& b) {
+    IrradianceDifference result;
     double squares = 0.0, sum = 0.0, differences = 0.0, weights = 0.0;
     for (const auto& [entry, face] : a) {
         const auto other = b.find(entry);
