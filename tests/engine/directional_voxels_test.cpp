@@ -187,7 +187,7 @@ Scene coincidentQuads(int copies, double sideVoxels) {
 // triangles, pass 2^31.
 TEST(FaceSums, AMillionCoincidentTrianglesGiveTheirMean) {
     const Context context = openContext(Backend::egl);
-    const Scene scene = coincidentQuads(620000, 2.0);
+    const Scene scene = coincidentQuads(620000, 1.0);
     const DirectionalLight light = lightFrom({0, 1, 0});
     FrameInspector frame = inspectorOf(context, scene, light);
     const FaceLevel base = frame.faceLevels()[0];

@@ -77,7 +77,7 @@ TEST(ClosedRoom, AFurnaceConvergesToItsEquilibrium) {
 }
 
 // The walls absorb all light of an emitter: with the area W they receive A / W / (1 - albedo) of the radiance
-// of a lamp of area A. Each step adds a bounce, and the presets' steps must suffice.
+// of an emitter of area A. Each step adds a bounce, and the presets' steps must suffice.
 TEST(ClosedRoom, TheWallsAbsorbTheLightOfAnEmitterWithinThePresetsSteps) {
     const Context context = openContext(Backend::egl);
     const auto lit = [&](float albedo, int steps) {

@@ -24,8 +24,8 @@ IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of) {
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
         if (irradiance.wordsOfFace() == 6) {  // the light of emitters is apart
-            const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
-            face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
+            const std::uint32_t* const emitters = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
+            face.light += glm::dvec3(glm::unpackHalf2x16(emitters[0]), glm::unpackHalf2x16(emitters[1]).x);
         }
         face.steps = bSteps.y;
         face.coverage =
