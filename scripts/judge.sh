@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Your scene, judged: each preset's picture, its time, and its error against path tracing, on one page. Installs and
-# builds what is missing. scripts/judge.sh --help has the options.
+# Judges your scene: each preset's picture, its times and its error against path tracing, on one page. Installs and builds
+# what is missing. scripts/judge.sh --help lists the options.
 set -euo pipefail
 folder="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 "$folder/scripts/setup.sh"
 "$folder/scripts/python.sh"
 "$folder/scripts/build.sh" desktop vct
-exec "$folder/.venv/bin/python" "$folder/tools/judge.py" --program "$folder/build/desktop/vct" "$@"
+exec "$folder/.venv/bin/python" "$folder/tools/eval.py" judge "$@"

@@ -1,14 +1,19 @@
 #!/usr/bin/env bash
-# From a fresh clone to the page of speed against error: sets up, builds, sweeps, runs the hard cases and writes
-# out/report/index.html. `--quick` does a small part of it, in a few minutes. Ctrl-C stops it; the same command
-# continues. Ends with 1 where the page shows a failed point or hard case: it is written all the same.
+# From a fresh clone to a page of times and errors, out/report/index.html: sets up, builds, measures every scene at every preset, a
+# sweep over grids, light over frames and the cases. --quick measures a small part, into out/report-quick/, in a few minutes. The
+# same command continues a run that was stopped. Ends with 1 where a measurement failed; the page is written all the same.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-quick=()
+out=out/report
+pictures=() sweep=() motion=()
 case "${1:-}" in
     '') ;;
-    --quick) quick=(--quick) ;;
+    --quick)
+        out=out/report-quick
+        pictures=(cornell --size 64x64) sweep=(cornell --size 64x64 --grids 64,128 --presets mobile)
+        motion=(dynamic --presets mobile --frames 4 --repeat 1)
+        ;;
     *)
         echo "usage: scripts/report.sh [--quick]" >&2
         exit 2
@@ -19,39 +24,20 @@ scripts/setup.sh
 scripts/python.sh
 scripts/build.sh desktop vct
 
-python=.venv/bin/python
-out=out/report${quick:+-quick}
 failed=0
-
-# A failed point or case belongs on the page; only a stopped run ends here.
-step() {
+# A failed measurement is shown on the page, so only a stopped run ends here.
+measure() {
     local status=0
     echo "report: $1"
-    shift
-    "$@" || status=$?
+    .venv/bin/python tools/eval.py "$@" --out "$out" || status=$?
     [[ $status -lt 2 ]] || exit "$status"
     [[ $status -eq 0 ]] || failed=1
 }
-# Those of an older program beside a new sweep would mislead; the sweep sorts its own out.
-rm -rf "$out/hard_cases" "$out/bench.json" "$out/presets.json" "$out/motion"
-step "sweep of grids and cone angles" "$python" tools/sweep.py "${quick[@]}" --out "$out/sweep"
-if [[ ${#quick[@]} -eq 0 ]]; then
-    step "the thesis's tables" build/desktop/vct bench assets/cornell.glb --repeat 1 --json "$out/bench.json"
-    step "the presets side by side" build/desktop/vct bench assets/cornell.glb --preset thesis,mobile,quality \
-        --json "$out/presets.json"
-fi
-light=()
-[[ ${#quick[@]} -eq 0 ]] || light=(--parts swim --scenes cornell --presets mobile --frames 2)
-step "light over frames" "$python" tools/motion.py "${light[@]}" --out "$out/motion"
-step "hard cases" "$python" tools/hard_cases.py "${quick[@]}" --out "$out/hard_cases"
-
-page=("$python" tools/report.py --sweep "$out/sweep/sweep.json" --out "$out/index.html")
-[[ ! -e "$out/hard_cases/hard_cases.json" ]] || page+=(--hard-cases "$out/hard_cases/hard_cases.json")
-[[ ! -e "$out/motion/motion.json" ]] || page+=(--motion "$out/motion/motion.json")
-[[ ! -e "$out/bench.json" ]] || page+=(--bench "$out/bench.json")
-[[ ! -e "$out/presets.json" ]] || page+=(--presets "$out/presets.json")
-"${page[@]}" >/dev/null
-"$python" tools/pareto.py --sweep "$out/sweep/sweep.json" --out "$out/pareto.png" >/dev/null
-[[ $failed -eq 0 ]] || echo "report: some points or cases failed; the page shows them"
+measure render "${pictures[@]}" --measures all --plot "$out/pareto.png"
+measure sweep "${sweep[@]}"
+measure motion "${motion[@]}"
+measure cases
+.venv/bin/python tools/eval.py report --out "$out" >/dev/null
+[[ $failed -eq 0 ]] || echo "report: some measurements failed; the page shows them"
 echo "Open $out/index.html in a browser."
 exit "$failed"

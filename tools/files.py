@@ -1,4 +1,4 @@
-"""Where the repository's files lie, what a result depends on beside its settings, and how results are read and written."""
+"""Paths of the repository, hashes of what a result depends on, and reading and writing of results."""
 from __future__ import annotations
 
 import hashlib
@@ -6,30 +6,63 @@ import importlib.metadata
 import json
 import os
 import subprocess
+import urllib.parse
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
+ANIMATED = {"moving", "walker"}  # scenes without one picture that could have a reference
+SCALED = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}  # the same picture at another scale, so the same references
+
+
+class Failed(Exception):
+    """Something gave no result. The message names the file or step, the cause and a remedy."""
+
+
+def static_scenes() -> list[Path]:
+    """The scenes of assets/ that have references of their own."""
+    return [path for path in sorted((ROOT / "assets").glob("*.glb")) if path.stem not in ANIMATED | SCALED.keys()]
+
+
+def find_scene(text: str) -> Path:
+    """A scene by its name in assets/ or by its path."""
+    path = Path(text) if text.endswith((".glb", ".gltf")) else ROOT / "assets" / f"{text}.glb"
+    if not path.is_file():
+        names = ", ".join(sorted(path.stem for path in (ROOT / "assets").glob("*.glb")))
+        raise Failed(f"there is no scene '{text}': give a .glb or .gltf file, or one of {names}")
+    return path
+
+
+def reference_folder(scene: Path, root: Path = ROOT / "references") -> Path:
+    return root / SCALED.get(scene.stem, scene.stem)
 
 
 def file_sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def program_sha256(program: Path) -> str:
-    """Of the program and of the shaders, which it reads when it runs."""
-    return files_sha256(program.read_bytes(), (ROOT / "shaders").rglob("*"))
+def scene_sha256(path: Path) -> str:
+    """Hashes a glTF file with the buffers and images that it names."""
+    from truth.gltf_file import GltfFile  # needs numpy; phone_tables.py, which needs none, imports this module too
+    digest = hashlib.sha256(path.read_bytes())
+    document = GltfFile(path).json
+    for source in [*document.get("buffers", []), *document.get("images", [])]:
+        uri = source.get("uri", "data:")
+        named = path.parent / urllib.parse.unquote(uri)
+        if not uri.startswith("data:") and named.is_file():
+            digest.update(uri.encode() + b"\0" + named.read_bytes())
+    return digest.hexdigest()
 
 
 def path_tracer_sha256() -> str:
-    """Of the sources in tools/truth, and of what they are made of."""
+    """Hashes the sources in tools/truth and the versions of the packages that they use."""
     versions = " ".join(f"{package} {importlib.metadata.version(package)}" for package in ("mitsuba", "drjit"))
     return files_sha256(versions.encode(), (ROOT / "tools/truth").glob("*.py"))
 
 
 def files_sha256(first: bytes, paths: Iterable[Path]) -> str:
-    """Of bytes, and of the names and contents of the repository's files among `paths`."""
+    """Hashes `first`, then the names and contents of files of the repository."""
     digest = hashlib.sha256(first)
     for path in sorted(paths):
         if path.is_file():
@@ -38,34 +71,34 @@ def files_sha256(first: bytes, paths: Iterable[Path]) -> str:
 
 
 def commit() -> str:
-    """`git describe`; `unknown` where this is no clone."""
+    """`git describe`, or `unknown` outside of a clone."""
     found = subprocess.run(["git", "describe", "--always", "--dirty", "--tags"], cwd=ROOT, capture_output=True,
                            text=True, check=False)
     return found.stdout.strip() if found.returncode == 0 else "unknown"
 
 
 def shown(path: Path) -> str:
-    """A path as written into files: relative to the repository, or the name alone where it lies elsewhere."""
+    """A path as messages and files show it: relative to the repository where it lies in it."""
     full = path.resolve()
-    return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else full.name
+    return full.relative_to(ROOT).as_posix() if full.is_relative_to(ROOT) else str(path)
 
 
 def read_json(path: Path, **versions: int) -> dict[str, Any]:
-    """An object that has one of the members, and the version that goes with it; else ends the program with a sentence."""
+    """Reads an object that has one of the named members and the version given with it."""
     try:
         data = json.loads(path.read_text())
     except (OSError, ValueError) as error:
-        raise SystemExit(f"error: {path} cannot be read: {error}") from None
+        raise Failed(f"{path} cannot be read: {error}") from None
     found = data.get("version") if isinstance(data, dict) else None
     if not any(member in data and found == version for member, version in versions.items()):
-        known = " or ".join(f"version {version} with {member}" for member, version in versions.items())
-        raise SystemExit(f"error: {path} has version {found}; this program reads {known}: make it anew")
+        known = " or ".join(f"version {version} with '{member}'" for member, version in versions.items())
+        raise Failed(f"{path} has version {found}, and this program reads {known}: delete the file and measure again")
     return data
 
 
 def write_whole(path: Path, data: bytes | str) -> None:
-    """Writes the whole file or leaves the old one."""
+    """Writes the whole file, or leaves the old one as it is."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(path.name + ".tmp")
-    beside.write_bytes(data.encode() if isinstance(data, str) else data)
-    os.replace(beside, path)
+    temporary = path.with_name(path.name + ".tmp")
+    temporary.write_bytes(data.encode() if isinstance(data, str) else data)
+    os.replace(temporary, path)

@@ -1,6 +1,6 @@
 """Prints measurements of several machines beside each other: a phone's, this desktop's, the thesis's.
 
-Of a bench.json it prints the thesis's tables 5.2 to 5.5, a row for each machine; of a timings.json the steps of each
+For bench.json files it prints the thesis's tables 5.2 to 5.5, a row for each machine; for timings.json files the steps of each
 mode, a column for each machine. docs/timings.md describes both files.
 """
 from __future__ import annotations
@@ -9,17 +9,17 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from files import read_json
+from files import Failed, read_json
 from tables import STEPS, markdown
 
-# docs/timings.md says when they change, each for itself.
+# docs/timings.md tells when each changes.
 BENCH_VERSION = 1
 TIMINGS_VERSION = 4
-File = tuple[str, dict[str, Any]]  # the machine's name, and what was measured there
+File = tuple[str, dict[str, Any]]  # the machine's name, and its measurements
 
 
 def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
-    """Title, head and rows of machines; the thesis's own last, once."""
+    """Title, head and rows of each table, the thesis's own rows last."""
     benches = [(name, content["tables"]) for name, content in files if "tables" in content]
     tables = []
     for number, first in (benches[0][1] if benches else {}).items():
@@ -32,7 +32,7 @@ def bench_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]
 
 
 def step_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]]]:
-    """A table for each mode, in the order of the first file that has it: medians of its steps."""
+    """A table of the steps' medians for each mode, in the order of the files."""
     measured = [(f"{name}, {content['settings']['grid']}^3", content["modes"]) for name, content in files
                 if "tables" not in content]
     tables = []
@@ -53,7 +53,10 @@ def main() -> None:
         name, separator, path = entry.partition("=")
         if not separator:
             parser.error(f"'{entry}' is not NAME=FILE")
-        files.append((name, read_json(Path(path), tables=BENCH_VERSION, modes=TIMINGS_VERSION)))
+        try:
+            files.append((name, read_json(Path(path), tables=BENCH_VERSION, modes=TIMINGS_VERSION)))
+        except Failed as error:
+            raise SystemExit(f"error: {error}") from None
     print("\n".join(f"{title}\n\n{markdown(head, rows)}" for title, head, rows in bench_tables(files) + step_tables(files)), end="")
 
 

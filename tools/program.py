@@ -1,63 +1,61 @@
-"""Runs the program under test, `vct`, and says in words why a run gave nothing."""
-from __future__ import annotations
-
-import argparse
+"""Runs the program under test, `vct`."""
 import json
 import os
 import subprocess
 from pathlib import Path
+from typing import Any
 
-from files import ROOT
+import files
+from files import ROOT, Failed
 
-
-class Failed(Exception):
-    """The message says how the program ended, and what it said."""
-
-
-def add_option(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="default: build/desktop/vct")
+TIMINGS_VERSION = 4  # of timings.json (docs/timings.md)
+vct = Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))  # eval.py --program sets another one
 
 
-def usual() -> Path:
-    """For tools that take no --program."""
-    return Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))
+def build_sha256() -> str:
+    """Hashes the program and the shaders, which it reads when it runs."""
+    if not vct.is_file():
+        raise Failed(f"there is no program {vct}: scripts/build.sh desktop vct builds build/desktop/vct")
+    return files.files_sha256(vct.read_bytes(), (ROOT / "shaders").rglob("*"))
 
 
-def require(program: Path) -> None:
-    if not program.is_file():
-        raise SystemExit(f"error: {program} is not built: scripts/build.sh desktop vct")
-
-
-def run(program: Path, *arguments: object, timeout_s: float | None = None) -> subprocess.CompletedProcess[str]:
-    """Fails where the program cannot be started or takes too long; its exit status is the caller's to judge."""
+def run(*arguments: object, timeout_s: float = 600) -> subprocess.CompletedProcess[str]:
+    """Fails where the program cannot be started, takes too long or ends with an error."""
     try:
-        return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=timeout_s, check=False)
+        done = subprocess.run([vct, *map(str, arguments)], capture_output=True, text=True, timeout=timeout_s, check=False)
     except subprocess.TimeoutExpired:
-        raise Failed(f"stopped after {timeout_s:g} s") from None
+        raise Failed(f"vct {arguments[0]} was stopped after {timeout_s:g} s") from None
     except OSError as error:
-        raise Failed(f"{program} could not be started: {error.strerror}; scripts/build.sh desktop vct builds it") from None
+        raise Failed(f"{vct} cannot be started: {error.strerror}") from None
+    if done.returncode != 0:
+        how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit status {done.returncode}"
+        raise Failed(f"vct {arguments[0]} ended with {how}: {last_words(done.stderr)}")
+    return done
 
 
 def last_words(text: str) -> str:
-    """What a failed program said: its error, or the end of its output; without this machine's folders."""
+    """The errors that a failed program printed, or else the end of its output."""
     lines = [line.replace(f"{ROOT}/", "") for line in text.strip().splitlines() if line.strip()]
     errors = [line for line in lines if "error" in line.lower()]
-    return "\n".join(errors[-3:] or lines[-5:]) or "it said nothing"
+    return "\n".join(errors[-3:] or lines[-5:]) or "it printed nothing"
 
 
-def render(program: Path, *arguments: object, timeout_s: float | None = None) -> str:
-    """`vct render`; returns what it said on stderr, and fails where it ends with an error."""
-    done = run(program, "render", *arguments, timeout_s=timeout_s)
-    if done.returncode != 0:
-        how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit {done.returncode}"
-        raise Failed(f"{how}: {last_words(done.stderr)}")
-    return done.stderr
+def render(scene: Path, out: Path, *options: object) -> str:
+    """Runs `vct render` and returns what it printed on stderr."""
+    return run("render", scene, "--out", out, *options).stderr
 
 
-def camera(scene: Path, size: tuple[int, int]) -> dict:
-    """From where `vct` sees a scene in a picture of this size: name, eye_world, right_up_back, vertical_fov_rad, and the
-    option that repeats it."""
-    done = run(usual(), "info", scene, "--print-camera", "--size", f"{size[0]}x{size[1]}")
-    if done.returncode != 0:
-        raise Failed(last_words(done.stderr))
-    return json.loads(done.stdout)
+def render_timed(scene: Path, out: Path, *options: object) -> dict[str, Any]:
+    """Runs `vct render --timings` and returns timings.json."""
+    path = out / "timings.json"
+    render(scene, out, "--timings", path, *options)
+    timings = json.loads(path.read_text())
+    if timings.get("version") != TIMINGS_VERSION:
+        raise Failed(f"{path} has version {timings.get('version')}, not {TIMINGS_VERSION}: build vct from this checkout")
+    return timings
+
+
+def camera(scene: Path, size: tuple[int, int], *options: str) -> dict[str, Any]:
+    """The view that `vct` takes for a picture of this size: name, eye_world, right_up_back, vertical_fov_rad, lights_itself,
+    and the `option` that repeats it."""
+    return json.loads(run("info", scene, "--print-camera", "--size", f"{size[0]}x{size[1]}", *options).stdout)

@@ -1,4 +1,4 @@
-"""Against two renderers that share no code with the references: `vct`, and Mitsuba's own path tracer."""
+"""The path tracer against two renderers that share no code with it: `vct`, and Mitsuba's own path tracer."""
 import io
 import math
 
@@ -21,7 +21,7 @@ def both(request, program, tmp_path_factory):
     """(folder of vct's pictures, scene, world) of one scene, at a moment of its animation where it has one."""
     name, seconds = request.param
     path, out = ROOT / f"assets/{name}.glb", tmp_path_factory.mktemp(name)
-    render(program, path, "--out", out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--preset", "thesis", "--mode", "gi",
+    render(path, out, "--size", f"{SIZE[0]}x{SIZE[1]}", "--preset", "thesis", "--mode", "gi",
            "--grid", 128, "--shadow-map", 2048, "--debug-views", "--light-parts",
            *(("--time", seconds) if seconds is not None else ()))
     scene = load_scene(path, seconds=seconds)
@@ -33,7 +33,7 @@ def of_kind(both, kind, samples):
 
 
 def test_silhouettes_lie_on_the_same_pixels(both):
-    """The renderer asks at the pixel's centre, the reference covers the pixel: half of it decides."""
+    """The renderer samples the pixel's centre, which lies in a surface that covers more than half of the pixel."""
     seen = read_exr(both[0] / "debug_views/g_buffer_albedo.exr").max(-1) > 0
     covered = of_kind(both, "coverage", 64)[..., 0]
     assert 0.3 < seen.mean() < 0.99
@@ -42,7 +42,7 @@ def test_silhouettes_lie_on_the_same_pixels(both):
 
 
 def test_edges_within_the_picture_are_not_shifted(both):
-    """Least squared difference of the albedo at no shift, by a clear margin, along both axes."""
+    """The squared difference of the albedo is clearly the least without a shift, along both axes."""
     mine, theirs = of_kind(both, "albedo", 64), read_exr(both[0] / "debug_views/g_buffer_albedo.exr")
     difference = {(dx, dy): np.mean((np.roll(theirs, (dy, dx), (0, 1)) - mine) ** 2)
                   for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
@@ -54,8 +54,8 @@ def test_edges_within_the_picture_are_not_shifted(both):
 
 
 def test_lit_surfaces_are_equally_bright(both):
-    """Where nothing is in shadow: mode gi less its bounce is albedo E/pi n.l times its occlusion. The albedo is taken
-    out on both sides: a texture seen at one point of a pixel is not its mean over the pixel."""
+    """Mode gi without its bounce is albedo E/pi n.l times occlusion where nothing is in shadow. The albedo is divided out on both
+    sides, because a texture at one point of a pixel is not its mean over the pixel."""
     direct, albedo = of_kind(both, "direct", 64), of_kind(both, "albedo", 64)
     shadow = of_kind(both, "shadow", 64)[..., 0]
     root = read_exr(both[0] / "debug_views/g_buffer_albedo.exr")
@@ -64,7 +64,7 @@ def test_lit_surfaces_are_equally_bright(both):
     inside = bright & (occlusion[..., 0] > 0.9)
     inside[[0, -1]] = inside[:, [0, -1]] = False
     mine = direct / np.maximum(albedo, 1e-3)
-    for dy in (-1, 0, 1):  # every neighbour is lit, and from the same angle: no edge of anything
+    for dy in (-1, 0, 1):  # every neighbour is lit from the same angle, so no edge is near
         for dx in (-1, 0, 1):
             near = np.abs(np.roll(mine, (dy, dx), (0, 1)) - mine).max(-1)
             inside &= (np.roll(shadow, (dy, dx), (0, 1)) == 1) & (near < 0.02)
@@ -98,19 +98,19 @@ def test_normal_maps_are_read_alike(program, maker, tmp_path):
     glb.camera("above", (0.2, 3, 0.5), (0, 0, -2), 40)
     glb.directional_light("sun", (0.5, -1, 0.3), (1, 1, 1), 3.0)
     scene = maker.load()
-    render(program, maker.path, "--out", tmp_path, "--size", "128x128", "--preset", "mobile", "--mode", "gi", "--grid", 64,
+    render(maker.path, tmp_path, "--size", "128x128", "--preset", "mobile", "--mode", "gi", "--grid", 64,
            "--light-parts", "--debug-views")
     albedo = read_exr(tmp_path / "debug_views/g_buffer_albedo.exr")
     mine = (read_exr(tmp_path / "gi.exr") - read_exr(tmp_path / "indirect_light.exr"))[..., 0]
     theirs = draw(make_world(scene), scene, "direct", SIZE, 64, 0).image[..., 0]
     lit = (np.abs(albedo[..., 0] - 0.6) < 0.01) & (theirs > 0.25)
     floor = lit.copy()
-    for shift, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):  # an edge's pixel is of the floor in part
+    for shift, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):  # a pixel at an edge shows the floor only in part
         floor &= np.roll(lit, shift, axis)
     assert floor.sum() > 2000 and theirs[floor].std() > 0.04
     difference = (mine - theirs)[floor]
     assert abs(difference.mean()) < 0.005
-    assert np.abs(difference).max() < 0.02  # nor does the map turn a pixel into its own shadow
+    assert np.abs(difference).max() < 0.02  # the map turns no pixel into its own shadow
 
 
 def test_full_light_is_that_of_mitsubas_own_path_tracer(root):
@@ -150,7 +150,7 @@ def test_full_light_is_that_of_mitsubas_own_path_tracer(root):
 
 
 def test_a_scaled_scene_is_the_same_to_the_path_tracer(root):
-    """What allows cornell_1mm and cornell_10km to use Cornell's references."""
+    """So cornell_1mm and cornell_10km can use Cornell's references."""
     cornell = load_scene(root / "assets/cornell.glb")
     for name in ("cornell_1mm", "cornell_10km"):
         scaled = load_scene(root / f"assets/{name}.glb")

@@ -9,8 +9,8 @@ ALONG_A_SIDE = 10
 COUNT = ALONG_A_SIDE ** 2
 
 
-def build(moving=0, turn_light=False, turn_camera=False):
-    """4 m x 3 m x 4 m, open at +Z. `moving`: how many of the balls slide by 0.2 m."""
+def build(moving=0, turn_light=0, turn_camera=0):
+    """4 m x 3 m x 4 m, open at +Z. `moving`: how many of the balls slide by 0.2 m. Light and camera turn by degrees."""
     glb = Glb("tools/scenes/balls.py")
     white, red = (glb.material(name, color) for name, color in (("white", (0.7,) * 3), ("red", (0.7, 0.1, 0.1))))
     walls = (((-2, 0, 2), (4, 0, 0), (0, 0, -4)), ((-2, 0, -2), (4, 0, 0), (0, 3, 0)),
@@ -27,8 +27,8 @@ def build(moving=0, turn_light=False, turn_camera=False):
                         [place, (place[0] + 0.2, place[1] + 0.1, place[2])])
     camera = glb.camera("front", (0, 2.2, 5.5), (0, 1.0, 0), 45)
     light = glb.directional_light("sun", (-0.4, -1.0, -0.6), (1, 1, 1), round(math.pi, 6))
-    for node, turns in ((camera, turn_camera), (light, turn_light)):
-        if turns:
+    for node, degrees in ((camera, turn_camera), (light, turn_light)):
+        if degrees:
             rotation = glb.json["nodes"][node]["rotation"]
-            glb.animate("run", node, "rotation", [0, SECONDS], [rotation, product(axis_angle((0, 1, 0), 20), rotation)])
+            glb.animate("run", node, "rotation", [0, SECONDS], [rotation, product(axis_angle((0, 1, 0), degrees), rotation)])
     return glb

@@ -10,6 +10,12 @@ class Shape:
     uvs: list = field(default_factory=list)
     indices: list = field(default_factory=list)
 
+    def append(self, other, by=(0, 0, 0)):
+        """Adds another shape, moved; texture coordinates are not taken."""
+        self.indices += [len(self.positions) + i for i in other.indices]
+        self.positions += [tuple(c + o for c, o in zip(p, by)) for p in other.positions]
+        self.normals += other.normals
+
 
 def unit(v):
     length = math.sqrt(sum(x * x for x in v))
@@ -38,14 +44,14 @@ def quads(*parallelograms):
 
 
 def room(half):
-    """The six sides of a cube around the origin, seen from inside."""
+    """The six sides of a cube around the origin, facing inwards."""
     h, w = half, 2 * half
     return quads(((-h, -h, h), (w, 0, 0), (0, 0, -w)), ((-h, h, -h), (w, 0, 0), (0, 0, w)), ((-h, -h, -h), (w, 0, 0), (0, w, 0)),
                  ((h, -h, h), (-w, 0, 0), (0, w, 0)), ((-h, -h, h), (0, 0, -w), (0, w, 0)), ((h, -h, -h), (0, 0, w), (0, w, 0)))
 
 
 def box(size, metres_per_repeat):
-    """Closed, centred on x and z, standing on y = 0. `metres_per_repeat`: of its texture, None without."""
+    """A closed box, centred on x and z, on y = 0. `metres_per_repeat`: size of its texture, None for no texture."""
     w, h, d = size
     x, z = w / 2, d / 2
     shape = Shape()
@@ -85,7 +91,7 @@ def icosphere(radius, subdivisions):
 
 
 def torus(major, minor, around, across):
-    """About the y axis; vertices are shared all round, so the surface is closed."""
+    """A torus about the y axis. Vertices are shared all around, so the surface is closed."""
     shape = Shape()
     for i in range(around):
         a = 2 * math.pi * i / around
@@ -101,7 +107,7 @@ def torus(major, minor, around, across):
 
 
 def lathe(profile, segments):
-    """Surface of revolution of (radius, y) points, from the bottom up when seen from outside."""
+    """A surface of revolution. `profile`: (radius, y) from the bottom up, for a surface that faces outwards."""
     shape = Shape()
     for row, (radius, y) in enumerate(profile):
         below, above = profile[max(row - 1, 0)], profile[min(row + 1, len(profile) - 1)]
@@ -123,7 +129,7 @@ def lathe(profile, segments):
 
 
 def tube_strip(radius, height, segments, repeats):
-    """The side of a cylinder on y = 0, as one triangle strip with an index for every corner."""
+    """The side of a cylinder on y = 0, as one triangle strip with an index for each corner."""
     shape = Shape()
     for i in range(segments + 1):
         a = 2 * math.pi * i / segments
@@ -148,7 +154,7 @@ def disc_fan(radius, y, segments):
 
 
 def cylinder(radius, height, segments):
-    """Closed, about the y axis, standing on y = 0; the side is smooth, the two ends are flat."""
+    """A closed cylinder about the y axis, on y = 0. The side is smooth, the two ends are flat."""
     shape = Shape()
     ring = [(math.cos(2 * math.pi * i / segments), -math.sin(2 * math.pi * i / segments)) for i in range(segments + 1)]
     for c, s in ring:

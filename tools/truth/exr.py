@@ -1,13 +1,15 @@
-"""Pictures as float32 arrays (height, width, 3), linear RGB, the first row at the top; OpenEXR files of them."""
+"""Reads and writes OpenEXR pictures as float32 arrays (height, width, 3): linear RGB, the first row at the top."""
 import os
 import pathlib
 
 import numpy as np
 import OpenEXR
 
+from files import Failed
 
-class PictureError(Exception):
-    """A picture that cannot be read; the message names it and the cause."""
+
+class PictureError(Failed):
+    """A picture that cannot be used. The message names it and the cause."""
 
 
 def read_exr(path: pathlib.Path | str) -> np.ndarray:
@@ -26,7 +28,7 @@ def read_exr(path: pathlib.Path | str) -> np.ndarray:
 
 
 def write_exr(path: pathlib.Path | str, image: np.ndarray) -> None:
-    """Half float, ZIP. Written beside its place and renamed: a stopped run leaves no half file."""
+    """Half float, ZIP. The file is written beside its place and renamed, so a stopped run leaves no half file."""
     half = np.ascontiguousarray(np.clip(image, -65504, 65504), np.float16)
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     beside = f"{path}.tmp"

@@ -1,4 +1,4 @@
-"""The parts of a glTF 2.0 file as numpy arrays: JSON, buffers, accessors, images.
+"""Reads a glTF 2.0 file: its JSON, and buffers, accessors and images as numpy arrays.
 
 Written from the glTF 2.0 specification, sections 3.6 (buffers, accessors) and 3.8 (textures); no code is shared
 with jni/scene/.
@@ -14,6 +14,8 @@ import urllib.parse
 import numpy as np
 import PIL.Image
 
+from files import Failed
+
 from . import packings
 
 COMPONENT_TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
@@ -21,12 +23,12 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "M
 GLB_MAGIC, JSON_CHUNK, BIN_CHUNK = 0x46546C67, 0x4E4F534A, 0x004E4942
 
 
-class GltfError(Exception):
+class GltfError(Failed):
     """A file that cannot be read; the message names it and the cause."""
 
 
 class GltfFile:
-    """`json` is the document; methods give what its indices stand for."""
+    """`json` is the document; the methods resolve its indices."""
 
     def __init__(self, path: pathlib.Path):
         self.path = pathlib.Path(path)
@@ -72,7 +74,7 @@ class GltfFile:
         return self._buffers[index]
 
     def _view(self, index: int) -> tuple[bytes, int]:
-        """What a view lies in, and where it begins there."""
+        """The bytes that hold a view, and the offset at which it begins."""
         view = self.json["bufferViews"][index]
         packed = packings.meshopt_of(view)
         if packed is None:
@@ -84,7 +86,7 @@ class GltfFile:
         return self._unpacked_views[index], 0
 
     def unpack(self, primitive: dict) -> None:
-        """Before its accessors are read: those that are packed by Draco then stand for what the stream holds."""
+        """Decodes a primitive packed by Draco. Call it before reading its accessors, which then return the decoded rows."""
         packed = primitive.get("extensions", {}).get("KHR_draco_mesh_compression")
         if packed is None or primitive["indices"] in self._unpacked_rows:
             return

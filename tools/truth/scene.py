@@ -1,7 +1,7 @@
-"""A glTF scene as flat arrays of triangles, in the space in which it is path traced.
+"""Loads a glTF scene as flat arrays of triangles, in the space in which it is path traced (trace space).
 
-That space is the world moved and scaled so that the voxel volume is the cube of side 1 around the origin: scenes of
-1 mm, of 10 km and far from the origin then keep the same precision, and give the same picture.
+Trace space is the world, moved and scaled so that the voxel volume is the cube of side 1 around the origin. Scenes of 1 mm, of
+10 km and far from the origin then keep the same precision and give the same picture.
 """
 import dataclasses
 import itertools
@@ -11,6 +11,7 @@ import pathlib
 import numpy as np
 
 import program
+from files import Failed
 
 from .gltf_file import GltfError, GltfFile
 from .hdr import read_sky
@@ -34,16 +35,16 @@ class Camera:
 @dataclasses.dataclass
 class Sun:
     towards: np.ndarray  # unit
-    irradiance: np.ndarray  # RGB, of a surface that faces it
+    irradiance: np.ndarray  # RGB, on a surface that faces it
 
 
 @dataclasses.dataclass
 class PunctualLight:
-    """A point, a spot, or a directional light that is not the sun. In trace space lengths are shares of the volume's side s,
-    so that a candela is 1 / s^2 of itself: the irradiance I / d^2 is the world's."""
+    """A point, a spot, or a directional light that is not the sun. Lengths in trace space are shares of the volume's side s, so an
+    intensity in candela is divided by s^2: the irradiance I / d^2 is then the same as in the world."""
     position: np.ndarray | None  # None: directional
     towards: np.ndarray  # unit; light travels the other way
-    intensity: np.ndarray  # RGB: irradiance of a surface that faces a directional light, or at distance 1
+    intensity: np.ndarray  # RGB: irradiance on a surface that faces the light, at distance 1 unless directional
     range: float
     cone_scale: float  # fall-off: clip(cos * cone_scale + cone_offset, 0, 1)^2
     cone_offset: float
@@ -57,11 +58,11 @@ class Scene:
     centre_world: np.ndarray
     positions: np.ndarray  # (triangles, 3 corners, 3), trace space; counter-clockwise is front
     normals: np.ndarray  # like positions, unit
-    uvs: np.ndarray  # (triangles, 3, 2), of the base colour texture, transformed
-    emissive_uvs: np.ndarray  # likewise of the emissive texture
+    uvs: np.ndarray  # (triangles, 3, 2), transformed coordinates of the base colour texture
+    emissive_uvs: np.ndarray  # the same of the emissive texture
     gloss_uvs: np.ndarray
     normal_uvs: np.ndarray
-    colors: np.ndarray  # (triangles, 3, 4), of the vertices: linear RGBA, times the base colour
+    colors: np.ndarray  # (triangles, 3, 4), vertex colours: linear RGBA factors of the base colour
     material_of: np.ndarray  # (triangles,)
     materials: list[Material]
     textures: list[Texture]
@@ -143,7 +144,7 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
     matrices = vertex_matrices(file, primitive, joints) if skinned else np.broadcast_to(world, (len(position), 4, 4))
     linear, mirrored = matrices[:, :3, :3], np.linalg.det(matrices[0, :3, :3]) < 0
     positions = (np.einsum("vij,vj->vi", linear, position) + matrices[:, :3, 3])[corners]
-    if mirrored:  # a mirrored node's triangles turn round, and must not be inside out (3.7.4)
+    if mirrored:  # a mirrored node reverses the winding of its triangles (3.7.4)
         corners, positions = corners[:, ::-1], positions[:, ::-1]
     flat = unit(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]))
     flat = np.repeat(flat[:, None], 3, 1)
@@ -174,8 +175,8 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
 
 def find_camera(document: dict, placed: list, path: pathlib.Path,
                 size: tuple[int, int]) -> tuple[str, np.ndarray, np.ndarray, float]:
-    """Name, axes, eye and field of view (rad) of the first perspective camera; scale and mirroring are dropped. Where
-    there is none, or it is made for a wider picture, the view that `vct` chooses for a picture of this size."""
+    """Name, axes, eye and field of view (rad) of the first perspective camera, without scale and mirroring. Where there is none,
+    or where it is made for a wider picture, `vct` is asked for its view of this size."""
     for node, world in placed:
         camera = document["cameras"][node["camera"]] if "camera" in node else {}
         if camera.get("type") != "perspective":
@@ -188,8 +189,8 @@ def find_camera(document: dict, placed: list, path: pathlib.Path,
         return camera.get("name", node.get("name", "")), axes, world[:3, 3], camera["perspective"]["yfov"]
     try:
         chosen = program.camera(path, size)
-    except program.Failed as failed:
-        raise GltfError(f"{path}: vct finds no view of it: {failed}") from failed
+    except Failed as failed:
+        raise GltfError(f"{path} has no camera, and vct finds no view of it: {failed}") from failed
     return chosen["name"], np.array(chosen["right_up_back"]), np.array(chosen["eye_world"]), chosen["vertical_fov_rad"]
 
 
@@ -201,14 +202,14 @@ def placed_lights(document: dict, placed: list) -> list[tuple[dict, np.ndarray]]
 
 
 def light_color(light: dict) -> np.ndarray:
-    """Times intensity: lux or candela."""
+    """Colour times intensity, in lux or candela."""
     return np.maximum(np.array(light.get("color", [1, 1, 1]), np.float64), 0) * max(light.get("intensity", 1.0), 0.0)
 
 
 def find_lights(document: dict, placed: list, centre: np.ndarray, side: float,
-                shines: bool) -> tuple[Sun, list[PunctualLight]]:
-    """The sun is the first directional light. A scene without any light has the program's own default; one whose lights
-    are points and spots has none that shines, nor has one that `shines`: is lit by something else."""
+                has_other_light: bool) -> tuple[Sun, list[PunctualLight]]:
+    """The sun is the first directional light. A scene without any light has the renderer's default sun; one that only has points
+    and spots, or that `has_other_light`, has a black one."""
     lights, sun, rest = placed_lights(document, placed), None, []
     for light, world in lights:
         towards, color = unit(world[:3, 2]), light_color(light)
@@ -220,18 +221,18 @@ def find_lights(document: dict, placed: list, centre: np.ndarray, side: float,
             scale, offset = cone_falloff(light.get("spot", {})) if light["type"] == "spot" else (0.0, 1.0)
             rest.append(PunctualLight((world[:3, 3] - centre) / side, towards, color / side ** 2,
                                       light.get("range", math.inf) / side, scale, offset))
-    return sun or Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, 0.0 if rest or shines else math.pi)), rest
+    return sun or Sun(unit(np.array([0.5, 1.0, 0.75])), np.full(3, 0.0 if rest or has_other_light else math.pi)), rest
 
 
 def cone_falloff(spot: dict) -> tuple[float, float]:
-    """Scale and offset as the extension recommends."""
+    """Scale and offset of the fall-off, as the extension recommends."""
     inner, outer = (math.cos(spot.get(name, usual)) for name, usual in (("innerConeAngle", 0.0), ("outerConeAngle", math.pi / 4)))
     scale = 1 / max(0.001, inner - outer)
     return scale, -outer * scale
 
 
 def find_openings(placed: list, centre: np.ndarray, side: float) -> np.ndarray:
-    """Nodes with `extras.opening`, two vectors: a parallelogram from the node's origin, through which light enters a room
+    """Nodes whose `extras.opening` holds two vectors: a parallelogram from the node's origin, through which light enters a room
     (openings.py)."""
     found = [[(world[:3, 3] - centre) / side, *(world[:3, :3] @ np.array(node["extras"]["opening"], np.float64).T / side).T]
              for node, world in placed if isinstance(node.get("extras"), dict) and "opening" in node["extras"]]
@@ -239,19 +240,19 @@ def find_openings(placed: list, centre: np.ndarray, side: float) -> np.ndarray:
 
 
 def sky_file(path: pathlib.Path) -> pathlib.Path | None:
-    """The picture of the sky that a scene lies under: the .hdr of its name beside it."""
+    """The picture of the sky over a scene: the .hdr file of its name beside it."""
     sky = path.with_suffix(".hdr")
     return sky if sky.is_file() else None
 
 
 def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256), seconds: float | None = None) -> Scene:
-    """`size`: of the picture that is to be made; a view may depend on its shape. `seconds`: of the first animation, as
-    `vct render --time` takes it; None is at rest."""
+    """`size`: that of the picture, on whose shape a view may depend. `seconds`: the moment of the first animation, as for
+    `vct render --time`; None is at rest."""
     file = GltfFile(path)
     try:
         return build(file, size, seconds)
     except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
-        raise GltfError(f"{path}: not a scene that can be read: {error!r}") from error
+        raise GltfError(f"{path} cannot be read as a scene: {error!r}") from error
 
 
 def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene:
@@ -289,12 +290,12 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     area2 = np.linalg.norm(np.cross(positions[:, 1] - positions[:, 0], positions[:, 2] - positions[:, 0]), axis=-1)
     keep = area2 > 1e-14  # a triangle without area stops no ray
     name, axes, eye, fov = find_camera(document, placed, file.path, size)
-    # What glows by a texture hardly lights what is around; the program gives such a scene its sun.
-    glows = any(materials[i].emissive.max() > 0 and materials[i].emissive_texture < 0 for i in set(owner.tolist()))
-    glows = glows and program.camera(file.path, size)["lights_itself"]  # in a room
+    # The renderer gives its default sun to a scene whose emission comes from textures only, or that is not a room.
+    has_emitters = any(materials[i].emissive.max() > 0 and materials[i].emissive_texture < 0 for i in set(owner.tolist()))
+    lights_itself = has_emitters and program.camera(file.path, size)["lights_itself"]
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
                  gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
                  load_textures(file, materials), Camera(name, axes, eye, (eye - centre) / side, fov),
-                 *find_lights(document, placed, centre, side, glows or sky is not None), sky,
+                 *find_lights(document, placed, centre, side, lights_itself or sky is not None), sky,
                  find_openings(placed, centre, side))

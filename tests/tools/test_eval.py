@@ -1,0 +1,193 @@
+"""tools/eval.py with the real program: pictures, motion, cases and the page."""
+import json
+import subprocess
+import sys
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from conftest import ROOT
+from evaluation import plot, render
+from evaluation.measures import MEASURES, References, averaged_down
+from evaluation.pictures import error_image
+from files import SCALED, Failed, reference_folder, scene_sha256, static_scenes
+from scenes import balls
+from truth.exr import read_exr
+
+
+def evaluate(words, *more):
+    command = [sys.executable, "-B", ROOT / "tools/eval.py", *words.split(), *map(str, more)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def results(folder):
+    return {name: entry.get("result") for name, entry in json.loads((folder / "results.json").read_text())["results"].items()}
+
+
+@pytest.fixture(scope="module")
+def measured(program, tmp_path_factory):
+    """A folder with a sweep of one point, a rendered picture and a failed one, and its page."""
+    folder = tmp_path_factory.mktemp("eval")
+    done = evaluate("sweep cornell --presets thesis --grids 64 --size 32x32 --measures all --out", folder)
+    assert done.returncode == 0, done.stderr
+    done = evaluate("render contact --presets mobile --size 32x32 --out", folder, "--sheet", folder / "sheet.png", "--plot",
+                    folder / "plot.png")
+    assert done.returncode == 0, done.stderr
+    assert "| contact | mobile, 64³ | " in done.stdout and "[1/1] render: contact-mobile" in done.stderr
+    data = json.loads((folder / "results.json").read_text())
+    data["results"]["cases-broken"] = {"kind": "cases", "name": "broken", "key": {"build": None}, "failed": "no <light> & no sun"}
+    (folder / "results.json").write_text(json.dumps(data))
+    assert evaluate("report --out", folder).returncode == 0
+    return folder
+
+
+def test_errors_are_those_of_the_pictures_at_their_own_size(measured):
+    one = results(measured)["sweep-cornell-thesis-64"]
+    assert one["grid"] == 64 and set(one["camera"]["errors"]) == set(MEASURES)
+    truth = read_exr(ROOT / "references/cornell/ao.exr").reshape(32, 8, 32, 8, 3).mean((1, 3))
+    for state, folder in (("camera", "."), ("changing", "changing")):
+        assert all(0 < ms < 10000 for ms in one[state]["ms"].values())
+        picture = read_exr(measured / "pictures/sweep-cornell-thesis-64" / folder / "ambient_occlusion.exr")
+        assert one[state]["errors"]["ao"]["rmse"] == pytest.approx(float(np.sqrt(np.mean((picture - truth) ** 2))), rel=1e-6)
+        for name in ("gi", "indirect", "soft"):
+            assert one["noise"][name] < one[state]["errors"][name]["relmse"] < 1
+    assert one["camera"]["ms"]["gi"] < one["changing"]["ms"]["gi"]
+    assert 0 < results(measured)["render-contact-mobile"]["camera"]["errors"]["indirect"]["relmse"] < 0.02
+
+
+def test_pictures_are_written(measured):
+    assert Image.open(measured / "sheet.png").size == (2 * (512 + 16) + 16, 40 + 512 + 84)
+    assert Image.open(measured / "plot.png").size == (1600, 860)
+
+
+class Page(HTMLParser):
+    """Every element is closed where it belongs."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.addresses, self.names, self.text = [], [], set(), ""
+        self.feed(text)
+        assert self.open == []
+
+    def handle_starttag(self, tag, attributes):
+        self.names.add(tag)
+        self.addresses += [value for name, value in attributes if name in ("src", "href")]
+        if tag not in ("img", "meta", "!doctype"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text += data
+
+
+def test_the_page_shows_everything_and_names_nothing_outside(measured):
+    page = Page((measured / "index.html").read_text())
+    assert sorted(page.addresses) == ["page/contact.png", "page/sweep.png"] and "script" not in page.names
+    assert all((measured / address).stat().st_size > 1000 for address in page.addresses)
+    assert "broken: no <light> & no sun" in page.text
+    one = results(measured)["sweep-cornell-thesis-64"]
+    assert "thesis, 64³" in page.text and f"{one['camera']['errors']['gi']['relmse']:.4f}".lstrip("0") in page.text
+
+
+def test_the_headline_has_a_row_for_each_preset(measured, capsys):
+    one = results(measured)["render-contact-mobile"]
+    one["camera"] |= {"ms": {"gi": 3.26}, "errors": {"gi": {"relmse": 0.00581, "bias": 0.1, "flip": 0.0713}}}
+    one["changing"]["ms"]["gi"] = 20.4
+    assert render.headline([one]).splitlines()[2].startswith("| `mobile`, 64³ | 3.3 ms | 20 ms | .0058 | .071 |")
+    assert "more than a fifth" in render.noise_note([one | {"noise": {"gi": 0.0012}}]) and not render.noise_note([one])
+
+
+def test_the_plots_means_are_geometric_and_leave_analytic_scenes_out():
+    def at(scene, ms, error):
+        return {"scene": scene, "preset": "mobile", "grid": 64,
+                "changing": {"ms": {"gi": ms}, "errors": {"indirect": {"relmse": error}}}}
+    found = plot.dots([at("contact", 2.0, 0.01), at("cornell", 8.0, 0.04), at("furnace", 1000.0, 1.0)])
+    assert plot.mean(found["mobile", 64]) == pytest.approx((4.0, 0.02))
+
+
+def test_the_error_picture_is_black_where_right_and_red_where_too_bright():
+    reference = np.full((2, 4, 3), 0.5)
+    picture = reference * np.array([1.0, 1.04, 4.0, 0.0])[None, :, None]
+    right, a_little, bright, dark = np.asarray(error_image(picture, reference)).astype(int)[0]
+    assert right.tolist() == [0, 0, 0] and a_little[0] > 80 and a_little[2] == 0
+    assert bright.tolist() == [255, 255, 0] and dark[2] > 200 and dark[0] == 0
+
+
+def test_a_reference_of_another_scene_or_size_is_refused(tmp_path):
+    for scene in static_scenes() + [ROOT / f"assets/{name}.glb" for name in SCALED]:
+        assert References(scene).size == (256, 256)
+    scene = tmp_path / "cornell.glb"
+    scene.write_bytes((ROOT / "assets/contact.glb").read_bytes())
+    with pytest.raises(Failed, match="another version.*eval.py references"):
+        References(scene)
+    with pytest.raises(Failed, match="no references.*eval.py references"):
+        References(tmp_path / "mine.glb")
+    picture = np.zeros((256, 256, 3))
+    for size in ((512, 512), (96, 96), (64, 32)):
+        with pytest.raises(Failed, match="whole multiple"):
+            averaged_down(picture, size)
+    assert reference_folder(scene).name == "cornell"
+
+
+def test_files_that_a_scene_names_are_part_of_its_hash(tmp_path):
+    (tmp_path / "a b").mkdir()
+    scene = tmp_path / "scene.gltf"
+    buffers, images = [{"uri": "a%20b/part%201.bin"}, {"uri": "data:;base64,AA=="}], [{"uri": "%C3%A9.png"}, {"bufferView": 0}]
+    scene.write_text(json.dumps({"asset": {"version": "2.0"}, "buffers": buffers, "images": images}))
+    hashes = {scene_sha256(scene)}
+    for name in ("a b/part 1.bin", "é.png"):
+        (tmp_path / name).write_bytes(b"two")
+        hashes.add(scene_sha256(scene))
+    assert len(hashes) == 3
+
+
+def test_every_case_passes_or_is_a_known_failure(program, tmp_path):
+    done = evaluate("cases --out", tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "2 known failure, 8 pass" in done.stdout
+
+
+@pytest.mark.parametrize("changes, moving", [({"moving": 1}, {"ball 50"}), ({"moving": 100}, {f"ball {i}" for i in range(100)}),
+                                             ({"turn_light": 20}, {"sun"}), ({"turn_camera": 20}, {"front"})])
+def test_only_the_chosen_parts_of_the_balls_move(changes, moving):
+    document = balls.build(**changes).json
+    targets = [channel["target"]["node"] for animation in document["animations"] for channel in animation["channels"]]
+    assert {document["nodes"][node]["name"] for node in targets} == moving
+
+
+def test_lag_compares_a_sequence_with_converged_pictures(program, tmp_path):
+    done = evaluate("motion lag --presets mobile --scenes moving --frames 20 --every 19 --size 32x32 --out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    first, last = results(tmp_path)["lag-moving-mobile"]["frames"]
+    assert first["relmse"] < 1e-4 < last["relmse"] < 0.1, "a sequence starts with the converged light of its first moment"
+
+
+def test_dynamic_tells_the_cost_of_each_change(program, tmp_path):
+    done = evaluate("motion dynamic --presets thesis --frames 3 --repeat 1 --size 32x32 --out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    rows = [line for line in done.stdout.splitlines() if line.endswith("% |")]
+    everything, camera, *changes = (float(row.split(" | ")[-1].strip(" |%")) for row in rows)
+    assert everything == 100 and camera < 15 < min(changes) and len(changes) == 3
+
+
+@pytest.mark.parametrize("words, status, said", [
+    ("rendr", 2, "invalid choice: 'rendr'"), ("render nowhere", 1, "there is no scene 'nowhere'"),
+    ("render --presets best", 2, "unknown preset 'best'"), ("sweep --grids 100", 2, "unknown grid '100'"),
+    ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"), ("cases none", 1, "there is no case"),
+    ("motion --frames 0", 2, "1 or more"), ("report", 1, "no results yet"), ("mali --compiler /nowhere/mali", 1, "drm-shim")])
+def test_a_bad_command_line_is_one_clear_error(tmp_path, words, status, said):
+    done = evaluate(words, *(["--out", tmp_path] if status == 1 else []))
+    assert done.returncode == status and said in done.stderr and "Traceback" not in done.stderr, done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_program_that_crashes_is_a_failure(tmp_path):
+    crashing = tmp_path / "crashing"
+    crashing.write_text("#!/bin/sh\nkill -SEGV $$\n")
+    crashing.chmod(0o755)
+    done = evaluate("cases thin-wall --program", crashing, "--out", tmp_path / "out")
+    assert done.returncode == 1 and "vct render ended with signal 11" in done.stderr

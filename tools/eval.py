@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""Measures the renderer: time per frame, error against path tracing, light over frames, bounds for a phone's GPU.
+
+    tools/eval.py render --headline              the README's table
+    tools/eval.py judge my.glb                   your own scene
+    tools/eval.py VERB --help                    teaches one verb
+
+Run it in .venv, which scripts/python.sh makes. Results are kept in a folder (--out), in results.json and pictures/. The same
+command measures only what changed since: scene, reference, settings, vct or its shaders. Ctrl-C keeps every finished result.
+Tables go to stdout, progress to stderr. Exit status: 0 done, 1 something failed, 2 wrong command line, 130 stopped.
+"""
+import argparse
+import importlib
+import sys
+from pathlib import Path
+
+import program
+from files import Failed
+
+VERBS = {
+    "references": "path-traced pictures of scenes, into references/",
+    "render": "times and errors of each preset's picture of scenes that have references",
+    "judge": "the same for your own scene, on one page",
+    "sweep": "the same at several grids: time against error",
+    "motion": "light and times while camera, light or objects move",
+    "cases": "small scenes with known answers",
+    "report": "one page of all results in the folder",
+    "mali": "time below which a Mali-T880 cannot draw a frame",
+}
+
+
+def main(words: list[str]) -> int:
+    raw = argparse.RawDescriptionHelpFormatter
+    if not words or words[0] not in VERBS:
+        listed = "\n".join(f"  {verb:<11} {text}" for verb, text in VERBS.items())
+        parser = argparse.ArgumentParser(prog="eval.py", usage="eval.py VERB [options]", description=f"{__doc__}\nverbs:\n{listed}",
+                                         formatter_class=raw)
+        parser.add_argument("verb", choices=VERBS, metavar="VERB", help="one of the above")
+        parser.parse_args(words[:1])
+    verb = importlib.import_module(f"evaluation.{words[0]}")
+    parser = argparse.ArgumentParser(prog=f"eval.py {words[0]}", description=verb.__doc__, formatter_class=raw)
+    parser.add_argument("--program", type=Path, default=program.vct, help="the renderer (default: build/desktop/vct)")
+    verb.add_arguments(parser)
+    options = parser.parse_args(words[1:])
+    program.vct = options.program.resolve()
+    try:
+        return verb.run(options)
+    except (Failed, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("stopped; the same command continues", file=sys.stderr)
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,112 @@
+"""Judges a scene of yours: each preset's picture, its times and its error against path tracing, on one page.
+
+    scripts/judge.sh my.glb
+    scripts/judge.sh my.glb --camera eye=0,1.6,4,target=0,1,0,fov=50 --environment sky.hdr --presets mobile,quality
+
+Camera, light and sky are written as for `vct render`, and the path tracer takes them too. Writes OUT/index.html with its pictures
+beside it, and prints the same table.
+"""
+import argparse
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import metrics
+import program
+from files import Failed, file_sha256, path_tracer_sha256, scene_sha256
+from truth.exr import read_exr, write_exr
+
+from . import options, report
+from .measures import measured
+from .render import machine, noise_note, table
+from .store import Countdown, Result, Store, Task
+
+REFERENCE = "pictures/reference-path-traced/full.exr"  # in the store's folder
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("scene", type=Path, metavar="SCENE", help=".glb or .gltf")
+    parser.add_argument("--out", type=Path, help="folder (default: out/judge/ and the scene's name)")
+    options.add_presets(parser)
+    parser.add_argument("--size", type=options.size, default=(256, 256), help="WIDTHxHEIGHT (default: 256x256)")
+    parser.add_argument("--spp", type=options.samples, default=512, help="samples per pixel of path tracing (default: %(default)s)")
+    parser.add_argument("--grid", help="voxels along a side, or auto (default: each preset's)")
+    parser.add_argument("--camera", help="eye=X,Y,Z,target=X,Y,Z,fov=DEG, or one of the scene's, by name or number")
+    parser.add_argument("--light", help="direction=X,Y,Z,color=R,G,B,intensity=LUX instead of the scene's sun")
+    sky = parser.add_mutually_exclusive_group()
+    sky.add_argument("--sky", help="radiance R,G,B from everywhere outside the scene")
+    sky.add_argument("--environment", type=Path, help="a picture of the sky, .hdr or .exr")
+    parser.add_argument("--emission", type=float, default=1.0, help="scales what all surfaces emit; 0 switches it off")
+
+
+def trace(asked: argparse.Namespace, view: dict[str, Any], folder: Path) -> Result:
+    """Draws the reference of all bounces, and returns its noise."""
+    from truth.asked import lit_by, seen_by
+    from truth.drawing import draw, make_world
+    from truth.scene import load_scene
+    scene = lit_by(seen_by(load_scene(asked.scene, asked.size), view), asked.light, asked.sky, asked.environment,
+                   asked.emission)
+    drawn = draw(make_world(scene), scene, "full", asked.size, asked.spp, 0, Countdown(asked.spp).advance)
+    if not np.isfinite(drawn.image).all():
+        raise Failed("the path-traced picture has values that are not finite")
+    write_exr(folder / "full.exr", drawn.image)
+    return {"noise": metrics.noise_of_halves(*drawn.halves)}
+
+
+def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> list[str]:
+    """Draws a small picture to learn what `vct` chooses where the scene and the options are silent. Returns its notes."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "16x16", "--exposure", "1",
+                              "--grid", "auto", "--camera", view["option"], "--emission", asked.emission, *given)
+    chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
+    if chosen and not given:
+        asked.light, asked.sky = chosen.groups()
+        given += ["--light", asked.light, "--sky", asked.sky]
+    lines = said.splitlines()
+    return [line for line in lines if line.startswith(("note: ", "warning: "))] + [
+        f"hint: the scene wants --{line}" for line in lines if line.startswith("grid ")]
+
+
+def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], given: list[str]) -> list[Task]:
+    shared = {"scene": scene_sha256(asked.scene), "size": asked.size, "spp": asked.spp, "camera": view["option"],
+              "light": asked.light, "sky": asked.sky, "emission": asked.emission, "path_tracer": path_tracer_sha256(),
+              "environment": asked.environment and file_sha256(asked.environment)}
+    flags = ["--camera", view["option"], "--emission", str(asked.emission), *given,
+             *(["--grid", asked.grid] if asked.grid else [])]
+
+    def measure(preset: str, folder: Path) -> Result:
+        reference = store.results_of("reference")
+        if not reference:
+            raise Failed("there is no reference to compare with")
+        result = measured(asked.scene, preset, asked.size, ["gi"], lambda _: read_exr(asked.out / REFERENCE), folder, flags)
+        return result | {"reference": REFERENCE, "noise": {"gi": reference[0]["noise"]}}
+
+    tasks = [Task("reference", "path-traced", shared, lambda folder: trace(asked, view, folder), uses_program=False)]
+    key = {**shared, "grid": asked.grid, "metrics": file_sha256(Path(metrics.__file__))}
+    return tasks + [Task("render", f"{asked.scene.stem}-{preset}", key, lambda folder, preset=preset: measure(preset, folder))
+                    for preset in asked.presets]
+
+
+def run(asked: argparse.Namespace) -> int:
+    for file in (asked.scene, asked.environment):
+        if file and not file.is_file():
+            raise Failed(f"there is no file {file}")
+    asked.out = asked.out or Path("out/judge") / asked.scene.stem
+    view = program.camera(asked.scene, asked.size, *(["--camera", asked.camera] if asked.camera else []))
+    given = [word for name in ("light", "sky", "environment") if (value := getattr(asked, name)) is not None
+             for word in (f"--{name}", str(value))]
+    notes = [*probe(asked, view, given), f"camera: --camera {view['option']}"]
+    store = Store(asked.out)
+    tasks = tasks_of(asked, store, view, given)
+    store.keep_only(tasks)  # the rest may be of another view or light
+    store.data["notes"] = notes
+    store.run(tasks)
+    report.write(store, f"{asked.scene.name}, judged")
+    if results := store.results_of("render"):
+        print(machine(results))
+        print(table(results) + noise_note(results), end="")
+    print(*notes, f"Open {asked.out / 'index.html'}", sep="\n")
+    return 1 if store.failures(tasks) else 0

@@ -1,0 +1,109 @@
+"""Times and errors of one preset's picture of one scene.
+
+A picture is drawn twice: with converged light, as while only the camera moves, and with everything rebuilt in each frame. Each
+error stands beside the time of the frame that it was measured on.
+"""
+import json
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import metrics
+import program
+from files import ROOT, SCALED, Failed, file_sha256, reference_folder, scene_sha256, shown
+from truth.exr import read_exr
+from truth.scene import sky_file
+
+from .store import Result, Task
+
+Picture = np.ndarray  # (height, width, 3), linear RGB
+
+
+@dataclass(frozen=True)
+class Measure:
+    picture: str  # of vct render
+    references: tuple[str, ...]  # kinds that are added up; "-kind" is subtracted
+    mode: str
+    is_share: bool = False  # values of 0 to 1 that are not light, judged by RMSE
+
+
+MEASURES = {
+    "gi": Measure("gi", ("full",), "gi"),
+    "indirect": Measure("indirect_light", ("indirect",), "gi"),
+    "soft": Measure("gi-cone-shadow", ("sun", "full", "-direct"), "gi-cone-shadow"),
+    "shadow": Measure("cone_shadow", ("shadow",), "gi-cone-shadow", is_share=True),
+    "ao": Measure("ambient_occlusion", ("ao",), "ao", is_share=True),
+}
+STATES = {"camera": [], "changing": ["--revoxelize"]}  # options of vct render
+
+
+class References:
+    """A scene's path-traced pictures in references/."""
+
+    def __init__(self, scene: Path, root: Path = ROOT / "references") -> None:
+        self.folder = reference_folder(scene, root)
+        about = self.folder / "reference.json"
+        remedy = f"run: tools/eval.py references {shown(scene)}"
+        if not about.is_file():
+            raise Failed(f"{scene.name} has no references in {shown(self.folder)}; {remedy}")
+        self.about = json.loads(about.read_text())
+        if scene.stem not in SCALED and self.about["scene_sha256"] != file_sha256(scene):
+            raise Failed(f"{shown(self.folder)} was made from another version of {scene.name}; {remedy}")
+        self.size = tuple(self.about["size"])
+
+    def picture(self, kinds: Sequence[str]) -> Picture:
+        return sum((-1 if kind.startswith("-") else 1) * read_exr(self.folder / f"{kind.removeprefix('-')}.exr") for kind in kinds)
+
+    def noise(self, kinds: Sequence[str]) -> float:
+        """The noise of the noisiest of the kinds, as relMSE."""
+        return max(self.about["kinds"][kind.removeprefix("-")]["noise_relmse"] for kind in kinds)
+
+    def key(self) -> dict[str, str]:
+        return {path.name: file_sha256(path) for path in sorted(self.folder.iterdir())}
+
+
+def averaged_down(reference: Picture, size: tuple[int, int]) -> Picture:
+    """Averages whole boxes of pixels, as a box filter would have done at the smaller size."""
+    width, height = size
+    factor = reference.shape[0] // height
+    if factor == 0 or reference.shape[:2] != (factor * height, factor * width):
+        raise Failed(f"a reference of {reference.shape[1]}x{reference.shape[0]} pixels cannot be averaged to {width}x{height}: "
+                     f"choose a --size of which it is a whole multiple")
+    return reference.reshape(height, factor, width, factor, 3).mean(axis=(1, 3))
+
+
+def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[str], reference: Callable[[Measure], Picture],
+             folder: Path, options: Sequence[str] = ()) -> Result:
+    """Renders into `folder` and compares. The exposure is given, because finding one takes another frame."""
+    chosen = {name: MEASURES[name] for name in names}
+    modes = list(dict.fromkeys(measure.mode for measure in chosen.values()))
+    parts = [] if set(names) <= {"gi", "soft"} else ["--light-parts"]
+    result: dict[str, Any] = {"scene": scene.stem, "preset": preset, "size": list(size)}
+    for state, flags in STATES.items():
+        out = folder if state == "camera" else folder / state
+        timings = program.render_timed(scene, out, "--preset", preset, "--mode", ",".join(modes), "--size", f"{size[0]}x{size[1]}",
+                                       "--exposure", "1", "--tone-map", "none", *parts, *options, *flags)
+        result |= {"grid": timings["settings"]["grid"], "driver": timings["driver"]["renderer"], "cpu": timings["machine"]["cpu"]}
+        result[state] = {
+            "ms": {mode: timings["modes"][mode]["steps"]["total"]["median"] for mode in modes},
+            "errors": {name: metrics.compare(read_exr(out / f"{measure.picture}.exr"), averaged_down(reference(measure), size),
+                                             flip=not measure.is_share) for name, measure in chosen.items()}}
+    return result
+
+
+def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str) -> Task:
+    """One preset's picture of a scene that has references."""
+    references = References(scene)
+    size, sky = size or references.size, sky_file(scene)
+    options = [*(["--environment", str(sky)] if sky else []), *(["--grid", grid] if grid else [])]
+
+    def measure(folder: Path) -> Result:
+        result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options)
+        return result | {"reference": shown(references.folder / "full.exr"),
+                         "noise": {name: references.noise(MEASURES[name].references) for name in names}}
+    return Task(kind, f"{scene.stem}-{preset}" + (f"-{grid}" if grid else ""),
+                {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
+                 "metrics": file_sha256(Path(metrics.__file__))}, measure)

@@ -1,0 +1,110 @@
+"""Draws each preset's picture of scenes that have references, and prints its times and errors as a Markdown table.
+
+    tools/eval.py render --headline                          the README's table: cornell, all presets in one run
+    tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
+    tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
+    tools/eval.py render cornell courtyard --sheet out/presets.png
+
+The measure `gi` is that mode's picture, `indirect` one bounce of light alone, and `soft` mode gi-cone-shadow under a sun of 5
+degrees. As root mean square errors, `shadow` is the visible share of that sun and `ao` ambient occlusion. Compare times of a
+software driver within one run only. The T880 column of the headline appears after `eval.py mali` with the same build of vct.
+"""
+import argparse
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from files import ROOT, find_scene, static_scenes, write_whole
+from tables import fraction, markdown, milliseconds, percent
+
+from . import mali, options, pictures
+from .measures import MEASURES, task
+from .store import Result, Store, say
+
+ALWAYS = ["gi", "indirect"]  # measures of every picture
+MEANINGS = """\
+camera moving        time of a frame while only the camera moves: light and voxels are kept
+everything changing  time of a frame that rebuilds shadow map, voxels and light
+relMSE, FLIP         errors of the converged picture, mode gi, against path tracing with all bounces: squared error relative to
+                     each pixel's brightness, and how different the two look (0 to 1). 0 is perfect
+bias                 too bright (+) or too dark (-) over the whole picture"""
+
+
+def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
+    options.add_store(parser)
+    options.add_presets(parser)
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in assets/, or files (default: all that have references)")
+    parser.add_argument("--size", type=options.size, help="WIDTHxHEIGHT (default: that of the references)")
+    parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=ALWAYS,
+                        help=f"of {','.join(MEASURES)}, or all (default: gi,indirect)")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw time against error")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = MEANINGS
+    add_picture_arguments(parser)
+    parser.add_argument("--headline", action="store_true", help="measure again and print the README's table (default: cornell)")
+    parser.add_argument("--sheet", type=Path, metavar="FILE.png", help="draw the presets' pictures beside path tracing")
+
+
+def table(results: Sequence[Result]) -> str:
+    """One row for each picture."""
+    others = list(dict.fromkeys(name for one in results for name in one["camera"]["errors"] if name != "gi"))
+    metric = {name: "rmse" if MEASURES[name].is_share else "relmse" for name in others}
+    rows = [[one["scene"], f"{one['preset']}, {one['grid']}³", milliseconds(one["camera"]["ms"]["gi"]),
+             milliseconds(one["changing"]["ms"]["gi"]), *gi_errors(one),
+             *(fraction(one["camera"]["errors"].get(name, {}).get(metric[name]), 4) for name in others)] for one in results]
+    return markdown(["scene", "preset, voxels", "camera moving", "everything changing", "relMSE", "bias", "FLIP",
+                     *(f"{name}: {'RMSE' if MEASURES[name].is_share else 'relMSE'}" for name in others)], rows)
+
+
+def gi_errors(one: Result) -> list[str]:
+    errors = one["camera"]["errors"]["gi"]
+    return [fraction(errors["relmse"], 4), percent(errors["bias"]), fraction(errors["flip"], 3)]
+
+
+def noise_note(results: Sequence[Result]) -> str:
+    """Tells where the noise of a reference is a large part of an error."""
+    noisy = {one["scene"] for one in results if one["noise"]["gi"] > 0.2 * one["camera"]["errors"]["gi"]["relmse"]}
+    return f"note: in {', '.join(sorted(noisy))} more than a fifth of a relMSE is the reference's own noise\n" if noisy else ""
+
+
+def headline(results: Sequence[Result]) -> str:
+    bounds = mali.bounds_of_this_build(ROOT / "out/mali/bounds.json")
+    if not bounds:
+        say("no T880 column: run tools/eval.py mali --compiler FILE first")
+    rows = []
+    for one in results:
+        relmse, _, flip = gi_errors(one)
+        bound = [milliseconds(sum(bounds[one["preset"]]["gi-cone-shadow"].values()))] if one["preset"] in bounds else []
+        rows.append([f"`{one['preset']}`, {one['grid']}³", milliseconds(one["camera"]["ms"]["gi"]),
+                     milliseconds(one["changing"]["ms"]["gi"]), relmse, flip, *bound])
+    return markdown(["preset, voxels", "camera moving", "everything changing", "relMSE", "FLIP",
+                     *(["a Mali-T880, at least"] if bounds else [])], rows)
+
+
+def machine(results: Sequence[Result]) -> str:
+    one = results[0]
+    return f"Mode gi, {one['size'][0]}x{one['size'][1]} pixels, on {one['driver']}, {one['cpu']}:\n"
+
+
+def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str | None],
+                      show: Callable[[Sequence[Result]], str] = table) -> int:
+    measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys([*ALWAYS, *asked.measures]))
+    scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
+    tasks = [task(scene, preset, measures, asked.size, grid, kind)
+             for scene in scenes for preset in asked.presets for grid in grids]
+    store = Store(asked.out)
+    if results := store.run(tasks, again=show is headline):  # times of one table are of one run
+        print(f"{machine(results)}\n{show(results)}{noise_note(results)}", end="")
+    if results and asked.plot:
+        from . import plot  # loading matplotlib takes a while
+        write_whole(asked.plot, plot.draw(results))
+    if results and kind == "render" and asked.sheet:
+        write_whole(asked.sheet, pictures.stacked(list(pictures.sheets(store, results).values())))
+    return 1 if store.failures(tasks) else 0
+
+
+def run(asked: argparse.Namespace) -> int:
+    if asked.headline and not asked.scenes:
+        asked.scenes = ["cornell"]
+    return measure_and_print(asked, "render", [None], headline if asked.headline else table)
