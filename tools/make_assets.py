@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the scenes in assets/, and their skies. Standard library only; the bytes are the same on every machine.
+"""Writes the scenes in assets/ and their skies. Needs only Python; the bytes are the same on every machine.
 
     python3 tools/make_assets.py [--out DIR]
 """
@@ -7,30 +7,16 @@ import argparse
 import pathlib
 import sys
 
-sys.dont_write_bytecode = True  # a test runs this inside the source tree
+sys.dont_write_bytecode = True  # a test runs this program inside the source tree
 
 from scenes import (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane,  # noqa: E402
                     moving, night, patio, thin_wall, walker)
 
-SCENES = {
-    "contact": contact.build,
-    "cornell": cornell.build,
-    "cornell_10km": lambda: cornell.build(5000.0),
-    "cornell_1mm": lambda: cornell.build(0.0005),
-    "corridor": corridor.build,
-    "courtyard": courtyard.build,
-    "dim_room": dim_room.build,
-    "furnace": furnace.build,
-    "glossy": glossy.build,
-    "lamp": lamp.build,
-    "lone_plane": lone_plane.build,
-    "moving": moving.build,
-    "night": night.build,
-    "patio": patio.build,
-    "thin_wall": thin_wall.build,
-    "walker": walker.build,
-}
-SKIES = {"patio": patio.sky}  # of a scene that lies under it
+MODULES = (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane, moving, night, patio, thin_wall,
+           walker)
+SCENES = {module.__name__.removeprefix("scenes."): module.build for module in MODULES}
+SCENES |= {"cornell_10km": lambda: cornell.build(5000.0), "cornell_1mm": lambda: cornell.build(0.0005)}
+SKIES = {"patio": patio.sky}  # the sky of the scene of that name
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 

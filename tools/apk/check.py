@@ -1,7 +1,7 @@
-"""Checks an APK of this project: would Android install it, load it, and find in it what this repository has?
+"""Checks an APK of this project: would Android install and load it, and does it hold the files of this repository?
 
-Prints a line for each check, and ends with 1 where one fails. Needs an NDK, whose stub libraries say what Android has,
-and aapt2, apksigner and zipalign of Android's SDK or of Debian.
+Prints a line for each check, and ends with 1 where one fails. Needs an NDK, whose stub libraries list the symbols of Android, and
+aapt2, apksigner and zipalign of Android's SDK or of Debian.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Ndk:
         self.sysroot = next(folder.glob("toolchains/llvm/prebuilt/*/sysroot"))
 
     def libraries(self, abi: str, api: str) -> dict[str, elf.Library]:
-        """What each library exports that Android of this API level has for apps."""
+        """The libraries that Android of this API level has for apps, with the symbols that they export."""
         folder = self.sysroot / "usr" / "lib" / TRIPLES[abi] / api
         # libc++.so there is a linker script.
         stubs = [path for path in folder.glob("*.so") if path.read_bytes()[:4] == b"\x7fELF"]
@@ -59,7 +59,7 @@ class Apk:
         self.abis = sorted({info.filename.split("/")[1] for info in self.libraries})
 
     def data_offset(self, info: zipfile.ZipInfo) -> int:
-        """Where in the APK the entry's bytes begin: after its local header, whose extra field may be its own."""
+        """The offset of an entry's bytes in the APK: after its local header, whose extra field may differ from the directory's."""
         with self.path.open("rb") as file:
             file.seek(info.header_offset + 26)
             name_size, extra_size = struct.unpack("<HH", file.read(4))
@@ -102,7 +102,7 @@ def alignment(apk: Apk) -> Iterator[str]:
         yield f"zipalign: {text.strip() or 'not aligned'}"
     for info in apk.libraries:
         if info.compress_type != zipfile.ZIP_STORED:
-            yield f"{info.filename} is compressed: it cannot be mapped"
+            yield f"{info.filename} is compressed, so Android cannot map it"
         elif apk.data_offset(info) % PAGE:
             yield f"{info.filename} starts at byte {apk.data_offset(info)}, not on a page of 16 KiB"
 
@@ -134,7 +134,7 @@ def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library], nd
         return
     if found.machine != elf.MACHINES[abi]:
         yield f"{info.filename} is for ELF machine {found.machine}, not {abi}"
-    # What an NDK brings cannot be linked again here.
+    # A library that the NDK brings cannot be linked again here.
     old_ndk = name == "libc++_shared.so" and ndk.major < ALIGNED_NDK
     for segment in found.segments:
         if old_ndk:
@@ -151,7 +151,7 @@ def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library], nd
         else:
             yield f"{info.filename} needs {needed}, which neither Android {versions()['minSdk']} nor the APK has"
     for symbol in sorted(found.undefined - exported):
-        yield f"{info.filename}: nothing that it needs has {symbol}"
+        yield f"{info.filename}: no library that it needs has {symbol}"
     if name == "libvct.so":
         if found.exported != {"ANativeActivity_onCreate"}:
             yield f"{info.filename} exports {sorted(found.exported)[:5]}, not ANativeActivity_onCreate alone"
@@ -175,7 +175,7 @@ def libraries(apk: Apk, ndk: Ndk) -> Iterator[str]:
 
 
 def problems(path: pathlib.Path, ndk: Ndk) -> dict[str, list[str]]:
-    """What is wrong, per check; an empty list where nothing is."""
+    """The problems that each check found; an empty list where it found none."""
     apk = Apk(path)
     damaged = apk.zip.testzip()
     if damaged:
@@ -196,7 +196,7 @@ def main() -> int:
     try:
         found = problems(arguments.apk, ndk)
     except (OSError, zipfile.BadZipFile) as error:
-        print(f"error: {arguments.apk} is no APK: {error}", file=sys.stderr)
+        print(f"error: {arguments.apk} is not an APK: {error}", file=sys.stderr)
         return 1
     for name, messages in found.items():
         print(f"{name}: {'FAILED' if messages else 'ok'}")

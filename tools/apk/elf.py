@@ -1,4 +1,4 @@
-"""What an ELF shared library of a 64-bit phone says about itself (ELF-64 object file format, version 1.5)."""
+"""Reads the headers of an ELF shared library of a 64-bit phone (ELF-64 object file format, version 1.5)."""
 
 from __future__ import annotations
 

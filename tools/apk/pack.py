@@ -14,12 +14,12 @@ PAGE = 16384
 # The zip extra field in which zipalign and apksigner note an alignment: apksigner keeps it when it rewrites the file.
 ALIGNMENT_FIELD = 0xD935
 LOCAL_HEADER_SIZE = 30
-# Of every entry, so that the same input gives the same APK; the oldest that a zip can note.
+# The time of every entry, so that the same input gives the same APK. It is the oldest that a zip can hold.
 TIME = (1980, 1, 1, 0, 0, 0)
 
 
 def add_stored(apk: zipfile.ZipFile, name: str, data: bytes) -> None:
-    """Uncompressed, with its first byte on a page."""
+    """Adds an uncompressed entry whose first byte lies at the start of a page."""
     info = zipfile.ZipInfo(name, TIME)
     fixed = struct.pack("<HHH", ALIGNMENT_FIELD, 0, PAGE)
     start = apk.start_dir + LOCAL_HEADER_SIZE + len(name.encode()) + len(fixed)
@@ -31,7 +31,7 @@ def add_stored(apk: zipfile.ZipFile, name: str, data: bytes) -> None:
 def add_folder(apk: zipfile.ZipFile, folder: pathlib.Path, name: str) -> None:
     """Every shader or scene below the folder, compressed."""
     for path in sorted(folder.rglob("*")):
-        # Pages are not for the app, nor skies, which it does not read.
+        # The app does not read pages (.md) and skies (.hdr).
         if path.is_file() and path.suffix not in (".md", ".hdr"):
             info = zipfile.ZipInfo(f"assets/{name}/{path.relative_to(folder).as_posix()}", TIME)
             apk.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)
@@ -39,7 +39,7 @@ def add_folder(apk: zipfile.ZipFile, folder: pathlib.Path, name: str) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("base", type=pathlib.Path, help="what aapt2 linked")
+    parser.add_argument("base", type=pathlib.Path, help="the APK that aapt2 linked")
     parser.add_argument("out", type=pathlib.Path, help="the unsigned APK")
     parser.add_argument("--abi", required=True, help="such as arm64-v8a")
     parser.add_argument("--libraries", type=pathlib.Path, nargs="+", required=True)

@@ -1,4 +1,4 @@
-"""Things that rest on a floor in the open: what is right where they touch it, and in their shadows."""
+"""Objects that rest on a floor in the open: tests contact with the floor and shadows on it."""
 import math
 
 from . import shapes
@@ -6,7 +6,7 @@ from .glb import Glb, axis_angle
 
 
 def build():
-    """All closed, outward-facing, and touching the floor exactly at y = 0."""
+    """All objects are closed, face outwards, and touch the floor exactly at y = 0."""
     glb = Glb("tools/make_assets.py")
     grey, red, white, blue = (glb.material(*m) for m in (
         ("grey", (0.6, 0.6, 0.6)), ("red", (0.65, 0.12, 0.08)), ("white", (0.75, 0.75, 0.72)),

@@ -1,4 +1,4 @@
-"""A corridor of 12 m with columns along both sides. The sun shines in through its far end and nowhere else."""
+"""A corridor of 12 m with columns along both sides. The sun enters through its far end only."""
 import math
 
 from . import shapes

@@ -15,7 +15,7 @@ def build():
 
     court = glb.node("court")
     add_side(glb, parts, court, "east", scale=[1, 1, 1])
-    add_side(glb, parts, court, "west", scale=[-1, 1, 1])  # mirrored: its triangles turn the other way round
+    add_side(glb, parts, court, "west", scale=[-1, 1, 1])  # mirrored, which reverses the winding of its triangles
     add_back(glb, parts, court)
     add_garden(glb, parts, court)
 
@@ -43,7 +43,7 @@ def make_meshes(glb):
     wood = glb.material("wood", (0.32, 0.19, 0.09))
     water = glb.material("water", (0.05, 0.2, 0.28))
     leaves = glb.material("trellis", WHITE, trellis, cutoff=0.5)
-    glow = glb.material("lantern", (0.1, 0.1, 0.1), emissive=((1.0, 0.55, 0.2), 6.0, pane))
+    emitter = glb.material("lantern", (0.1, 0.1, 0.1), emissive=((1.0, 0.55, 0.2), 6.0, pane))
 
     ground = shapes.Shape()
     shapes.add_quad(ground, (-4, 0, 4), (8, 0, 0), (0, 0, -8), (1, 1))
@@ -67,13 +67,13 @@ def make_meshes(glb):
         "pot": mesh("pot", shapes.lathe(pot, 24), clay),
         "basin": glb.mesh("basin", glb.primitive(shapes.lathe(basin, 32), stone),
                           glb.primitive(shapes.disc_fan(0.98, 0.38, 32), water, FAN)),
-        "lantern": mesh("lantern", shapes.box((0.22, 0.3, 0.22), 0.3), glow),
+        "lantern": mesh("lantern", shapes.box((0.22, 0.3, 0.22), 0.3), emitter),
         "crate": mesh("crate", shapes.box((0.8, 0.8, 0.8), 0.8), wood),
     }
 
 
 def add_side(glb, parts, court, name, scale):
-    """One long side: a wall, a colonnade with a beam and a slatted roof, and a lantern at each end."""
+    """Adds a long side: a wall, a colonnade with a beam and a slatted roof, and a lantern at each end."""
     side = glb.node(f"{name} side", court, scale=scale)
     wall = glb.node(f"{name} wall", side, translation=[3.9, 0, 0], rotation=axis_angle((0, 1, 0), 90))
     for i in range(4):

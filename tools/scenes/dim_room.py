@@ -1,7 +1,7 @@
-"""Two closed white rooms that share a wall of 2 cm: a lamp lights one, and the other gets its light through a small hole.
+"""Two closed white rooms that share a wall of 2 cm: an emitter lights one, and the other gets its light through a small hole.
 
-The dim room receives about 1/1000 of the light of the lamp's room, so every leak through the wall shows, and so does
-every rounding of weak light. The emission is so strong because the dim room is judged as it is, without an exposure.
+The dim room receives about 1/1000 of the light of the lit room, so every leak through the wall shows, and so does every rounding
+of weak light. The emission is strong because the dim room is judged without an exposure.
 """
 from . import shapes
 from .glb import Glb, axis_angle
@@ -38,22 +38,22 @@ def wall():
 
 
 def build():
-    """The lamp's room is x < 0, the dim room x > 0.
+    """The lit room is x < 0, the dim room x > 0.
 
-    The lamp shines upwards from above the hole, so no straight line from it reaches the dim room: all light there is
+    The emitter faces upwards and lies above the hole, so no straight line from it reaches the dim room: all light there is
     reflected at least twice. The camera stands in the dim room and does not see the hole. The node `hole` tells the path
-    tracer where the light comes from.
+    tracer through which opening the light comes.
     """
     glb = Glb("tools/make_assets.py")
     white, red = glb.material("white", (0.7, 0.7, 0.7)), glb.material("red", (0.6, 0.08, 0.06))
-    glow = glb.material("lamp", (0.7, 0.7, 0.7), emissive=(WARM, STRENGTH, None))
+    emitter = glb.material("lamp", (0.7, 0.7, 0.7), emissive=(WARM, STRENGTH, None))
 
     glb.part("rooms", shell(), white)
     glb.part("wall", wall(), white)
     glb.part("pedestal", shapes.box((LAMP_SIDE, LAMP_HEIGHT, LAMP_SIDE), None), white, translation=[-1.7, 0, -0.3])
-    # The lamp lies a millimetre above the pedestal.
+    # The emitter lies a millimetre above the pedestal.
     side = LAMP_SIDE
-    glb.part("lamp", shapes.quads(((-side / 2, 0, side / 2), (side, 0, 0), (0, 0, -side))), glow,
+    glb.part("lamp", shapes.quads(((-side / 2, 0, side / 2), (side, 0, 0), (0, 0, -side))), emitter,
              translation=[-1.7, LAMP_HEIGHT + 0.001, -0.3])
     glb.part("box", shapes.box((0.6, 0.7, 0.6), None), red, translation=[1.1, 0, -0.7], rotation=axis_angle((0, 1, 0), 25))
 

@@ -1,14 +1,14 @@
 """A figure of 1.75 m that can walk: a mesh with a skin, and the joints that move it.
 
-It stands on y = 0 and looks along -X. Its parts are tubes about their bones; next to a knee, an elbow and the waist
-vertices follow the two joints on both sides, smoothly.
+It stands on y = 0 and faces -X. Its parts are tubes about their bones. Near a knee, an elbow and the waist vertices follow the
+two joints on both sides, smoothly.
 """
 import math
 
 from .glb import axis_angle
 from .shapes import Shape, unit
 
-# Joint: parent, and where it is when the figure stands, in metres.
+# Joint: its parent, and its position in metres in the standing pose.
 JOINTS = {
     "pelvis": (None, (0, 0.95, 0)),
     "chest": ("pelvis", (0, 1.15, 0)),
@@ -32,8 +32,8 @@ class Body:
         self.shape, self.joints, self.weights = Shape(), [], []
 
     def tube(self, centre, radii, profile, segments, upper, lower=None, middle=0.0, reach=0.1):
-        """About a line that is parallel to y, through `centre` (x, z). `profile`: (y, share of `radii` (x, z)), upwards.
-        Above `middle` it follows the joint `upper`, below it `lower`, and within `reach` of it both."""
+        """Adds a tube about a vertical line through `centre` (x, z). `profile`: (y, factor of `radii` (x, z)), upwards. Above
+        `middle` the tube follows the joint `upper`, below it `lower`, and within `reach` of it both."""
         first, rows = len(self.shape.positions), len(profile)
         for row, (y, share) in enumerate(profile):
             below, above = profile[max(row - 1, 0)], profile[min(row + 1, rows - 1)]
@@ -76,7 +76,7 @@ def body():
 
 
 def add(glb, material):
-    """The joints as nodes, standing, and the skinned mesh; returns the joints by name."""
+    """Adds the joints as nodes, standing, and the skinned mesh. Returns the joints by name."""
     figure, nodes = body(), {}
     for name, (parent, place) in JOINTS.items():
         above = JOINTS[parent][1] if parent else (0, 0, 0)
@@ -89,7 +89,7 @@ def add(glb, material):
 
 
 def walk(glb, animation, nodes, seconds, start, way, steps):
-    """`steps` double steps while the pelvis goes from `start` by `way`, both (x, z)."""
+    """Animates `steps` double steps while the pelvis moves from `start` by `way`, both (x, z)."""
     keys = 8 * steps
     times = [seconds * k / keys for k in range(keys + 1)]
     phases = [2 * math.pi * k / 8 for k in range(keys + 1)]

@@ -1,4 +1,4 @@
-"""A white furnace: a closed box whose inside sends out radiance 1 everywhere and is lit by nothing else."""
+"""A white furnace: a closed box whose inside emits radiance 1 everywhere and has no other light."""
 from . import shapes
 from .glb import Glb
 
@@ -6,7 +6,7 @@ ALBEDO = 0.8
 
 
 def build():
-    """Every point sees radiance 1 from every side, so one bounce gives indirect light of exactly ALBEDO."""
+    """Every point receives radiance 1 from every side, so one bounce gives indirect light of exactly ALBEDO."""
     glb = Glb("tools/make_assets.py")
     white = glb.material("glowing white", (ALBEDO,) * 3, emissive=((1.0, 1.0, 1.0), 1, None))
     glb.part("box", shapes.room(1), white)

@@ -9,7 +9,7 @@ TRIANGLES, STRIP, FAN = 4, 5, 6
 
 
 def tidy(value):
-    """Six decimals: libm's last bit differs between machines, and the files must not. Also -0 becomes 0."""
+    """Rounds to six decimals, because libm's last bit differs between machines and the files must not. -0 becomes 0."""
     return round(value, 6) + 0.0
 
 
@@ -64,7 +64,7 @@ class Glb:
         return result
 
     def follow_joints(self, primitive, joints, weights):
-        """Of each vertex four joints, as indices into the skin's, and their weights, whose sum is 1."""
+        """`joints`: four indices into the skin's joints for each vertex; `weights`: theirs, whose sum is 1."""
         data = bytes(index for row in joints for index in row)
         columns = list(zip(*joints))
         primitive["attributes"]["JOINTS_0"] = self.accessor(self._view(data, ARRAY_BUFFER), U8, len(joints), "VEC4",
@@ -72,7 +72,7 @@ class Glb:
         primitive["attributes"]["WEIGHTS_0"] = self._floats(weights, "VEC4")
 
     def skin(self, name, joints, places):
-        """`places`: of the joints, in the space of the mesh, where all stand upright while it is modelled."""
+        """`places`: positions of the joints in the space of the mesh, in the pose in which it is modelled."""
         inverse = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -x, -y, -z, 1) for x, y, z in places]
         return self._append("skins", {"name": name, "joints": joints,
                                       "inverseBindMatrices": self._floats(inverse, "MAT4", None)})
@@ -81,7 +81,7 @@ class Glb:
         return self._append("meshes", {"name": name, "primitives": list(primitives)})
 
     def part(self, name, shape, material, parent=None, **place):
-        """A node with a mesh of its own."""
+        """Adds a node with a mesh of its own."""
         return self.node(name, parent, mesh=self.mesh(name, self.primitive(shape, material)), **place)
 
     def texture(self, name, png, wrap, nearest=False):
@@ -179,7 +179,7 @@ class Glb:
 
 
 def look_along(forward):
-    """Quaternion (x, y, z, w) that turns -Z to `forward` without roll: yaw about +Y, then pitch."""
+    """The quaternion (x, y, z, w) that turns -Z to `forward` without roll: yaw about +Y, then pitch."""
     x, y, z = forward
     yaw = math.atan2(-x, -z)
     pitch = math.atan2(y, math.hypot(x, z))
@@ -194,7 +194,7 @@ def axis_angle(axis, degrees):
 
 
 def product(a, b):
-    """Of quaternions: the turn by b, then that by a."""
+    """Product of quaternions: a rotation by b, then one by a."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,

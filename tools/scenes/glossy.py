@@ -1,4 +1,4 @@
-"""A box with a glossy floor and two metal balls that rest on it: what specular cones have to show."""
+"""A box with a glossy floor and two metal balls that rest on it: tests specular cones."""
 import math
 
 from . import shapes
@@ -9,7 +9,7 @@ GOLD, SILVER = (0.95, 0.7, 0.3), (0.9, 0.9, 0.9)
 
 
 def build(floor=0.3, gold=0.2, silver=0.5):
-    """The arguments are roughnesses: of the floor, which is not a metal, and of the balls, which are."""
+    """The arguments are the roughnesses of the floor, which is no metal, and of the two metal balls."""
     glb = Glb("tools/make_assets.py")
     white, red, green = (glb.material(*m) for m in (("white", WHITE), ("red", RED), ("green", GREEN)))
 

@@ -1,9 +1,9 @@
-"""The Cornell box by its published measurements, lit by the lamp in its ceiling alone.
+"""The Cornell box by its published measurements, with the emitter in its ceiling as its only light.
 
 Geometry and camera are Cornell University's (Program of Computer Graphics, "Cornell Box Data", 1998), in millimetres
-there and metres here; the walls are as little square as the real ones were. Reflectances and the lamp's radiance are
-the linear RGB values that renderers commonly use for the measured spectra. The lamp hangs a tenth of a millimetre
-below the ceiling, as the two are in one plane there.
+there and metres here; the walls are not exactly square, as in the real box. Reflectances and the emitter's radiance are the
+linear RGB values that renderers commonly use for the measured spectra. The published emitter lies in the plane of the ceiling;
+here it is a tenth of a millimetre below.
 """
 import math
 
@@ -13,7 +13,7 @@ from .glb import Glb
 WHITE, RED, GREEN = (0.725, 0.71, 0.68), (0.63, 0.065, 0.05), (0.14, 0.45, 0.091)
 LAMP, RADIANCE = (0.78, 0.78, 0.78), (17.0, 12.0, 4.0)
 
-# Corners as published, x to the left of the picture, counter-clockwise as seen from where light arrives.
+# Corners as published, x to the left of the picture, counter-clockwise as seen from the lit side.
 FLOOR = ((552.8, 0, 0), (0, 0, 0), (0, 0, 559.2), (549.6, 0, 559.2))
 CEILING = ((556, 548.8, 0), (556, 548.8, 559.2), (0, 548.8, 559.2), (0, 548.8, 0))
 BACK = ((549.6, 0, 559.2), (0, 0, 559.2), (0, 548.8, 559.2), (556, 548.8, 559.2))
@@ -37,7 +37,7 @@ def metres(corner):
 
 
 def surface(*quads):
-    """Each a quad of its own four corners; where they do not lie in one plane, its normal is the mean one."""
+    """A shape of separate quads. The normal of a quad whose corners do not lie in one plane is the mean one."""
     shape = shapes.Shape()
     for quad in quads:
         a, b, c, d = map(metres, quad)
@@ -56,13 +56,13 @@ def build():
     white, red, green = (glb.material(*m) for m in (("white", WHITE), ("red", RED), ("green", GREEN)))
     # glTF's factor is at most 1: the brightest channel is the strength.
     strength = max(RADIANCE)
-    glow = glb.material("lamp", LAMP, emissive=([round(x / strength, 9) for x in RADIANCE], strength, None))
+    emitter = glb.material("lamp", LAMP, emissive=([round(x / strength, 9) for x in RADIANCE], strength, None))
 
     glb.node("box", mesh=glb.mesh("box", glb.primitive(surface(FLOOR, CEILING, BACK), white),
                                   glb.primitive(surface(RIGHT), green), glb.primitive(surface(LEFT), red)))
     glb.part("short block", surface(*SHORT_BLOCK), white)
     glb.part("tall block", surface(*TALL_BLOCK), white)
-    glb.part("lamp", surface(LIGHT), glow)
+    glb.part("lamp", surface(LIGHT), emitter)
 
     # A focal length of 35 mm before 25 mm of film.
     glb.camera("front", metres((278, 273, -800)), metres((278, 273, 0)), math.degrees(2 * math.atan(12.5 / 35)),

@@ -1,4 +1,4 @@
-"""One lit plane in nothing: a surface does not light itself, so the indirect light on it is exactly 0."""
+"""One lit plane and nothing else: a surface does not light itself, so the indirect light on it is exactly 0."""
 import math
 
 from . import shapes

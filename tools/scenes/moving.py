@@ -11,7 +11,7 @@ def build():
     glb = Glb("tools/make_assets.py")
     white, red, cord = (glb.material(name, color) for name, color in (
         ("white", (0.7, 0.7, 0.7)), ("red", (0.7, 0.03, 0.03)), ("cord", (0.1, 0.1, 0.1))))
-    glow = glb.material("glow", (0.5, 0.4, 0.2), emissive=((1.0, 0.65, 0.25), 2, None))
+    emitter = glb.material("glow", (0.5, 0.4, 0.2), emissive=((1.0, 0.65, 0.25), 2, None))
 
     # The inside is the front, as in the Cornell box; the front (+Z) is open: floor, ceiling, back, right, left.
     room = shapes.quads(((-1.4, 0, 1), (2.8, 0, 0), (0, 0, -2)), ((-1.4, 2, -1), (2.8, 0, 0), (0, 0, 2)),
@@ -29,7 +29,7 @@ def build():
     # The lantern hangs on an arm that turns about the ceiling.
     arm = glb.node("arm", translation=[0.5, 2, 0.35])
     glb.part("cord", shapes.box((0.03, 0.7, 0.03), None), cord, arm, translation=[0, -0.7, 0])
-    glb.part("lantern", shapes.box((0.22, 0.26, 0.22), None), glow, arm, translation=[0, -0.96, 0])
+    glb.part("lantern", shapes.box((0.22, 0.26, 0.22), None), emitter, arm, translation=[0, -0.96, 0])
     times = [SECONDS * k / 16 for k in range(17)]
     glb.animate("run", arm, "rotation", times,
                 [axis_angle((0, 0, 1), 32 * math.sin(2 * math.pi * t / SECONDS)) for t in times])

@@ -1,7 +1,6 @@
-"""An interior at night: a closed room that lamps alone light, three points, a spot and a globe that glows.
+"""An interior at night: a closed room lit by three point lights, a spot and an emissive globe.
 
-Intensities are small, a few candela, so that the picture of these lights as it is, without any exposure, has most of its
-values below 1, as those of the other scenes have.
+Intensities are a few candela, so that most values of the picture are below 1 without an exposure, as in the other scenes.
 """
 import math
 
@@ -12,25 +11,16 @@ WIDTH, HEIGHT, DEPTH = 6.0, 3.0, 5.0  # metres
 WARM, BLUISH, WHITE = (1.0, 0.72, 0.42), (0.45, 0.65, 1.0), (1.0, 0.95, 0.88)
 
 
-def add_box(shape, low, size):
-    """Closed, its lowest corner at `low`."""
-    box, first = shapes.box(size, None), len(shape.positions)
-    moved = [l + s for l, s in zip(low, (size[0] / 2, 0, size[2] / 2))]
-    shape.positions += [tuple(m + x for m, x in zip(moved, p)) for p in box.positions]
-    shape.normals += box.normals
-    shape.indices += [first + i for i in box.indices]
-
-
 def boxes(*placed):
-    """Each of (low, size)."""
+    """Closed boxes. `placed`: (lowest corner, size) of each."""
     shape = shapes.Shape()
     for low, size in placed:
-        add_box(shape, low, size)
+        shape.append(shapes.box(size, None), [a + b for a, b in zip(low, (size[0] / 2, 0, size[2] / 2))])
     return shape
 
 
 def table():
-    """1.6 m x 0.9 m, 0.75 m high; stands around x = z = 0."""
+    """1.6 m x 0.9 m, 0.75 m high, around x = z = 0."""
     legs = [((x, 0, z), (0.08, 0.7, 0.08)) for x in (-0.76, 0.68) for z in (-0.41, 0.33)]
     return boxes(((-0.8, 0.7, -0.45), (1.6, 0.05, 0.9)), *legs)
 
@@ -42,16 +32,13 @@ def shelf():
 
 
 def shade():
-    """A truncated cone of sheet metal 1.2 cm thick, open at both ends; closed as a surface. Its lamp is at y = 0."""
+    """A truncated cone of sheet metal 1.2 cm thick, open at both ends; closed as a surface. Its light is at y = 0."""
     outside = [(0.32, -0.1), (0.14, 0.2)]
     inside = [(0.128, 0.2), (0.308, -0.1)]
     shape = shapes.Shape()
     corners = [*outside, *inside]
     for a, b in zip(corners, corners[1:] + corners[:1]):
-        part, first = shapes.lathe([a, b], 24), len(shape.positions)
-        shape.positions += part.positions
-        shape.normals += part.normals
-        shape.indices += [first + i for i in part.indices]
+        shape.append(shapes.lathe([a, b], 24))
     return shape
 
 
@@ -64,7 +51,7 @@ def build():
     add_room(glb, material)
     add_furniture(glb, material)
 
-    # The shade is dark: what it would reflect from so near the lamp is noise to a path tracer.
+    # The shade is dark, because light that it reflects so near to its source is noise to a path tracer.
     glb.point_light("table lamp", (-0.75, 1.75, -0.45), WARM, 6.5)
     glb.part("shade", shade(), material["metal"], translation=[-0.75, 1.75, -0.45])
     glb.point_light("bare bulb", (0.3, 1.6, -0.3), WARM, 3.0)
@@ -97,5 +84,5 @@ def add_furniture(glb, material):
     glb.part("box", shapes.box((0.8, 0.5, 0.6), None), material["blue"], translation=[1.9, 0, -1.65],
              rotation=axis_angle((0, 1, 0), -20))
     glb.part("picture", shapes.box((1.1, 0.8, 0.05), None), material["picture"], translation=[1.0, 1.35, -DEPTH / 2 + 0.025])
-    glow = glb.material("globe", (0.5, 0.5, 0.5), emissive=((1.0, 0.8, 0.55), 9.0, None))
-    glb.part("globe", shapes.icosphere(0.15, 2), glow, translation=[1.9, 0.65, -1.65])
+    emitter = glb.material("globe", (0.5, 0.5, 0.5), emissive=((1.0, 0.8, 0.55), 9.0, None))
+    glb.part("globe", shapes.icosphere(0.15, 2), emitter, translation=[1.9, 0.65, -1.65])

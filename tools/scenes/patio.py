@@ -1,11 +1,11 @@
-"""A walled patio with a portico, under nothing but a sky: half of it sees much of the sky, half of it little."""
+"""A walled patio with a portico, lit by a sky only: one half sees much of it, the other half little."""
 from . import shapes
 from .glb import Glb, axis_angle
 from .radiance import picture
 
 
 def build():
-    """It has no light of its own: patio.hdr lights it, or what a renderer gives to a scene without lights."""
+    """The scene holds no light: it is meant to be lit by patio.hdr."""
     glb = Glb("tools/make_assets.py")
     paving, white, clay, blue = (glb.material(*m) for m in (
         ("paving", (0.55, 0.5, 0.42)), ("white", (0.78, 0.76, 0.72)), ("clay", (0.6, 0.24, 0.12)),
@@ -30,13 +30,13 @@ def build():
 def sky():
     """A clear evening: bluer and darker towards the zenith, brown below the horizon, and a warm glow without a sun in
     it, 25 degrees above the horizon in the front on the right."""
-    glow = (0.74, 0.42, 0.52)
+    brightest = (0.74, 0.42, 0.52)
 
     def radiance(x, y, z):
         if y < 0:
             return 0.16, 0.12, 0.08
         low = (1 - y) * (1 - y)
-        near = max(x * glow[0] + y * glow[1] + z * glow[2], 0.0) ** 24
+        near = max(x * brightest[0] + y * brightest[1] + z * brightest[2], 0.0) ** 24
         return 0.3 + 0.5 * low + 7.0 * near, 0.45 + 0.35 * low + 3.8 * near, 0.9 + 0.1 * low + 1.2 * near
 
     return picture(64, radiance)

@@ -1,4 +1,4 @@
-"""Small palette PNGs drawn in code. Stored, not compressed: zlib's output differs between its versions."""
+"""Draws small palette PNGs. They are stored uncompressed, because zlib's output differs between its versions."""
 import struct
 import zlib
 

@@ -1,10 +1,10 @@
-"""Skies as Radiance pictures (.hdr), equirectangular: the centre is towards +X, the top +Y, right of the centre +Z."""
+"""Writes skies as Radiance pictures (.hdr), equirectangular: the centre is towards +X, the top +Y, right of the centre +Z."""
 import math
 import struct
 
 
 def rgbe(color):
-    """Three mantissas of 8 bits and the exponent that the largest of them has."""
+    """Three mantissas of 8 bits and the exponent of the largest."""
     largest = max(color)
     if largest < 1e-32:
         return bytes(4)
@@ -13,7 +13,7 @@ def rgbe(color):
 
 
 def picture(width, radiance):
-    """`radiance` of x, y, z: red, green and blue."""
+    """`radiance`: a function of the direction x, y, z that returns red, green and blue."""
     height = width // 2
     pixels = bytearray()
     for row in range(height):

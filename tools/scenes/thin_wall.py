@@ -1,4 +1,4 @@
-"""A room cut in two by a wall of 1 cm, thinner than a voxel of 256^3. The sun shines into one half only."""
+"""A room cut in two by a wall of 1 cm, thinner than a voxel of 256^3. The sun lights one half only."""
 import math
 
 from . import shapes

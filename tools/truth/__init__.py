@@ -1,1 +1,1 @@
-"""Path-traced truth of a glTF scene. Shares no code with jni/: one checks the other."""
+"""A path tracer for glTF scenes. It shares no code with jni/, so that one checks the other."""

@@ -1,4 +1,4 @@
-"""A scene as a person asks to see it, written as for `vct render`: camera, light, sky and emission in place of its own."""
+"""A scene with another camera, light, sky or emission than its own, given as the options of `vct render` are."""
 import dataclasses
 import pathlib
 import re
@@ -15,7 +15,7 @@ def numbers(text: str) -> np.ndarray:
 
 
 def seen_by(scene: Scene, view: dict) -> Scene:
-    """`view`: of `vct info --print-camera`."""
+    """`view`: as `vct info --print-camera` prints it."""
     eye = np.array(view["eye_world"])
     return dataclasses.replace(scene, camera=dataclasses.replace(
         scene.camera, axes=np.array(view["right_up_back"]), eye_world=eye, eye=(eye - scene.centre_world) / scene.side_world,
@@ -23,8 +23,8 @@ def seen_by(scene: Scene, view: dict) -> Scene:
 
 
 def lit_by(scene: Scene, light: str | None, sky: str | None, environment: pathlib.Path | None, emission: float) -> Scene:
-    """As in `vct`, a scene without lights has no sun under a sky that is given. The picture that a scene of ours lies under is
-    for `vct` one that must be given, so without one the sky is black."""
+    """As in `vct`, a scene without lights has no sun under a given sky. Without `sky` and `environment` the sky is black, because
+    `vct` does not read the .hdr file beside a scene either."""
     if (sky or environment) and not GltfFile(scene.path).json.get("extensions", {}).get("KHR_lights_punctual"):
         scene = dataclasses.replace(scene, sun=Sun(scene.sun.towards, np.zeros(3)))
     if light is not None:

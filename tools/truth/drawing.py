@@ -20,7 +20,7 @@ SAMPLES_PER_PASS = 32
 @dataclasses.dataclass
 class Drawn:
     image: np.ndarray  # (height, width, 3) float64, mean of the halves
-    halves: tuple[np.ndarray, np.ndarray]  # of one seed each
+    halves: tuple[np.ndarray, np.ndarray]  # with one seed each
 
 
 def camera_rays(scene: Scene, size: tuple[int, int], pixel, across, down):
@@ -68,8 +68,8 @@ def draw_half(world: World | None, scene: Scene, kind: str, size: tuple[int, int
 
 def draw(world: World | None, scene: Scene, kind: str, size: tuple[int, int], samples: int, seed: int,
          tell: Callable[[int], None] = lambda count: None) -> Drawn:
-    """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1. `tell` hears of every pass how
-    many of them it has drawn."""
+    """`samples` per pixel, an even number: half with the seed 2 seed, half with 2 seed + 1. `tell` is called after every pass
+    with the number of samples that it drew."""
     halves = tuple(draw_half(world, scene, kind, size, samples // 2, 2 * seed + i, tell) for i in (0, 1))
     return Drawn(0.5 * (halves[0] + halves[1]), halves)
 

@@ -1,7 +1,7 @@
 """Mitsuba 3, `mi`, and its compiler Dr.Jit, `dr`, in the one variant.
 
-`llvm_ad_rgb`: references must be the same bytes when they are made again, so there is one variant and no fallback.
-It wants LLVM 19: with Debian 12's LLVM 15 it stops at "Cannot select", and it refuses 14.
+References must be the same bytes when they are made again, so there is one variant, `llvm_ad_rgb`, and no fallback. It needs
+LLVM 19: with Debian 12's LLVM 15 it stops at "Cannot select", and it refuses 14.
 """
 import glob
 import os

@@ -1,8 +1,8 @@
 """Glossy surfaces: glTF 2.0's metallic-roughness BRDF (appendix B.2 and B.3).
 
-Of a surface of roughness r below 1, with base colour b and metallic m: F0 = mix(0.04, b, m), Schlick's
-F = F0 + (1 - F0) (1 - v.h)^5, and (1 - F) (1 - m) b / pi + F D G / (4 n.l n.v), with GGX of alpha = r^2 and separable
-masking. At roughness 1 a surface is a Lambert one of its base colour, metallic or not.
+A surface of roughness r below 1, base colour b and metallic m has F0 = mix(0.04, b, m), Schlick's
+F = F0 + (1 - F0) (1 - v.h)^5, and the BRDF (1 - F) (1 - m) b / pi + F D G / (4 n.l n.v), with GGX of alpha = r^2 and
+separable masking. At roughness 1 a surface is a Lambert surface of its base colour, metallic or not.
 """
 import math
 
@@ -14,7 +14,7 @@ SMALLEST_ALPHA = 1e-3
 
 
 class Brdf:
-    """Of one point, seen from the direction `seen` (unit, away from the surface)."""
+    """The BRDF of one point, seen from the direction `seen` (unit, away from the surface)."""
 
     def __init__(self, normal, base, metallic, roughness, seen):
         self.normal, self.seen = mi.Vector3f(normal), seen
@@ -23,7 +23,7 @@ class Brdf:
         self.diffuse = dr.select(self.glossy, base * (1 - metallic), base)
         self.alpha = dr.maximum(roughness * roughness, SMALLEST_ALPHA)
         self.cos_seen = dr.maximum(dr.dot(normal, seen), 1e-4)
-        # Of choosing a specular direction.
+        # The probability that `sample` takes a specular direction.
         self.specular_chance = dr.select(self.glossy, 0.5 + 0.5 * metallic, 0)
 
     def _fresnel(self, cosine):
@@ -49,7 +49,7 @@ class Brdf:
 
     def specular_direction(self, a, b):
         """The mirror direction about a visible normal (Heitz 2018, Sampling the GGX Distribution of Visible Normals),
-        and F G / G1 there: what arrives times this is the estimate of what is reflected specularly."""
+        and F G / G1 there: the arriving light times this estimates the specularly reflected light."""
         across, along = tangent_frame(self.normal)
         seen = mi.Vector3f(dr.dot(self.seen, across), dr.dot(self.seen, along), self.cos_seen)
         stretched = unit_vector(mi.Vector3f(self.alpha * seen.x, self.alpha * seen.y, seen.z))
@@ -93,7 +93,7 @@ def reflected_punctual(world, surface, brdf, active):
 
 def reflected_sun(world, surface, brdf, active):
     """Reflected light of the sun as a point."""
-    if not world.sun.shines:
+    if not world.sun.is_on:
         return mi.Color3f(0)
     diffuse, specular, _ = brdf.evaluate(world.sun.towards)
     active = active & (world.sun.cosine(surface, world.sun.towards) > 0)

@@ -1,9 +1,8 @@
-"""What each kind of reference is: for one camera ray's surface, an estimate of its value.
+"""The kinds of references: each function estimates the value of the surface that a camera ray meets.
 
-All surfaces are Lambert ones of their base colour, but for `full` and `glossy`. The sky is black where the scene has no
-picture of it. A single-sided back
-reflects and emits nothing, and blocks light; the camera alone looks through it. See references.py for the kinds in
-words.
+All surfaces are Lambert surfaces of their base colour, except for `full` and `glossy`. The sky is black where the scene has no
+picture of it. A single-sided back reflects and emits nothing, and blocks light; only the camera sees through it.
+`tools/eval.py references --help` describes the kinds in words.
 """
 import math
 
@@ -28,7 +27,7 @@ class World:
         self.openings = Openings(scene)
 
     def direct(self, surface: Surface, active):
-        """What a Lambert surface reflects of all lights without a size."""
+        """The light that a Lambert surface reflects from all lights that have no size."""
         return self.sun.direct(self.surfaces, surface, active) + self.lambert_punctual(surface, active)
 
     def lambert_punctual(self, surface: Surface, active):
@@ -48,8 +47,8 @@ def cosine_direction(surface: Surface, a, b):
 
 
 def bounce_direction(world, surface: Surface, a, b, random):
-    """Returns what cosine_direction returns, and two weights of the light from there. The first is 1 where the direction
-    crosses an opening, the second where it crosses none; in a scene without openings both are."""
+    """Returns the values of cosine_direction and two weights of the light from that direction. The first is 1 where the
+    direction crosses an opening, the second where it crosses none; in a scene without openings both are 1."""
     direction, pdf, leaves = cosine_direction(surface, a, b)
     if not world.openings:
         return direction, pdf, leaves, mi.Float(1), mi.Float(1)
@@ -128,7 +127,7 @@ def lambert_full(world, surface, numbers, random, active):
 
 
 def lambert_light_along(world, surface, direction, numbers, random, active):
-    """What comes from `direction`, of all bounces between Lambert surfaces."""
+    """The light that arrives from `direction` after any number of bounces between Lambert surfaces."""
     leaves = active & (dr.dot(surface.facing, direction) > 0)
     hit = world.surfaces.meet(leave(surface), direction, leaves)
     there = world.surfaces.surface(hit, direction)
@@ -171,5 +170,5 @@ def shadow(world, surface, numbers, random, active):
     return dr.select(lit > 0, mi.Color3f(1), 0)
 
 
-SHOWS_SKY = {"indirect", "full"}  # behind the scene, as the program's pictures do
+SHOWS_SKY = {"indirect", "full"}  # show the sky behind the scene, as the renderer does
 ESTIMATORS = {f.__name__: f for f in (coverage, albedo, direct, indirect, full, glossy, ao, sun, shadow)}

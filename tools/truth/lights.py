@@ -27,17 +27,17 @@ class Sun:
     def __init__(self, scene: Scene):
         self.towards = mi.Vector3f(scene.sun.towards.tolist())
         self.radiance_unit = mi.Color3f((scene.sun.irradiance / math.pi).tolist())  # E/pi
-        self.shines = scene.sun.irradiance.max() > 0
+        self.is_on = scene.sun.irradiance.max() > 0
 
     @staticmethod
     def cosine(surface: Surface, direction):
-        """0 behind the surface, and behind the triangle: it stands in its own light."""
+        """0 behind the surface and behind the triangle, which shadows itself there."""
         return dr.select(dr.dot(surface.facing, direction) > 0,
                          dr.maximum(dr.dot(surface.normal, direction), 0), 0)
 
     def direct(self, surfaces: Surfaces, surface: Surface, active):
         """Reflected light of the sun as a point: albedo E/pi n.l, or 0 in shadow."""
-        if not self.shines:
+        if not self.is_on:
             return mi.Color3f(0)
         cosine = self.cosine(surface, self.towards)
         active = active & (cosine > 0)
@@ -58,7 +58,7 @@ class Sun:
         return dr.select(active, lit, 0), dr.select(active & ~blocked, lit, 0)
 
     def disc_light(self, surface: Surface, cosine):
-        """Reflected light of a disc of radiance E / (pi sin^2 half), so that a surface that faces it has irradiance E.
+        """Reflected light of a disc of radiance E / (pi sin^2 half), which gives a surface that faces it the irradiance E.
 
         Directions are uniform over 2 pi (1 - cos half), hence 2 (1 - cos half) / sin^2 half = 2 / (1 + cos half).
         """
@@ -87,7 +87,7 @@ class Emitters:
         return density * distance2 / dr.maximum(cosine, 1e-6)
 
     def weight_of_hit(self, surfaces, surface: Surface, hit, origin, cosine_pdf):
-        """Of an emitter that a cosine-distributed ray from `origin` met."""
+        """The weight of an emitter that a cosine-distributed ray from `origin` met."""
         if not self.any:
             return mi.Float(1)
         way = surface.position - origin
@@ -96,7 +96,7 @@ class Emitters:
         return dr.square(cosine_pdf) / dr.maximum(dr.square(cosine_pdf) + dr.square(pdf), 1e-30)
 
     def light(self, surfaces: Surfaces, surface: Surface, choice, random, active):
-        """Irradiance / pi that `surface` gets from one point of one emitter, weighed."""
+        """The weighted irradiance / pi that `surface` gets from one point of one emitter."""
         if not self.any:
             return mi.Color3f(0)
         triangle = dr.gather(mi.UInt32, self._list, self._choice.sample(choice, active), active)

@@ -1,4 +1,4 @@
-"""What a reference takes of a glTF material: base colour, metallic and roughness, normal map, alpha mask, emission, sides.
+"""Reads glTF materials: base colour, metallic and roughness, normal map, alpha mask, emission, sides.
 
 glTF 2.0 3.8 and 3.9, KHR_texture_transform, KHR_materials_emissive_strength. BLEND counts as MASK with cutoff 0.5,
 as the renderer under test states in its warning.
@@ -76,7 +76,7 @@ def transform_uv(source: UvSource, uv: np.ndarray) -> np.ndarray:
 
 def load_material(material: dict) -> Material:
     surface = material.get("pbrMetallicRoughness", {})
-    base, glow = surface.get("baseColorTexture"), material.get("emissiveTexture")
+    base, emission = surface.get("baseColorTexture"), material.get("emissiveTexture")
     gloss, normal = surface.get("metallicRoughnessTexture"), material.get("normalTexture")
     strength = material.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
     cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
@@ -85,7 +85,7 @@ def load_material(material: dict) -> Material:
                     float(np.clip(surface.get("metallicFactor", 1), 0, 1)),
                     float(np.clip(surface.get("roughnessFactor", 1), 0, 1)),
                     np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),
-                    glow["index"] if glow else -1, uv_source(glow), cutoff, material.get("doubleSided", False),
+                    emission["index"] if emission else -1, uv_source(emission), cutoff, material.get("doubleSided", False),
                     gloss["index"] if gloss else -1, uv_source(gloss), normal["index"] if normal else -1, uv_source(normal),
                     normal.get("scale", 1.0) if normal else 1.0)
 
@@ -114,7 +114,7 @@ def load_materials(document: dict) -> list[Material]:
 
 
 def image_of(texture: dict) -> int:
-    """The program too prefers WebP to what is there beside it, and that to KTX2."""
+    """Prefers WebP over the plain source, and that over KTX2, as the renderer does."""
     extensions = texture.get("extensions", {})
     if "EXT_texture_webp" in extensions:
         return extensions["EXT_texture_webp"]["source"]
@@ -124,7 +124,7 @@ def image_of(texture: dict) -> int:
 
 
 def load_textures(file: GltfFile, materials: list[Material]) -> list[Texture]:
-    """The file's as colours, and behind them those that hold numbers, which `materials` then refer to."""
+    """The file's textures as colours, and after them, where needed, as plain numbers, to which `materials` then refer."""
     textures, numbers = [], []
     for texture in file.json.get("textures", []):
         stored = file.image(image_of(texture)).astype(np.float64) / 255

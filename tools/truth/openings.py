@@ -19,7 +19,7 @@ MARGIN = 0.01
 
 
 class Openings:
-    """The parallelograms of one scene. Surfaces on the side to which a parallelogram's normal points get light through it."""
+    """The parallelograms of one scene. Surfaces on the side of a parallelogram's normal get light through it."""
 
     def __init__(self, scene: Scene):
         larger = [(p - MARGIN * (u + v), (1 + 2 * MARGIN) * u, (1 + 2 * MARGIN) * v) for p, u, v in scene.openings]
@@ -51,10 +51,10 @@ class Openings:
     def redirect(self, surface: Surface, direction, cosine_pdf, choice, a, b):
         """Returns `direction`, which is cosine-distributed with the density `cosine_pdf`, or one towards an opening in its
         place; its cosine density; the weight of the light that comes along it; and whether it crosses an opening."""
-        which = mi.UInt32(choice * (len(self._corners) / SHARE))  # beyond the last one: the given direction
+        chosen = mi.UInt32(choice * (len(self._corners) / SHARE))  # beyond the last one: the given direction
         for index, (corner, u, v, normal, _) in enumerate(self._corners):
             way = corner + a * u + b * v - surface.position
-            taken = (which == index) & (dr.dot(surface.position - corner, normal) > 0)
+            taken = (chosen == index) & (dr.dot(surface.position - corner, normal) > 0)
             direction = dr.select(taken, way / dr.maximum(dr.sqrt(dr.squared_norm(way)), 1e-12), direction)
             cosine = dr.select(dr.dot(surface.facing, direction) > 0, dr.maximum(dr.dot(surface.normal, direction), 0), 0)
             cosine_pdf = dr.select(taken, cosine / math.pi, cosine_pdf)

@@ -1,7 +1,7 @@
-"""What a glTF file may be packed with: meshes by Draco, buffer views by meshoptimizer, instances of a node.
+"""Unpacks compressed parts of glTF files: meshes by Draco, buffer views by meshoptimizer, instances of a node.
 
-KHR_draco_mesh_compression, EXT_ and KHR_meshopt_compression and EXT_mesh_gpu_instancing, as their specifications have
-them; decoded by the libraries' own decoders.
+The extensions are KHR_draco_mesh_compression, EXT_ and KHR_meshopt_compression and EXT_mesh_gpu_instancing. The libraries' own
+decoders do the work.
 """
 import ctypes
 import ctypes.util
@@ -19,7 +19,7 @@ FILTERS = {"OCTAHEDRAL": "Oct", "QUATERNION": "Quat", "EXPONENTIAL": "Exp"}
 def meshoptimizer() -> ctypes.CDLL:
     name = ctypes.util.find_library("meshoptimizer")
     if name is None:
-        raise ValueError("it is packed by meshoptimizer, and that library is not installed (Debian: libmeshoptimizer-dev)")
+        raise ValueError("it is packed by meshoptimizer, which is not installed: apt install libmeshoptimizer-dev")
     return ctypes.CDLL(name)
 
 
@@ -29,7 +29,7 @@ def meshopt_of(view: dict[str, Any]) -> dict[str, Any] | None:
 
 
 def unpack_view(packed: dict[str, Any], data: bytes) -> bytes:
-    """The bytes of a buffer view from those of its stream."""
+    """Decodes the stream of a buffer view."""
     count, stride, mode = packed["count"], packed["byteStride"], packed["mode"]
     unpacked = ctypes.create_string_buffer(count * stride)
     arguments = (unpacked, ctypes.c_size_t(count), ctypes.c_size_t(stride))
@@ -42,7 +42,7 @@ def unpack_view(packed: dict[str, Any], data: bytes) -> bytes:
 
 
 def unpack_primitive(packed: dict[str, Any], data: bytes) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Indices (triangles * 3, 1), and (vertices, width) of each attribute, of one primitive."""
+    """Decodes one primitive: indices (triangles * 3, 1), and rows (vertices, width) of each attribute."""
     mesh = DracoPy.decode(data)
     by_id = {attribute["unique_id"]: attribute["data"] for attribute in mesh.attributes}
     attributes = {name: np.asarray(by_id[unique]) for name, unique in packed["attributes"].items()}
@@ -51,7 +51,7 @@ def unpack_primitive(packed: dict[str, Any], data: bytes) -> tuple[np.ndarray, d
 
 
 def instance_transforms(file: Any, node: dict[str, Any]) -> list[dict[str, list[float]]]:
-    """Of each instance of a node translation, rotation and scale, as of a node; one without any where it is a single one."""
+    """Translation, rotation and scale of each instance of a node; a node without instances has one that is empty."""
     attributes = node.get("extensions", {}).get("EXT_mesh_gpu_instancing", {}).get("attributes")
     if attributes is None:
         return [{}]

@@ -1,10 +1,10 @@
-"""Random numbers of a pixel's samples: the first few dimensions low-discrepancy, the rest PCG32.
+"""Sample positions: the first few dimensions of a pixel's samples are low-discrepancy, the rest is PCG32.
 
 Additive recurrence with the generalised golden ratio (M. Roberts 2018, "The Unreasonable Effectiveness of
 Quasirandom Sequences"), moved by an offset of each pixel and seed: every point is uniform, so an estimate has no
-bias, and two seeds are independent. In 32-bit fixed point, where no precision is lost with the sample's number.
+bias, and two seeds are independent. Fixed point of 32 bits keeps the precision at high sample numbers.
 """
-from .engine import dr, mi
+from .engine import mi
 
 DIMENSIONS = 7  # pixel 2, first direction or sun's disc 2, choice of an emitter 1, point on it 2
 

@@ -1,4 +1,4 @@
-"""Where an animation puts nodes, joints and vertices at a moment (glTF 2.0, sections 3.7.3, 3.11 and appendix C).
+"""Poses nodes, joints and vertices at a moment of an animation (glTF 2.0, sections 3.7.3, 3.11 and appendix C).
 
 Written from the specification; no code is shared with jni/scene/.
 """
@@ -12,7 +12,7 @@ from .gltf_file import GltfFile
 def slerp(a: np.ndarray, b: np.ndarray, u: float) -> np.ndarray:
     a, b = a / np.linalg.norm(a), b / np.linalg.norm(b)
     cosine = float(a @ b)
-    if cosine < 0:  # the shorter way round
+    if cosine < 0:  # take the shorter way
         b, cosine = -b, -cosine
     if cosine > 1 - 1e-9:
         return (1 - u) * a + u * b
@@ -21,7 +21,7 @@ def slerp(a: np.ndarray, b: np.ndarray, u: float) -> np.ndarray:
 
 
 def value_at(times: np.ndarray, values: np.ndarray, interpolation: str, rotates: bool, seconds: float) -> np.ndarray:
-    """`values`: of each key one row, or with CUBICSPLINE three: in-tangent, value, out-tangent."""
+    """`values`: one row for each key, or with CUBICSPLINE three: in-tangent, value, out-tangent."""
     spline = interpolation == "CUBICSPLINE"
     keys = values[1::3] if spline else values
     after = int(np.searchsorted(times, seconds, side="right"))
@@ -39,7 +39,7 @@ def value_at(times: np.ndarray, values: np.ndarray, interpolation: str, rotates:
 
 
 def posed(file: GltfFile, seconds: float | None) -> dict:
-    """The document with the nodes as the first animation has them; None is at rest."""
+    """The document with its nodes posed by the first animation; None is at rest."""
     document = file.json
     if seconds is None or not document.get("animations"):
         return document
@@ -60,7 +60,7 @@ def posed(file: GltfFile, seconds: float | None) -> dict:
 
 
 def joint_matrices(file: GltfFile, document: dict, skin_index: int, worlds: dict[int, np.ndarray]) -> np.ndarray:
-    """(joints, 4, 4), world from mesh. `worlds`: worldFromNode, by the node's index."""
+    """worldFromMesh of each joint, (joints, 4, 4). `worlds`: worldFromNode by the node's index."""
     skin = document["skins"][skin_index]
     inverse = (file.accessor(skin["inverseBindMatrices"]).astype(np.float64).reshape(-1, 4, 4).transpose(0, 2, 1)
                if "inverseBindMatrices" in skin else np.tile(np.eye(4), (len(skin["joints"]), 1, 1)))
@@ -75,9 +75,9 @@ def morphed(file: GltfFile, primitive: dict, weights: list[float], attribute: st
 
 
 def vertex_matrices(file: GltfFile, primitive: dict, joints: np.ndarray) -> np.ndarray:
-    """(vertices, 4, 4), world from mesh, as the four joints of each weigh."""
+    """worldFromMesh of each vertex, (vertices, 4, 4): the weighted mean of its four joints."""
     attributes = primitive["attributes"]
     weights = file.accessor(attributes["WEIGHTS_0"]).astype(np.float64)
     weights /= weights.sum(1, keepdims=True)
-    which = file.accessor(attributes["JOINTS_0"]).astype(np.int64)
-    return np.einsum("vk,vkij->vij", weights, joints[which])
+    indices = file.accessor(attributes["JOINTS_0"]).astype(np.int64)
+    return np.einsum("vk,vkij->vij", weights, joints[indices])

@@ -1,4 +1,4 @@
-"""The lights of KHR_lights_punctual besides the sun, as the extension describes them: points without a size.
+"""The lights of KHR_lights_punctual other than the sun, which have no size.
 
 A surface that faces a light has the irradiance I a(d) c^2 of a point or spot light and E of a directional one, where d
 is the distance, a(d) = max(min(1 - (d / range)^4, 1), 0) / d^2, and c = clip(cos * scale + offset, 0, 1) the fall-off

@@ -1,4 +1,4 @@
-"""A picture of the sky as light from everywhere outside the scene (jni/engine/environment.h has the convention)."""
+"""Light from a picture of the sky, everywhere outside the scene (convention: jni/engine/environment.h)."""
 import math
 
 import numpy as np
@@ -7,7 +7,7 @@ from .engine import dr, mi
 
 
 class Sky:
-    """Black where there is none."""
+    """The sky is black where there is no picture."""
 
     def __init__(self, picture: np.ndarray | None):
         self.any = picture is not None
@@ -17,7 +17,7 @@ class Sky:
         self._pixels = mi.Color3f(np.ascontiguousarray(picture.reshape(-1, 3).T.astype(np.float32)))
 
     def radiance(self, direction, active):
-        """Between the four pixels around a direction of unit length; around the picture's sides, not over its poles."""
+        """Bilinear, for directions of unit length; wraps around the picture's sides, but not over its poles."""
         if not self.any:
             return mi.Color3f(0)
         x = (0.5 + dr.atan2(direction.z, direction.x) / (2 * math.pi)) * self._width - 0.5

@@ -1,5 +1,5 @@
-"""KHR_materials_pbrSpecularGlossiness in terms of metallic and roughness, as Khronos gives the conversion beside the
-extension (examples/convert-between-workflows): the metallic of which both models have the same brightness.
+"""Converts KHR_materials_pbrSpecularGlossiness to metallic and roughness, as Khronos does beside the extension
+(examples/convert-between-workflows): it takes the metallic for which both models have the same brightness.
 """
 import dataclasses
 from typing import Any
@@ -22,9 +22,9 @@ def specular_glossiness(material: dict[str, Any]) -> SpecularGlossiness | None:
     found = material.get("extensions", {}).get("KHR_materials_pbrSpecularGlossiness")
     if found is None:
         return None
-    return SpecularGlossiness(np.clip(found.get("diffuseFactor", [1, 1, 1, 1]), 0, 1), np.clip(found.get("specularFactor", [1, 1, 1]), 0, 1),
-                              float(np.clip(found.get("glossinessFactor", 1), 0, 1)), found.get("diffuseTexture"),
-                              found.get("specularGlossinessTexture"))
+    factors = (np.clip(found.get(f"{name}Factor", default), 0, 1) for name, default in (
+        ("diffuse", [1, 1, 1, 1]), ("specular", [1, 1, 1]), ("glossiness", 1.0)))
+    return SpecularGlossiness(*factors, found.get("diffuseTexture"), found.get("specularGlossinessTexture"))
 
 
 def brightness(color: np.ndarray) -> np.ndarray:
@@ -34,19 +34,20 @@ def brightness(color: np.ndarray) -> np.ndarray:
 def converted(diffuse: np.ndarray, specular: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Base colour (..., 3) and metallic (...) of diffuse and specular colours (..., 3)."""
     left = 1 - specular.max(-1)
-    shine = brightness(specular)
-    b = brightness(diffuse) * left / (1 - DIELECTRIC) + shine - 2 * DIELECTRIC
-    root = np.sqrt(np.maximum(b * b - 4 * DIELECTRIC * (DIELECTRIC - shine), 0))
-    metallic = np.where(shine < DIELECTRIC, 0.0, np.clip((root - b) / (2 * DIELECTRIC), 0, 1))
+    reflection = brightness(specular)
+    b = brightness(diffuse) * left / (1 - DIELECTRIC) + reflection - 2 * DIELECTRIC
+    root = np.sqrt(np.maximum(b * b - 4 * DIELECTRIC * (DIELECTRIC - reflection), 0))
+    metallic = np.where(reflection < DIELECTRIC, 0.0, np.clip((root - b) / (2 * DIELECTRIC), 0, 1))
     of_diffuse = diffuse * (left / ((1 - DIELECTRIC) * np.maximum(1 - metallic, 1e-6)))[..., None]
     of_specular = (specular - DIELECTRIC * (1 - metallic)[..., None]) / np.maximum(metallic, 1e-6)[..., None]
     share = (metallic ** 2)[..., None]
     return np.clip((1 - share) * of_diffuse + share * of_specular, 0, 1), metallic
 
 
-def converted_texels(factors: SpecularGlossiness, diffuse: np.ndarray | None, specular: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    """Of textures (height, width, 4), linear, of which one may be missing: base colour, and roughness and metallic in green
-    and blue, (height, width, 4). In the size of the larger one; the other's texels are those that lie there."""
+def converted_texels(factors: SpecularGlossiness, diffuse: np.ndarray | None,
+                     specular: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    """Converts linear textures (height, width, 4), of which one may be missing, to base colour, and to roughness and metallic in
+    green and blue. The results have the size of the larger texture; the smaller one is sampled by its nearest texel."""
     given = [texels for texels in (diffuse, specular) if texels is not None]
     height, width = max((texels.shape[:2] for texels in given), key=lambda shape: shape[0] * shape[1])
 

@@ -1,4 +1,4 @@
-"""The scene's triangles for rays: what a ray meets, and what is there. Positions are in trace space (scene.py)."""
+"""Intersects rays with the scene's triangles and evaluates the surface there. Positions are in trace space (scene.py)."""
 import dataclasses
 
 import numpy as np
@@ -12,13 +12,13 @@ RAY_OFFSET = 2e-5
 
 
 def unit_vector(v):
-    """By a square root and a division. dr.normalize and dr.rsqrt start from an approximation of the processor's own:
-    with them AVX2 and AVX-512 machines would make references of different bytes."""
+    """Normalizes by a square root and a division. dr.normalize and dr.rsqrt start from an approximation that differs between
+    processors: with them AVX2 and AVX-512 machines would make references of different bytes."""
     return v / dr.sqrt(dr.squared_norm(v))
 
 
 class Hit:
-    """Where a ray met a triangle. `valid` is false where it met none."""
+    """The point at which a ray met a triangle. `valid` is false where it met none."""
     DRJIT_STRUCT = {"valid": mi.Bool, "triangle": mi.UInt32, "b1": mi.Float, "b2": mi.Float}
 
     def __init__(self, valid=None, triangle=None, b1=None, b2=None):
@@ -27,13 +27,13 @@ class Hit:
 
 @dataclasses.dataclass
 class Surface:
-    """What is at a hit, turned to the side from which it was seen. A single-sided back reflects and emits nothing."""
+    """The surface at a hit, turned to the side from which it was seen. A single-sided back reflects and emits nothing."""
     position: object  # Point3f
     facing: object  # Normal3f, of the triangle
     normal: object  # Normal3f, interpolated: cosines are taken with it
     albedo: object  # Color3f, linear
     emission: object  # Color3f, radiance
-    # Of scenes with glossy materials:
+    # Only in scenes with glossy materials:
     seen_from: object = None  # Vector3f, unit
     metallic: object = None  # Float
     roughness: object = None  # Float; 1: a Lambert surface
@@ -44,8 +44,8 @@ def corner_arrays(values: np.ndarray, kind: type) -> list:
 
 
 def tangents_of(positions: np.ndarray, uvs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Of each triangle, (n, 3): where the first texture coordinate grows, unit length, 0 where the coordinates do not
-    change; and (n,): the sign by which up in the picture (+Y of a normal map) is the normal x the tangent."""
+    """Tangents of the triangles, (n, 3), unit: the direction in which the first texture coordinate grows, 0 where coordinates
+    do not change. And the handedness, (n,): the sign by which +Y of a normal map (up in the picture) is normal x tangent."""
     edge, uv = positions[:, 1:] - positions[:, :1], uvs[:, 1:] - uvs[:, :1]
     determinant = uv[:, 0, 0] * uv[:, 1, 1] - uv[:, 0, 1] * uv[:, 1, 0]
     # The second coordinate falls upwards: not mirrored where the determinant is negative.
@@ -166,7 +166,7 @@ class Surfaces:
         return hit.valid & (self._base_color(hit, material).w < dr.gather(mi.Float, self._cutoff, material, hit.valid))
 
     def is_culled(self, hit, direction):
-        """The back of a single-sided triangle, which the camera does not see."""
+        """True on the back of a single-sided triangle, which the camera does not see."""
         material = dr.gather(mi.UInt32, self._material, hit.triangle, hit.valid)
         facing = dr.gather(mi.Normal3f, self._facing, hit.triangle, hit.valid)
         return hit.valid & (dr.dot(facing, direction) >= 0) & ~dr.gather(mi.Bool, self._double, material, hit.valid)
@@ -176,14 +176,14 @@ class Surfaces:
         return Hit(active & found.is_valid(), found.prim_index, found.prim_uv.x, found.prim_uv.y)
 
     def _beyond(self, hit, direction):
-        """Just behind a hit, as `direction` goes."""
+        """A point just behind a hit, along `direction`."""
         facing = dr.gather(mi.Normal3f, self._facing, hit.triangle, hit.valid)
         side = dr.select(dr.dot(facing, direction) < 0, -RAY_OFFSET, RAY_OFFSET)
         return self._interpolate(self._corners, hit, mi.Point3f) + side * facing
 
     @dr.syntax
     def meet(self, origin, direction, active, camera: bool = False):
-        """The first surface on the way: holes let all rays through, single-sided backs let the camera's through."""
+        """The first surface along a ray: holes let all rays through, single-sided backs let the camera's rays through."""
         hit = self._nearest(origin, direction, mi.Float(dr.inf), active)
         if dr.hint(self.has_holes or camera, mode="scalar"):
             again = self.is_hole(hit)
@@ -198,7 +198,7 @@ class Surfaces:
 
     @dr.syntax
     def blocked(self, origin, direction, reach, active):
-        """Whether anything but holes lies nearer than `reach`. Backs block as fronts do."""
+        """True where anything but holes lies nearer than `reach`. Backs block as fronts do."""
         result = mi.Bool(False)
         if dr.hint(self.has_holes, mode="scalar"):
             start, left = mi.Point3f(origin), mi.Float(reach)
@@ -239,7 +239,7 @@ class Surfaces:
         return surface
 
     def _mapped(self, hit, material, normal):
-        """The front's normal, turned by the material's normal map."""
+        """Turns the front's normal by the material's normal map."""
         if not self._has_normal_maps:
             return normal
         index = dr.gather(mi.Int32, self._normal_texture, material, hit.valid)
@@ -255,7 +255,7 @@ class Surfaces:
         return dr.select(mapped, mi.Normal3f(unit_vector(turned)), normal)
 
     def emission(self, hit, material=None):
-        """Of the front; who asks decides which side it is."""
+        """Radiance of the front. The caller decides which side a hit is on."""
         if not self.has_emission:
             return mi.Color3f(0)
         if material is None:
