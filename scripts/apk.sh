@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Android app, build/android/vct.apk, and checks it (tools/apk/check.py). With --or-skip, as scripts/test.sh
-# calls it: says what is missing and ends well where there is no NDK or no packaging tool. docs/phone.md tells more.
+# Builds the Android app, build/android/vct.apk, and checks it (tools/apk/check.py). With --or-skip, which scripts/test.sh
+# uses, a missing NDK or packaging tool is reported and is no error. docs/phone.md has the details.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -36,7 +36,7 @@ fi
 [[ -n "$ANDROID_NDK_HOME" ]] ||
     missing "no Android NDK: set ANDROID_NDK_HOME to the folder of one, r22 or newer"
 [[ -f "$ANDROID_NDK_HOME/build/cmake/android.toolchain.cmake" ]] ||
-    fail "ANDROID_NDK_HOME is '$ANDROID_NDK_HOME', which is no Android NDK"
+    fail "ANDROID_NDK_HOME is '$ANDROID_NDK_HOME', which is not an Android NDK"
 export ANDROID_NDK_HOME
 if [[ -n "$sdk" ]]; then
     export ANDROID_HOME="$sdk"
@@ -48,12 +48,12 @@ for tool in aapt2 zipalign apksigner keytool python3 git; do
 apksigner android-framework-res default-jdk-headless python3 git"
 done
 [[ -f /usr/share/android-framework-res/framework-res.apk ]] || compgen -G "$sdk/platforms/android-*/android.jar" >/dev/null ||
-    missing "no framework to link the manifest against: on Debian, apt install android-framework-res; of the SDK, a platform"
+    missing "no framework to link the manifest against: on Debian, apt install android-framework-res; or install a platform of the SDK"
 
-# The last of the libraries that cmake/packings_android.cmake fetches.
+# This is the last of the libraries that cmake/packings_android.cmake fetches.
 [[ -d build/android/_deps/webp-src ]] ||
     GIT_TERMINAL_PROMPT=0 timeout 60 git ls-remote --quiet https://github.com/ocornut/imgui.git HEAD >/dev/null 2>&1 ||
-    missing "github.com, from where the app's libraries are fetched once, cannot be reached"
+    missing "the app's libraries must be fetched once from github.com, which cannot be reached"
 
 echo "apk: NDK $(sed -n 's/^Pkg.Revision = //p' "$ANDROID_NDK_HOME/source.properties")"
 scripts/build.sh android apk

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The phone's processor without a phone: builds for 64-bit ARM Linux and runs the result under QEMU's user-mode
-# emulation with Mesa's arm64 llvmpipe, beside the same on this machine: tests that need no GPU, voxels and lists, which
-# must be equal to the last bit, and pictures of all presets, of which one pixel in a thousand may differ by over 5/255.
+# Tests the phone's processor without a phone: builds for 64-bit ARM Linux, runs the result under QEMU's user-mode emulation
+# with Mesa's arm64 llvmpipe, and compares with this machine. It runs the tests that need no GPU, compares voxels and lists
+# bit for bit, and compares pictures of all presets, of which one pixel in a thousand may differ by more than 5/255.
 #
 #   scripts/arm64.sh            everything (ten minutes on two cores the first time)
-#   scripts/arm64.sh --short    the tests without a GPU, and the Cornell box's voxels; where it cannot run, says why and ends well
+#   scripts/arm64.sh --short    tests without a GPU, and the Cornell box's voxels; skipped with a reason where it cannot run
 #
-# It does not show a weak memory order, Android's C library and EGL, or any phone's driver.
+# It cannot show errors of weak memory order, of Android's C library and EGL, or of a phone's driver.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -21,7 +21,7 @@ case "${1:-}" in
 esac
 
 say() { echo "arm64: $*"; }
-# What the machine does not have is no fault of the code: the short run is then left out.
+# A machine that lacks something is no fault of the code, so the short run is then skipped.
 unavailable() {
     if $short; then
         say "skipped: $*"
@@ -36,7 +36,7 @@ packages=(libc6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libegl-dev libgles-dev 
     libstb-dev libimgui-dev libglm-dev libcli11-dev nlohmann-json3-dev libgtest-dev libdraco-dev libmeshoptimizer-dev
     libwebp-dev)
 
-# The compiler and the emulator, of this machine.
+# Installs the compiler and the emulator.
 install_tools() {
     local as_root=(env)
     [[ "$(id -u)" -eq 0 ]] || as_root=(sudo -n env)
@@ -50,8 +50,8 @@ if ! command -v aarch64-linux-gnu-g++ >/dev/null || ! command -v qemu-aarch64-st
     install_tools || unavailable "apt cannot install g++-aarch64-linux-gnu and qemu-user-static"
 fi
 
-# Packages for arm64 beside those of this machine would take some of its own away (libopenexr-dev exists once), so they are
-# unpacked into a folder, by an apt that knows of no other architecture and has nothing installed.
+# Installing arm64 packages on this machine would remove some of its own (libopenexr-dev cannot be there twice). So an apt that
+# knows of no other architecture, and has nothing installed, downloads them, and they are unpacked into a folder.
 if ! [[ -f $sysroot/packages.txt && "$(cat "$sysroot/packages.txt")" == "${packages[*]}" ]]; then
     say "fetching Debian's arm64 packages (90 MB) into $sysroot"
     rm -rf "$root"
@@ -66,7 +66,7 @@ if ! [[ -f $sysroot/packages.txt && "$(cat "$sysroot/packages.txt")" == "${packa
         dpkg-deb --extract "$package" "$sysroot"
     done
     rm -rf "$root/apt"
-    # The compiler looks for its own headers below the root that it is given.
+    # The compiler expects its own headers below the sysroot.
     mkdir -p "$sysroot/usr/aarch64-linux-gnu"
     ln -s /usr/aarch64-linux-gnu/include "$sysroot/usr/aarch64-linux-gnu/include"
     echo "${packages[*]}" >"$sysroot/packages.txt"
@@ -75,15 +75,16 @@ fi
 scripts/build.sh desktop vct_tests
 scripts/build.sh arm64 vct_tests
 
-# One thread: most of the time goes into the driver's compiler, which has no more. On ARM llvmpipe filters textures of 8 bits in 8
-# bits, unless it is told not to; neither a phone nor llvmpipe on x86 with AVX does, and dim light in voxels would be lost.
+# One thread, because most of the time goes into the driver's compiler, which uses only one. On ARM, llvmpipe filters 8-bit textures
+# with 8 bits unless no_aos_sampling is set. Neither a phone nor llvmpipe on x86 with AVX does so, and weak light in voxels would be
+# lost.
 emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1 -E GALLIVM_PERF=no_aos_sampling)
 out="$root/out"
 rm -rf "$out"
 mkdir -p "$out"
 
-# The suites of tests/core, scene and image, but for those that run the program as a user does, in a process of its own, and
-# those of time and memory, which are another machine's.
+# The suites of tests/core, scene and image, without those that run the program in a process of its own, and without those
+# that measure time and memory, which differ under emulation.
 filter="$(grep -LE 'ProgramRun|CommandLine|std::clock' tests/{core,scene,image}/*_test.cpp |
     xargs sed -nE 's/^TEST(_[FP])?\((\w+),.*/\2.*:*\/\2.*/p' | sort -u | paste -sd:)"
 say "tests without a GPU, emulated"
@@ -91,7 +92,7 @@ say "tests without a GPU, emulated"
 
 say "voxels and lists"
 $short && scenes='*cornell_mobile' || scenes='*'
-# One line for each scene and preset, as it is found.
+# Prints one line for each scene and preset as soon as it is there.
 hashes() {
     "$@" --gtest_filter="Scenes/VoxelHash.$scenes" | tee "$out/log" | grep --line-buffered '^voxels ' || {
         cat "$out/log" >&2
@@ -105,7 +106,7 @@ diff "$out/here.txt" "$out/arm64.txt" || {
     exit 1
 }
 if $short; then
-    say "equal on both; scripts/arm64.sh compares more scenes, and pictures"
+    say "voxels are equal on both; scripts/arm64.sh compares more scenes, and pictures"
     exit 0
 fi
 
@@ -126,4 +127,4 @@ for scene in cornell moving courtyard; do
     done
 done
 [[ $failed == 0 ]] || { echo "arm64: error: pictures differ by more than the tolerance" >&2; exit 1; }
-say "all equal or within the tolerance"
+say "voxels are equal, and pictures within the tolerance"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# build.sh PRESET [TARGET]: configures and builds a preset of CMakePresets.json and prints only what goes wrong.
+# build.sh PRESET [TARGET]: configures and builds a preset of CMakePresets.json. Prints errors and warnings only.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,6 +13,6 @@ cmake --preset "$preset" --log-level=WARNING >"$log" 2>&1 || {
     cat "$log" >&2
     exit 1
 }
-# Not Ninja's own default of one job more than there are processors and two: the sanitizers take memory.
+# Ninja's default is two jobs more than there are processors, and builds with sanitizers need much memory.
 cmake --build --preset "$preset" --target "$target" --parallel "$(nproc)" -- --quiet
 echo "$preset: built in $((SECONDS - start)) s"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The app on a phone that adb reaches, from here. docs/phone.md tells how to get there.
+# Controls the app on a phone that is connected by adb. docs/phone.md explains how to connect it.
 #
-#   scripts/phone.sh install               puts the APK onto the phone
-#   scripts/phone.sh push SCENE.glb...     puts scenes there, for the app's list of scenes
-#   scripts/phone.sh bench [KEY=VALUE...]  installs, measures, brings the results to out/phone/, prints the tables;
-#                                          scene=cornell.glb preset=thesis size=400x400 unless told otherwise
+#   scripts/phone.sh install               installs the APK
+#   scripts/phone.sh push SCENE.glb...     copies scenes to the phone, for the app's list of scenes
+#   scripts/phone.sh bench [KEY=VALUE...]  installs, measures, copies the results to out/phone/ and prints the tables;
+#                                          default: scene=cornell.glb preset=thesis size=400x400
 #
-# Before the command: --apk FILE (else the newest that was built), --timeout SECONDS for bench (1800), --out DIR, and
+# Options before the command: --apk FILE (default: the newest build), --timeout SECONDS for bench (default: 1800), --out DIR, and
 # --beside NAME=FILE with a bench.json or timings.json of another machine. ANDROID_SERIAL chooses one of several phones.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -43,7 +43,7 @@ command="${1:-}"
 [[ -n "$command" ]] || usage
 shift
 
-# stdin stays ours: adb shell would swallow it.
+# Without </dev/null, adb shell would read this script's stdin.
 adb() { command adb "$@" </dev/null; }
 on_phone() { adb shell "$@" | tr -d '\r'; }
 
@@ -76,7 +76,7 @@ install_apk() {
     [[ -f "$apk" ]] || fail "there is no APK '$apk'"
     say "installing $apk"
     local text
-    # Old versions of adb end well whatever the phone says.
+    # Old versions of adb end with 0 even where the installation fails.
     if ! text="$(adb install -r "$apk" 2>&1)" || ! grep -q '^Success' <<<"$text"; then
         case "$text" in
             *UPDATE_INCOMPATIBLE*) fail "the phone has the app with another signature: adb uninstall $package (its results and scenes go with it), then run this again" ;;
@@ -98,11 +98,11 @@ push_scenes() {
     on_phone mkdir -p "$files"
     for scene in "$@"; do
         text="$(adb push "$scene" "$files/" 2>&1)" || fail "cannot push '$scene': $text"
-        say "pushed $(basename "$scene"); it is in the app's list of scenes when that is opened next"
+        say "pushed $(basename "$scene"); the app's list of scenes shows it when opened next"
     done
 }
 
-# "" while it measures; else "done" or "failed".
+# Prints "done" or "failed", or nothing while it measures.
 state_of_bench() { on_phone "cd $files/results 2>/dev/null && ls done failed 2>/dev/null" | head -n 1 || true; }
 log_of_app() { adb logcat -d -s vct 2>/dev/null | tr -d '\r' || true; }
 
@@ -115,7 +115,7 @@ bench() {
         arguments+=" $default"
     done
     for argument in "$@"; do
-        # It passes through two shells.
+        # The argument passes through two shells.
         [[ "$argument" =~ ^[a-z-]+=[A-Za-z0-9._,:=+-]+$ ]] || fail "'$argument' is not KEY=VALUE of letters, digits and . _ , : = + -"
         arguments+=" $argument"
     done
@@ -133,7 +133,7 @@ bench() {
     on_phone input keyevent KEYCODE_WAKEUP || true
     say "$model: $arguments (unlock the phone and leave it alone; at most $timeout_s s)"
     local text
-    # -S: a running app would not be told of the new command.
+    # -S, because a running app would not receive the new command.
     text="$(on_phone "am start -S -n $activity --es vct '$arguments'" 2>&1)" || fail "the app does not start: $text"
     [[ "$text" != *Error* && "$text" != *Exception* ]] || fail "the app does not start: $text"
 
@@ -148,17 +148,17 @@ bench() {
         if [[ -z "$(on_phone pidof "$package")" && -z "$(state_of_bench)" ]]; then
             log_of_app | tail -n 20 >&2
             adb logcat -d -b crash -t 40 >&2 || true
-            fail "the app ended without a result; its last words are above"
+            fail "the app ended without a result; its last messages are above"
         fi
         if ((SECONDS - start >= timeout_s)); then
             on_phone am force-stop "$package"
             log_of_app | tail -n 20 >&2
-            fail "no result after $timeout_s s; the app's last words are above (--timeout gives it more time)"
+            fail "no result after $timeout_s s; the app's last messages are above (--timeout gives it more time)"
         fi
         sleep "$poll_s"
     done
 
-    # Whole or not at all.
+    # The results replace the old ones only when all have arrived.
     local partial="$out.partial"
     rm -rf "$partial"
     mkdir -p "$partial"
@@ -172,7 +172,7 @@ bench() {
     for argument in bench.json timings.json; do
         [[ ! -f "$out/$argument" ]] || measured+=("$model=$out/$argument")
     done
-    [[ ${#measured[@]} -gt 0 ]] || fail "the app said that it is done, but there is neither bench.json nor timings.json in $out"
+    [[ ${#measured[@]} -gt 0 ]] || fail "the app reported success, but there is neither bench.json nor timings.json in $out"
     python3 "$root/tools/phone_tables.py" "${measured[@]}" "${beside[@]}"
 }
 

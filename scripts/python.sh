@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes .venv with exactly tools/requirements.txt, and installs by apt what it needs on a bare Debian 12 or Ubuntu
-# 24.04: Python's venv module, and LLVM 19 for Mitsuba. Says and does nothing where nothing is missing.
+# Makes .venv from tools/requirements.txt, and installs the packages that it needs on a bare Debian 12 or Ubuntu 24.04: Python's
+# venv module, and LLVM 19 for Mitsuba. Does nothing, silently, where nothing is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -12,14 +12,14 @@ fail() {
 
 apt_install() {
     local as_root=(env) log
-    command -v apt-get >/dev/null || fail "this is not Debian or Ubuntu: install what provides $*"
+    command -v apt-get >/dev/null || fail "this is not Debian or Ubuntu: install the equivalents of the packages $*"
     if [[ "$(id -u)" -ne 0 ]]; then
         command -v sudo >/dev/null || fail "installing packages needs root or sudo: run as root '$0'"
         as_root=(sudo env)
     fi
     say "installing by apt: $*"
     log="$(mktemp)"
-    # Old package lists may still do; if not, the installation says what is wrong.
+    # Old package lists may suffice; if not, the installation reports the error.
     "${as_root[@]}" apt-get -qq -o DPkg::Lock::Timeout=300 update </dev/null >"$log" 2>&1 || true
     if ! "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get --yes --no-install-recommends \
         -o DPkg::Lock::Timeout=300 install "$@" </dev/null >>"$log" 2>&1; then
@@ -30,7 +30,7 @@ apt_install() {
     rm -f "$log"
 }
 
-# Where tools/truth/engine.py looks.
+# These are the places where tools/truth/engine.py looks.
 has_llvm() { compgen -G '/usr/lib/*/libLLVM.so.19*' >/dev/null || compgen -G '/usr/lib/llvm-19/lib/libLLVM.so*' >/dev/null; }
 
 packages=()

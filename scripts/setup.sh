@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs, by apt, what building and testing need on a bare Debian 12 or Ubuntu 24.04. Says and does nothing where
-# nothing is missing. Needs root or sudo only where something is.
+# Installs the packages that building and testing need on a bare Debian 12 or Ubuntu 24.04. Does nothing, silently, where nothing
+# is missing, and needs root or sudo only where something is.
 set -euo pipefail
 
-# Compiler and build; the libraries of cmake/dependencies.cmake; the drivers that draw (Mesa's llvmpipe behind EGL,
-# and lavapipe for zink); GLFW for the window of `vct view` and examples/embed; what the tests call: GoogleTest, glslang,
-# and Python for tools/make_assets.py.
+# Compiler and build; the libraries of cmake/dependencies.cmake; software drivers (Mesa's llvmpipe behind EGL, and lavapipe for
+# zink); GLFW for the window of `vct view` and examples/embed; for the tests GoogleTest, glslang, and Python, which runs
+# tools/make_assets.py.
 required=(
     g++ cmake ninja-build
     libglm-dev libtinygltf-dev libopenexr-dev zlib1g-dev libstb-dev nlohmann-json3-dev libcli11-dev libimgui-dev
@@ -14,8 +14,8 @@ required=(
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
     libgtest-dev glslang-tools python3
 )
-# Without these the tests that want them are skipped, and say so. Mesa 25.1 dropped OSMesa: newer systems have no such
-# package, and the program loads it at run time only. The other two are a display and fingers for the tests of `vct view`.
+# Tests that need these are skipped without them, with a message. Newer systems have no OSMesa, which Mesa 25.1 dropped; the
+# program loads it only at run time. The other two are the display and the input of the tests of `vct view`.
 optional=(libosmesa6 xvfb xdotool)
 
 say() { echo "setup: $*"; }
@@ -34,12 +34,12 @@ apt_get() {
         command -v sudo >/dev/null || fail "installing packages needs root or sudo: run as root '$0'"
         as_root=(sudo env)
     fi
-    # Another apt may be at work, such as the system's own at start-up: wait for it instead of failing.
+    # Another apt may be running, such as the system's own at start-up: wait for it instead of failing.
     "${as_root[@]}" DEBIAN_FRONTEND=noninteractive \
         apt-get --yes --no-install-recommends -o DPkg::Lock::Timeout=300 "$@" </dev/null
 }
 
-# Would it install here? Asks the package lists, changes nothing.
+# Asks the package lists whether the packages can be installed, and changes nothing.
 installable() { apt-get --simulate --no-install-recommends install "$@" </dev/null >/dev/null 2>&1; }
 
 install_packages() {
@@ -55,7 +55,7 @@ install_packages() {
 }
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    fail "this is not Debian or Ubuntu: install what provides ${required[*]}, then use the CMake presets directly"
+    fail "this is not Debian or Ubuntu: install the equivalents of ${required[*]}, then use the CMake presets directly"
 fi
 
 missing=()
@@ -65,14 +65,14 @@ done
 
 if [[ ${#missing[@]} -gt 0 ]]; then
     say "reading the package lists"
-    # Old lists may still do; if not, the installation says what is wrong.
-    apt_get -qq update >/dev/null || say "the package lists could not be updated; trying with those that are here"
+    # Old lists may suffice; if not, the installation reports the error.
+    apt_get -qq update >/dev/null || say "the package lists could not be updated; trying with the old ones"
 elif [[ "$(id -u)" -ne 0 ]] && ! command -v sudo >/dev/null; then
-    exit 0  # what is missing at most are the optional ones
+    exit 0  # only optional packages can be missing
 fi
 for package in "${optional[@]}"; do
     installed "$package" && continue
-    # Together, because drivers must be of the same version.
+    # All together, because the drivers must have the same version.
     if installable "${missing[@]}" "$package"; then
         missing+=("$package")
     elif [[ ${#missing[@]} -gt 0 ]]; then

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Remakes tests/golden/ with the desktop build. Look at every picture that changes (git diff --stat shows which)
-# before you commit it, and say in the message why it changed.
+# Draws the pictures of tests/golden/ again with the desktop build. Look at every picture that changes (git diff --stat lists
+# them) before you commit it, and tell in the message why it changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --build --preset desktop
