@@ -1,4 +1,4 @@
-"""Paths, the program under test, and small scenes written on the spot."""
+"""Paths, the program under test, and small generated scenes."""
 import os
 import pathlib
 import sys
@@ -30,7 +30,7 @@ def program():
 
 
 class SceneMaker:
-    """A glTF scene in a temporary folder; `quad` and friends place meshes, `load` writes and reads it."""
+    """A glTF scene in a folder: `quad` and `place` add meshes, `load` writes and reads it."""
 
     def __init__(self, folder):
         self.path = folder / "scene.glb"
@@ -40,7 +40,7 @@ class SceneMaker:
         self.glb.node("part", mesh=self.glb.mesh("part", self.glb.primitive(shape, material)), **node)
 
     def quad(self, origin, u, v, material, uv_size=None):
-        """Its front is where u x v points."""
+        """Adds a parallelogram that faces u x v."""
         shape = shapes.Shape()
         shapes.add_quad(shape, origin, u, v, uv_size)
         self.place(shape, material)

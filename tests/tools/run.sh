@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tests of tools/, in .venv, which is made first where it is missing. ctest runs this.
+# Runs the tests of tools/ in .venv, which is made first where it is missing. ctest calls this script.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 

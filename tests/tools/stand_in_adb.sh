@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Stands in for adb and the phone behind it in test_phone.py: no phone, no Android. $PHONE is a folder that holds
-# sdcard/ and what the phone is to do: devices (what `adb devices` lists), install (what installing prints), app (what
-# the app does once it is started: a shell script), log (what logcat prints), running (there while the app runs).
+# Stands in for adb and a phone in test_phone.py. $PHONE is a folder with sdcard/ and the behaviour of the phone: devices (the output
+# of `adb devices`), install (the output of installing), app (a shell script that stands in for the app), log (the output of
+# logcat), running (exists while the app runs).
 set -u
 echo "$*" >>"$PHONE/calls"
 
-# The phone's own commands; the rest of what scripts/phone.sh runs there is any shell's.
+# These commands are the phone's own; scripts/phone.sh runs only commands of any shell besides.
 getprop() { echo 'Test Phone'; }
 input() { :; }
 pm() { [[ ! -f "$PHONE/installed" ]] || echo 'package:/data/app/vct.app/base.apk'; }
@@ -32,7 +32,7 @@ case "$1" in
     install)
         cat "$PHONE/install"
         grep -q Success "$PHONE/install" && touch "$PHONE/installed"
-        # As adb before 2018: ends well whatever came of it.
+        # As adb before 2018, it ends with 0 whatever happened.
         true
         ;;
     shell)

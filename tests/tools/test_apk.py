@@ -1,6 +1,6 @@
-"""tools/apk: what pack.py writes, and that check.py sees each thing that can be wrong with an APK.
+"""tools/apk: pack.py writes what Android needs, and check.py finds each possible error of an APK.
 
-The checks are run on the real APK, build/android/vct.apk, tampered with; without one they are skipped.
+The checks run on tampered copies of the real APK, build/android/vct.apk; without one they are skipped.
 """
 import os
 import pathlib
@@ -29,7 +29,7 @@ def ndk():
 
 
 class Copy:
-    """The real APK taken apart, to be put together again with something wrong."""
+    """The entries of the real APK, to be changed and written again."""
 
     def __init__(self, folder):
         self.path = folder / "tampered.apk"
@@ -68,7 +68,7 @@ def copy(ndk, tmp_path):
 
 
 def only(found, name, *words):
-    """That check failed, with these words, and no other did."""
+    """Asserts that this check failed with these words, and no other did."""
     assert [key for key, messages in found.items() if messages] == [name], found
     text = "\n".join(found[name])
     for word in words:
@@ -80,7 +80,7 @@ def test_untouched_copy_has_no_problem(copy, ndk):
     assert not any(copy.found(ndk).values())
 
 
-def test_command_tells_and_ends_with_1(copy, ndk):
+def test_the_command_prints_problems_and_ends_with_1(copy, ndk):
     copy.entries["assets/scenes/extra.glb"] = [zipfile.ZIP_DEFLATED, b"glTF"]
     done = subprocess.run([sys.executable, ROOT / "tools/apk/check.py", copy.write(), "--ndk",
                            os.environ["ANDROID_NDK_HOME"]], capture_output=True, text=True, check=False)
@@ -88,11 +88,11 @@ def test_command_tells_and_ends_with_1(copy, ndk):
     assert "assets: FAILED\n    assets/scenes/extra.glb is not in the repository" in done.stdout
 
 
-def test_unsigned(copy, ndk):
+def test_an_unsigned_apk_fails(copy, ndk):
     only(copy.found(ndk, signed=False), "signature", "apksigner")
 
 
-def test_byte_changed_after_signing(copy, ndk):
+def test_a_byte_changed_after_signing_fails(copy, ndk):
     path = copy.write()
     data = bytearray(path.read_bytes())
     data[check.Apk(path).data_offset(check.Apk(path).libraries[0]) + 5000] ^= 1
@@ -101,13 +101,13 @@ def test_byte_changed_after_signing(copy, ndk):
     assert found["signature"] and found["archive"] == [f"{OURS} is damaged"]
 
 
-def test_not_an_apk(ndk, tmp_path):
+def test_a_file_that_is_not_an_apk_is_an_error(ndk, tmp_path):
     for content in (b"", b"no zip file", APK.read_bytes()[:100000]):
         (tmp_path / "x.apk").write_bytes(content)
         done = subprocess.run([sys.executable, ROOT / "tools/apk/check.py", tmp_path / "x.apk", "--ndk",
                                os.environ["ANDROID_NDK_HOME"]], capture_output=True, text=True, check=False)
         assert done.returncode == 1
-        assert "x.apk is no APK" in done.stderr and "Traceback" not in done.stderr
+        assert "x.apk is not an APK" in done.stderr and "Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [
@@ -115,7 +115,7 @@ def test_not_an_apk(ndk, tmp_path):
     ("android.hardware.opengles.aep", "android.hardware.opengles.aeq", "Android Extension Pack"),
     ("android.app.NativeActivity", "android.app.NativeActivitx", "the activity to start"),
 ])
-def test_manifest(copy, ndk, old, new, words):
+def test_each_entry_of_the_manifest_is_checked(copy, ndk, old, new, words):
     manifest = copy.entries["AndroidManifest.xml"][1]
     encoding = "utf-8" if old.encode() in manifest else "utf-16-le"
     copy.replace("AndroidManifest.xml", old.encode(encoding), new.encode(encoding))
@@ -125,43 +125,43 @@ def test_manifest(copy, ndk, old, new, words):
 @pytest.mark.parametrize(("kind", "value", "other", "words"), [
     (0x10, 24, 25, "minSdk"), (0x10, 36, 37, "targetSdk"), (0x11, 0x30001, 0x30002, "OpenGL ES 3.1"),
     (0x12, 0, 0xFFFFFFFF, "hasCode=false"), (0x12, 0, 0xFFFFFFFF, "extractNativeLibs=false")])
-def test_values_in_the_manifest(copy, ndk, kind, value, other, words):
-    """Typed values of the binary XML: 8 bytes of size, type and data. Its false ones are made true all at once."""
+def test_each_value_of_the_manifest_is_checked(copy, ndk, kind, value, other, words):
+    """A typed value of the binary XML has 8 bytes of size, type and data. All false values are made true at once."""
     copy.replace("AndroidManifest.xml", *(struct.pack("<HBBI", 8, 0, kind, number) for number in (value, other)))
     assert words in "\n".join(copy.found(ndk)["manifest"])
 
 
-def test_library_that_is_compressed(copy, ndk):
+def test_a_compressed_library_fails(copy, ndk):
     copy.entries[OURS][0] = zipfile.ZIP_DEFLATED
     only(copy.found(ndk), "alignment in the file", "is compressed")
 
 
 @pytest.mark.parametrize(("alignment", "words"), [(4096, "not on a page of 16 KiB"), (4, "zipalign")])
-def test_library_that_is_not_on_a_page(copy, ndk, alignment, words):
-    # So that what is a multiple of 4 or 4096 is none of 16384.
+def test_a_library_off_a_page_fails(copy, ndk, alignment, words):
+    # Then multiples of 4 or 4096 are no multiples of 16384.
     copy.entries = {"assets/scenes/cornell.glb": copy.entries.pop("assets/scenes/cornell.glb"), **copy.entries}
     found = copy.found(ndk, alignment=alignment, signed=False)
     assert words in "\n".join(found["alignment in the file"])
 
 
-def test_size(copy, ndk):
+def test_a_large_apk_fails(copy, ndk):
     copy.entries["res/large"] = [zipfile.ZIP_STORED, os.urandom(check.MAX_BYTES)]
     only(copy.found(ndk), "size", "bytes, more than 12000000")
 
 
-def test_assets(copy, ndk):
+def test_missing_and_changed_assets_fail(copy, ndk):
     del copy.entries["assets/shaders/shared/layout.h"]
     copy.entries["assets/shaders/passes/shade.frag"][1] += b"\n"
     only(copy.found(ndk), "assets", "shared/layout.h is missing", "passes/shade.frag differs from shaders/passes/shade.frag")
 
 
 def segment_offsets(data):
-    """Where the program headers of loaded segments begin."""
+    """Offsets of the program headers of loaded segments."""
     start, size, count = struct.unpack_from("<Q", data, 32)[0], *struct.unpack_from("<HH", data, 54)
     return [start + i * size for i in range(count) if struct.unpack_from("<I", data, start + i * size)[0] == elf.PT_LOAD]
 
 
-def test_segment_aligned_to_4_kib(copy, ndk):
+def test_a_segment_aligned_to_4_kib_fails(copy, ndk):
     data = bytearray(copy.entries[OURS][1])
     struct.pack_into("<Q", data, segment_offsets(data)[0] + 48, 4096)
     copy.entries[OURS][1] = bytes(data)
@@ -180,16 +180,16 @@ def test_segments_of_the_ndks_library_count_from_r27_on(copy, ndk, monkeypatch):
 
 @pytest.mark.parametrize(("old", "new", "words"), [
     (b"\0libEGL.so\0", b"\0libEGX.so\0", "needs libEGX.so, which neither Android 24 nor the APK has"),
-    (b"\0AAssetManager_open\0", b"\0AAssetManager_opeX\0", "nothing that it needs has AAssetManager_opeX"),
+    (b"\0AAssetManager_open\0", b"\0AAssetManager_opeX\0", "no library that it needs has AAssetManager_opeX"),
     (b"\0ANativeActivity_onCreate\0", b"\0ANativeActivity_onCreatX\0", "not ANativeActivity_onCreate alone"),
     (b"\0.comment\0", b"\0.debug_x\0", "is not stripped"),
 ])
-def test_names_in_our_library(copy, ndk, old, new, words):
+def test_wrong_names_in_our_library_fail(copy, ndk, old, new, words):
     copy.replace(OURS, old, new)
     assert words in only(copy.found(ndk), "libraries")
 
 
-def test_our_library_missing_or_broken(copy, ndk):
+def test_a_missing_or_broken_library_fails(copy, ndk):
     data = copy.entries[OURS][1]
     for broken in (b"", data[:100], b"\x7fELF\x01\x01" + data[6:]):
         copy.entries[OURS][1] = broken
@@ -200,17 +200,17 @@ def test_our_library_missing_or_broken(copy, ndk):
     assert f"{OURS} is missing" in only(copy.found(ndk), "libraries")
 
 
-def test_libraries_of_another_processor(copy, ndk):
+def test_libraries_of_another_processor_fail(copy, ndk):
     copy.entries["lib/armeabi-v7a/libvct.so"] = copy.entries[OURS]
     assert "not built for armeabi-v7a" in only(copy.found(ndk), "libraries")
 
 
-def test_folder_of_the_building_machine(copy, ndk):
+def test_the_build_folder_in_the_library_fails(copy, ndk):
     copy.entries[OURS][1] += str(check.ROOT).encode()
     assert "names the folder that it was built in" in only(copy.found(ndk), "libraries")
 
 
-def test_packing(tmp_path):
+def test_packing_aligns_libraries_and_compresses_assets(tmp_path):
     """Without an NDK: stored libraries begin on pages, assets are compressed, the same input gives the same bytes."""
     base, library, folder = tmp_path / "base.apk", tmp_path / "libx.so", tmp_path / "shaders"
     with zipfile.ZipFile(base, "w") as apk:

@@ -24,7 +24,7 @@ def brdf(base, metallic, roughness, cosine):
 
 
 def mitsubas(roughness):
-    """A conductor that reflects all: Schlick's term of F0 = 1."""
+    """A conductor that reflects all light, which is Schlick's term with F0 = 1."""
     return mi.load_dict({"type": "roughconductor", "distribution": "ggx", "alpha": roughness ** 2, "material": "none"})
 
 
@@ -43,7 +43,7 @@ def test_a_white_metal_is_mitsubas_rough_conductor(roughness, cosine):
 
 
 @pytest.mark.parametrize("base, metallic, roughness", [(0.9, 1, 0.3), (0.6, 0, 0.4), (0.5, 0.5, 0.7)])
-def test_both_ways_to_sample_agree_with_what_is_evaluated(base, metallic, roughness):
+def test_both_sampling_methods_agree_with_the_evaluated_brdf(base, metallic, roughness):
     a, b, choice = randoms()
     surface = brdf(base, metallic, roughness, 0.6)
     _, alone = surface.specular_direction(a, b)
@@ -65,8 +65,8 @@ def test_without_gloss_the_brdf_is_lamberts():
     assert np.array(direction.z).mean() == pytest.approx(2 / 3, abs=0.01)  # cosine-distributed
 
 
-def floor_under_lamp(maker, **gloss):
-    """Seen head-on from above, through the back of a lamp of radiance 1."""
+def floor_under_emitter(maker, **gloss):
+    """Seen head-on from above, through the back of an emitter of radiance 1."""
     maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), maker.glb.material("metal", (0.9, 0.6, 0.3), **gloss))
     maker.quad((-40, 1, -40), (80, 0, 0), (0, 0, 80), maker.grey(0, emissive=((1, 1, 1), 1.0, None)))
     maker.glb.node("eye", translation=[0, 3, 0], rotation=[-math.sqrt(0.5), 0, 0, math.sqrt(0.5)],
@@ -74,28 +74,28 @@ def floor_under_lamp(maker, **gloss):
                        "yfov": math.radians(5), "znear": 0.1}}))
 
 
-def test_a_mirror_reflects_its_colour_of_what_is_before_it(maker):
-    floor_under_lamp(maker, metallic=1.0, roughness=0.05)
+def test_a_mirror_reflects_the_scene_before_it_in_its_colour(maker):
+    floor_under_emitter(maker, metallic=1.0, roughness=0.05)
     glossy, full = maker.draw("glossy", "full")
     np.testing.assert_allclose(glossy.mean((0, 1)), [0.9, 0.6, 0.3], rtol=0.002)
     np.testing.assert_allclose(full, glossy, rtol=0.002)  # a metal has no diffuse light
 
 
 def test_a_rough_metal_is_a_lambert_surface(maker):
-    floor_under_lamp(maker, metallic=1.0, roughness=1.0)
+    floor_under_emitter(maker, metallic=1.0, roughness=1.0)
     glossy, full = maker.draw("glossy", "full", samples=512)
     assert glossy.max() == 0
     np.testing.assert_allclose(full.mean((0, 1)), [0.9, 0.6, 0.3], rtol=0.01)
 
 
 def test_a_dielectric_reflects_a_twenty_fifth_head_on(maker):
-    floor_under_lamp(maker, metallic=0.0, roughness=0.05)
+    floor_under_emitter(maker, metallic=0.0, roughness=0.05)
     assert maker.draw("glossy").mean() == pytest.approx(0.04, rel=0.01)
 
 
 def test_a_lone_metal_reflects_the_sun_alone(maker):
-    floor_under_lamp(maker, metallic=1.0, roughness=0.5)
-    del maker.glb.json["scenes"][0]["nodes"][1]  # the lamp
+    floor_under_emitter(maker, metallic=1.0, roughness=0.5)
+    del maker.glb.json["scenes"][0]["nodes"][1]  # the emitter
     maker.glb.directional_light("sun", (0, -1, 0), (1, 1, 1), math.pi)
     glossy, full = maker.draw("glossy", "full")
     assert glossy.max() == 0

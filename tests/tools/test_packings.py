@@ -1,9 +1,7 @@
-"""Packed files are the scenes that they were packed from: by Draco, by meshoptimizer, as instances."""
+"""Packed files give the scenes that they were packed from: by Draco, by meshoptimizer, as instances."""
 import ctypes
 import io
-import json
 import pathlib
-import struct
 from collections.abc import Callable
 from typing import Any
 
@@ -12,6 +10,7 @@ import numpy as np
 import PIL.Image
 import pytest
 
+from scenes.glb import Glb
 from truth.gltf_file import GltfError
 from truth.packings import meshoptimizer
 from truth.scene import load_scene
@@ -20,38 +19,31 @@ SIDE = 9
 KINDS = {np.dtype("f4"): 5126, np.dtype("u4"): 5125, np.dtype("i1"): 5120}
 
 
-class Builder:
+def builder() -> Glb:
     """A file with a camera, so that the program is not asked for a view."""
+    glb = Glb("tests/tools")
+    glb.camera("eye", (0, 0, 9), (0, 0, 0), 57)
+    return glb
 
-    def __init__(self) -> None:
-        self.data = b""
-        self.json: dict[str, Any] = {
-            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}], "accessors": [], "bufferViews": [],
-            "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
-            "nodes": [{"camera": 0, "translation": [0, 0, 9]}, {"mesh": 0}]}
 
-    def view(self, data: bytes, **more: Any) -> int:
-        self.data += bytes(-len(self.data) % 4)
-        self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)} | more)
-        self.data += data
-        return len(self.json["bufferViews"]) - 1
+def accessor(glb: Glb, rows: np.ndarray, view: int | None, **more: Any) -> int:
+    found = {"componentType": KINDS[rows.dtype], "count": len(rows), "type": ("SCALAR", "", "VEC3", "VEC4")[rows.shape[1] - 1]}
+    return glb._append("accessors", found | ({} if view is None else {"bufferView": view}) | more)
 
-    def accessor(self, rows: np.ndarray, view: int | None, **more: Any) -> int:
-        accessor = {"componentType": KINDS[rows.dtype], "count": len(rows), "type": ("SCALAR", "", "VEC3", "VEC4")[rows.shape[1] - 1]}
-        self.json["accessors"].append(accessor | ({} if view is None else {"bufferView": view}) | more)
-        return len(self.json["accessors"]) - 1
 
-    def plain(self, rows: np.ndarray) -> int:
-        return self.accessor(rows, self.view(rows.tobytes()))
+def plain_accessor(glb: Glb, rows: np.ndarray) -> int:
+    return accessor(glb, rows, glb._view(rows.tobytes()))
 
-    def write(self, path: pathlib.Path) -> pathlib.Path:
-        self.json["buffers"] = [{"byteLength": len(self.data)}]
-        text = json.dumps(self.json).encode()
-        text += b" " * (-len(text) % 4)
-        data = self.data + bytes(-len(self.data) % 4)
-        path.write_bytes(struct.pack("<III", 0x46546C67, 2, 28 + len(text) + len(data)) + struct.pack("<II", len(text), 0x4E4F534A)
-                         + text + struct.pack("<II", len(data), 0x004E4942) + data)
-        return path
+
+def place(glb: Glb, indices: int, positions: int, normals: int, **more: Any) -> Glb:
+    attributes = {"POSITION": positions, "NORMAL": normals}
+    glb.node("field", mesh=glb.mesh("field", {"indices": indices, "attributes": attributes, **more}))
+    return glb
+
+
+def write(glb: Glb, path: pathlib.Path) -> pathlib.Path:
+    path.write_bytes(glb.to_bytes())
+    return path
 
 
 def field() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -65,29 +57,24 @@ def field() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return positions, (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32), indices
 
 
-def plain() -> Builder:
-    builder = Builder()
+def plain() -> Glb:
+    glb = builder()
     positions, normals, indices = field()
-    builder.json["meshes"] = [{"primitives": [{"indices": builder.plain(indices), "attributes": {
-        "POSITION": builder.plain(positions), "NORMAL": builder.plain(normals)}}]}]
-    return builder
+    return place(glb, *(plain_accessor(glb, rows) for rows in (indices, positions, normals)))
 
 
-def draco() -> Builder:
-    builder = Builder()
+def draco() -> Glb:
+    glb = builder()
     positions, normals, indices = field()
     stream = DracoPy.encode(positions, indices.reshape(-1, 3), quantization_bits=16, normals=normals.astype(np.float64))
     ids = {a["attribute_type"]: a["unique_id"] for a in DracoPy.decode(stream).attributes}
-    builder.json["meshes"] = [{"primitives": [{
-        "indices": builder.accessor(indices, None),
-        "attributes": {"POSITION": builder.accessor(positions, None), "NORMAL": builder.accessor(normals, None)},
-        "extensions": {"KHR_draco_mesh_compression": {"bufferView": builder.view(stream),
-                                                      "attributes": {"POSITION": ids[0], "NORMAL": ids[1]}}}}]}]
-    return builder
+    return place(glb, *(accessor(glb, rows, None) for rows in (indices, positions, normals)),
+                 extensions={"KHR_draco_mesh_compression": {"bufferView": glb._view(stream),
+                                                            "attributes": {"POSITION": ids[0], "NORMAL": ids[1]}}})
 
 
 def stream_of(encoder: str, rows: np.ndarray, *after_count: int) -> bytes:
-    """By meshoptimizer's own encoder; `after_count`: what stands between the rows' count and the end."""
+    """Uses meshoptimizer's own encoder. `after_count`: its arguments after the number of rows."""
     stream = ctypes.create_string_buffer(4096 + 8 * rows.nbytes)
     encode = getattr(meshoptimizer(), encoder)
     encode.restype = ctypes.c_size_t
@@ -96,51 +83,49 @@ def stream_of(encoder: str, rows: np.ndarray, *after_count: int) -> bytes:
     return stream.raw[:size]
 
 
-def meshopt() -> Builder:
-    """The normals as octahedra of 8 bits."""
-    builder = Builder()
+def meshopt() -> Glb:
+    """The normals are octahedra of 8 bits."""
+    glb = builder()
     positions, normals, indices = field()
     octahedra = np.zeros((len(normals), 4), np.int8)
     octahedra[:, :2] = np.round(127 * normals[:, [0, 2]] / np.abs(normals).sum(1, keepdims=True))  # about +y: x, z, y
     octahedra[:, 2] = 127
 
     def packed(rows: np.ndarray, stream: bytes, mode: str, filter_name: str = "NONE", **more: Any) -> int:
-        stride = rows.strides[0]
-        inside = builder.view(stream)
-        view = builder.json["bufferViews"].pop(inside)
-        extension = view | {"byteStride": stride, "count": len(rows), "mode": mode, "filter": filter_name}
-        builder.json["bufferViews"].append({"buffer": 0, "byteLength": rows.nbytes, "extensions": {"EXT_meshopt_compression": extension}})
-        return builder.accessor(rows, inside, **more)
+        view = glb._view(stream)
+        views, facts = glb.json["bufferViews"], {"byteStride": rows.strides[0], "count": len(rows), "mode": mode, "filter": filter_name}
+        views[view] = {"buffer": 0, "byteLength": rows.nbytes, "extensions": {"EXT_meshopt_compression": views[view] | facts}}
+        return accessor(glb, rows, view, **more)
 
-    builder.json["meshes"] = [{"primitives": [{
-        "indices": packed(indices, stream_of("meshopt_encodeIndexBuffer", indices), "TRIANGLES"),
-        "attributes": {"POSITION": packed(positions, stream_of("meshopt_encodeVertexBuffer", positions, 12), "ATTRIBUTES"),
-                       "NORMAL": packed(octahedra, stream_of("meshopt_encodeVertexBuffer", octahedra, 4), "ATTRIBUTES",
-                                        "OCTAHEDRAL", normalized=True, type="VEC3")}}]}]
+    place(glb, packed(indices, stream_of("meshopt_encodeIndexBuffer", indices), "TRIANGLES"),
+          packed(positions, stream_of("meshopt_encodeVertexBuffer", positions, 12), "ATTRIBUTES"),
+          packed(octahedra, stream_of("meshopt_encodeVertexBuffer", octahedra, 4), "ATTRIBUTES", "OCTAHEDRAL", normalized=True,
+                 type="VEC3"))
     # An octahedron is about +z: the file's y and z change places.
-    builder.json["bufferViews"][-1]["byteStride"] = 4
-    return builder
+    glb.json["bufferViews"][-1]["byteStride"] = 4
+    return glb
 
 
 def sorted_triangles(positions: np.ndarray, digits: int) -> np.ndarray:
-    """Packing may turn a triangle's corners round, and list them in another order."""
+    """Sorts them, as packing may rotate a triangle's corners and change the order."""
     rounded = np.round(positions, digits) + 0.0
     turned = np.array([np.roll(t, -min(range(3), key=lambda k: tuple(t[k])), axis=0) for t in rounded])
     return turned[np.lexsort(turned.reshape(len(turned), -1).T[::-1])]
 
 
 @pytest.mark.parametrize(("packed", "digits"), [(draco, 3), (meshopt, 6)])
-def test_the_triangles_are_the_same(tmp_path: pathlib.Path, packed: Callable[[], Builder], digits: int):
-    expected, scene = load_scene(plain().write(tmp_path / "plain.glb")), load_scene(packed().write(tmp_path / "packed.glb"))
+def test_the_triangles_are_the_same(tmp_path: pathlib.Path, packed: Callable[[], Glb], digits: int):
+    expected, scene = load_scene(write(plain(), tmp_path / "plain.glb")), load_scene(write(packed(), tmp_path / "packed.glb"))
     assert len(scene.positions) == 2 * (SIDE - 1) ** 2
-    np.testing.assert_allclose(sorted_triangles(scene.positions, digits), sorted_triangles(expected.positions, digits), atol=2 * 0.1 ** digits)
+    found, right = (sorted_triangles(one.positions, digits) for one in (scene, expected))
+    np.testing.assert_allclose(found, right, atol=2 * 0.1 ** digits)
 
 
 def test_normals_are_the_same(tmp_path: pathlib.Path):
-    expected = load_scene(plain().write(tmp_path / "plain.glb"))
+    expected = load_scene(write(plain(), tmp_path / "plain.glb"))
     by_place = {tuple(np.round(p, 3)): n for p, n in zip(expected.positions.reshape(-1, 3), expected.normals.reshape(-1, 3))}
     for packed, axes in ((draco, [0, 1, 2]), (meshopt, [0, 2, 1])):
-        scene = load_scene(packed().write(tmp_path / "packed.glb"))
+        scene = load_scene(write(packed(), tmp_path / "packed.glb"))
         found = [float(n[axes] @ by_place[tuple(np.round(p, 3))]) for p, n in
                  zip(scene.positions.reshape(-1, 3), scene.normals.reshape(-1, 3)) if tuple(np.round(p, 3)) in by_place]
         assert len(found) > 200
@@ -148,27 +133,27 @@ def test_normals_are_the_same(tmp_path: pathlib.Path):
 
 
 def test_a_damaged_stream_is_named(tmp_path: pathlib.Path):
-    builder = meshopt()
-    builder.data = builder.data[:40] + bytes(40) + builder.data[80:]
+    glb = meshopt()
+    glb.binary[40:80] = bytes(40)
     with pytest.raises(GltfError, match="damaged"):
-        load_scene(builder.write(tmp_path / "damaged.glb"))
+        load_scene(write(glb, tmp_path / "damaged.glb"))
 
 
-def test_instances_stand_where_they_are_said_to(tmp_path: pathlib.Path):
-    builder = plain()
-    builder.json["nodes"][1]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {
-        "TRANSLATION": builder.plain(np.array([[0, 0, 0], [10, 0, 0], [0, 0, 20]], np.float32)),
-        "SCALE": builder.plain(np.array([[1, 1, 1], [2, 2, 2], [1, 1, 1]], np.float32))}}}
-    scene = load_scene(builder.write(tmp_path / "instances.glb"))
+def test_instances_have_their_own_places_and_scales(tmp_path: pathlib.Path):
+    glb = plain()
+    glb.json["nodes"][1]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {
+        "TRANSLATION": plain_accessor(glb, np.array([[0, 0, 0], [10, 0, 0], [0, 0, 20]], np.float32)),
+        "SCALE": plain_accessor(glb, np.array([[1, 1, 1], [2, 2, 2], [1, 1, 1]], np.float32))}}}
+    scene = load_scene(write(glb, tmp_path / "instances.glb"))
     assert len(scene.positions) == 3 * 2 * (SIDE - 1) ** 2
     world = scene.positions * scene.side_world + scene.centre_world
     np.testing.assert_allclose(world.reshape(3, -1, 3).max(1)[:, [0, 2]], [[4, 3], [18, 6], [4, 23]], atol=1e-5)
 
 
 def test_webp_textures_are_read(tmp_path: pathlib.Path):
-    builder = plain()
+    glb = plain()
     file = io.BytesIO()
     PIL.Image.new("RGB", (4, 2), (255, 0, 0)).save(file, "WEBP", lossless=True)
-    builder.json |= {"images": [{"bufferView": builder.view(file.getvalue()), "mimeType": "image/webp"}],
-                     "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}]}
-    np.testing.assert_array_equal(load_scene(builder.write(tmp_path / "webp.glb")).textures[0].texels[0, 0], [1, 0, 0, 1])
+    glb.json |= {"images": [{"bufferView": glb._view(file.getvalue()), "mimeType": "image/webp"}],
+                 "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}]}
+    np.testing.assert_array_equal(load_scene(write(glb, tmp_path / "webp.glb")).textures[0].texels[0, 0], [1, 0, 0, 1])

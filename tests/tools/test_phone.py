@@ -1,5 +1,5 @@
-"""scripts/phone.sh against a stand-in of adb (stand_in_adb.sh): what it asks of a phone, and what it says when the phone
-does something else. No phone takes part; the measurements that it brings are the renderer's own of this machine."""
+"""scripts/phone.sh against a stand-in for adb (stand_in_adb.sh): the commands that it sends, and its errors when the phone does
+something else. No phone is involved; the measurements are those of the renderer on this machine."""
 import json
 import os
 import pathlib
@@ -14,7 +14,7 @@ DEVICE = "0123456789ABCDEF\tdevice\n"
 
 
 class Phone:
-    """A folder that plays a phone, and the script run against it."""
+    """A folder that stands in for a phone, and the script run against it."""
 
     def __init__(self, root, folder):
         self.script = root / "scripts" / "phone.sh"
@@ -34,7 +34,7 @@ class Phone:
         (self.folder / name).write_text(text)
 
     def app(self, *lines):
-        """What the app does: lines of shell, in the phone's folder, with the results' folder made."""
+        """Sets the app's behaviour: lines of shell, run in the phone's folder after the results' folder is made."""
         self.set("app", "\n".join(["set -eu", f"mkdir -p {RESULTS}", *lines, "rm -f running"]))
 
     def run(self, *arguments, path=None):
@@ -87,7 +87,7 @@ def test_bench_brings_the_results_and_prints_them_beside_others(phone, timings):
     assert f"| frame | {total:.2f} | {total:.2f} |" in done.stdout
 
 
-def test_results_of_the_run_before_are_not_taken_for_new_ones(phone):
+def test_results_of_an_earlier_run_are_ignored(phone):
     old = phone.folder / RESULTS
     old.mkdir(parents=True)
     (old / "done").write_text("old")
@@ -102,14 +102,14 @@ def test_results_of_the_run_before_are_not_taken_for_new_ones(phone):
     (["sleep 0.3"], ["ended without a result", "frame 2"]),
     (["touch unplugged", "sleep 60"], ["connection to the phone was lost"]),
     ([f"echo ok > {RESULTS}/done"], ["neither bench.json nor timings.json"])])
-def test_an_app_that_measures_nothing_is_told_by_what_it_did(phone, does, words):
+def test_an_app_without_results_is_reported_with_the_cause(phone, does, words):
     phone.app(*does)
     failed(phone.bench(timeout="1" if does == ["sleep 60"] else "5"), *words)
     assert ("am force-stop vct.app" in phone.calls()) == (does == ["sleep 60"])
     assert (phone.out / "log.txt").exists() == any(RESULTS in line for line in does)
 
 
-def test_no_adb(phone, tmp_path):
+def test_a_missing_adb_is_an_error(phone, tmp_path):
     tools = tmp_path / "tools"
     tools.mkdir()
     for name in ("bash", "dirname", "sed", "env"):
@@ -125,25 +125,25 @@ def test_no_adb(phone, tmp_path):
     ("install", "Failure [INSTALL_FAILED_UPDATE_INCOMPATIBLE: signatures do not match]\n", "adb uninstall vct.app"),
     ("install", "Failure [INSTALL_FAILED_NO_MATCHING_ABIS]\n", "no library for this phone's processor"),
     ("install", "Failure [INSTALL_FAILED_INSUFFICIENT_STORAGE]\n", "INSUFFICIENT_STORAGE")])
-def test_phone_that_is_not_ready_or_refuses_the_app(phone, file, content, words):
+def test_a_phone_that_is_not_ready_or_refuses_the_app_is_an_error(phone, file, content, words):
     phone.set(file, content)
     failed(phone.bench(), words)
     assert ("install" in phone.calls()) == (file == "install")
     assert "am start" not in phone.calls()
 
 
-def test_missing_apk_is_told(phone):
+def test_a_missing_apk_is_an_error(phone):
     phone.apk.unlink()
     failed(phone.bench(), "there is no APK")
 
 
 @pytest.mark.parametrize("argument", ["grid", "scene=a b.glb", "scene=x';reboot'", "Grid=64"])
-def test_arguments_that_are_not_key_and_value(phone, argument):
+def test_arguments_must_be_key_and_value(phone, argument):
     failed(phone.bench(argument), "is not KEY=VALUE")
     assert not (phone.folder / "calls").exists()
 
 
-def test_push(phone, tmp_path):
+def test_push_copies_scenes_and_refuses_other_files(phone, tmp_path):
     scene = tmp_path / "mine.glb"
     scene.write_bytes(b"glTF")
     failed(phone.run("push", str(scene)), "not installed")
@@ -155,7 +155,7 @@ def test_push(phone, tmp_path):
     failed(phone.run("push", str(phone.apk)), "neither .glb nor .gltf")
 
 
-def test_usage(phone):
+def test_a_wrong_command_line_prints_the_usage(phone):
     for arguments in ((), ("fly",), ("--unknown", "x", "bench"), ("--apk",)):
         done = phone.run(*arguments)
         assert done.returncode == 2
@@ -178,7 +178,7 @@ def test_tables_of_two_machines_have_the_thesis_once(root, tmp_path):
 
 
 @pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1, "modes": {}}', '{"version": 4}'])
-def test_tables_refuse_what_they_do_not_know(root, tmp_path, content):
+def test_tables_refuse_unknown_files(root, tmp_path, content):
     file = tmp_path / "bench.json"
     file.write_text(content)
     done = subprocess.run([sys.executable, root / "tools" / "phone_tables.py", f"Phone={file}"],

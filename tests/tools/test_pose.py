@@ -7,7 +7,7 @@ from truth.pose import slerp, value_at
 TIMES = np.array([1.0, 3.0])
 
 
-def test_before_the_first_key_and_after_the_last_it_stands_still():
+def test_keys_hold_before_the_first_and_after_the_last():
     keys = np.array([[1.0, 2.0, 3.0], [5.0, 6.0, 7.0]])
     for seconds, key in ((0.0, 0), (1.0, 0), (3.0, 1), (9.0, 1)):
         np.testing.assert_array_equal(value_at(TIMES, keys, "LINEAR", False, seconds), keys[key])
@@ -24,7 +24,7 @@ def test_a_spline_leaves_and_arrives_with_its_tangents():
     assert slope == pytest.approx(2.0, abs=1e-4)
 
 
-def test_rotations_take_the_shorter_way_round():
+def test_rotations_take_the_shorter_way():
     quarter = np.array([0, 0, np.sin(np.pi / 4), np.cos(np.pi / 4)])
     still = np.array([0.0, 0, 0, 1])
     for end in (quarter, -quarter):

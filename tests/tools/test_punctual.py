@@ -36,36 +36,27 @@ def near(picture, expected, **tolerance):
 def test_a_point_lights_a_plane_by_the_cube_of_the_cosine(maker):
     """I cos^3 / h^2, in candela and metres, wherever the scene lies and however large its volume is."""
     seen_floor(maker)
-    maker.glb.point_light("lamp", (0.3, 0.8, -0.2), (1, 0.5, 0.25), 7.0)
+    maker.glb.point_light("light", (0.3, 0.8, -0.2), (1, 0.5, 0.25), 7.0)
     direct, sun, full, indirect, glossy = maker.draw("direct", "sun", "full", "indirect", "glossy", **PICTURE)
     x, z = positions()
     cosine = 0.8 / np.sqrt((x - 0.3) ** 2 + (z + 0.2) ** 2 + 0.8 ** 2)
     expected = 0.5 / math.pi * 7 / 0.8 ** 2 * cosine ** 3
     near(direct, of_pixels(expected)[..., None] * [1, 0.5, 0.25])
-    np.testing.assert_allclose(sun, direct, rtol=1e-5)  # as points there too
+    np.testing.assert_allclose(sun, direct, rtol=1e-5)  # without a size in `sun` too
     np.testing.assert_allclose(full, direct, rtol=1e-5)
     assert indirect.max() == 0 and glossy.max() == 0
 
 
-def test_nodes_move_lights_and_scale_none_of_them(maker):
+def test_nodes_move_lights_without_scaling_them_and_a_range_ends_them(maker):
     seen_floor(maker)
     arm = maker.glb.node("arm", translation=[0, 1.5, 0], scale=[3, 3, 3])
-    maker.glb.point_light("lamp", (0, -0.25, 0), (1, 1, 1), 7.0, arm, range=2.0)
+    maker.glb.point_light("light", (0, -0.25, 0), (1, 1, 1), 7.0, arm, range=1.5)
     direct = maker.draw("direct", **PICTURE)[..., 0]
     x, z = positions()
     d = np.sqrt(x ** 2 + z ** 2 + 0.75 ** 2)
-    near(direct, of_pixels(0.5 / math.pi * 7 * 0.75 / d ** 3 * np.maximum(1 - (d / 2) ** 4, 0)), atol=1e-4)
-
-
-def test_a_range_ends_a_light(maker):
-    seen_floor(maker)
-    maker.glb.point_light("lamp", (0, 0.5, 0), (1, 1, 1), 7.0, range=1.0)
-    direct = maker.draw("direct", **PICTURE)[..., 0]
-    x, z = positions()
-    d = np.sqrt(x ** 2 + z ** 2 + 0.5 ** 2)
-    expected = of_pixels(0.5 / math.pi * 7 * 0.5 / d ** 3 * np.maximum(1 - d ** 4, 0))
-    assert direct[expected == 0].max() < 1e-4 and (expected == 0).sum() > 100
+    expected = of_pixels(0.5 / math.pi * 7 * 0.75 / d ** 3 * np.maximum(1 - (d / 1.5) ** 4, 0))
     near(direct, expected, atol=1e-3)
+    assert (expected == 0).sum() > 10 and direct[expected == 0].max() < 1e-4
 
 
 def test_a_spot_fades_between_its_angles_and_ends_at_the_outer_one(maker):
@@ -84,9 +75,9 @@ def test_a_spot_fades_between_its_angles_and_ends_at_the_outer_one(maker):
     assert inside.sum() > 30
 
 
-def test_a_spot_has_the_usual_angles_and_shines_along_its_node(maker):
-    """From the left, level with a wall it looks at: 45 degrees around its axis, full in the middle alone."""
-    maker.quad((1, -2, -2), (0, 0, 4), (0, 4, 0), maker.grey(0.5))  # its front looks to -x
+def test_a_spot_has_the_default_angles_and_points_along_its_node(maker):
+    """It faces a wall: 45 degrees around its axis, full intensity on the axis only."""
+    maker.quad((1, -2, -2), (0, 0, 4), (0, 4, 0), maker.grey(0.5))  # it faces -x
     maker.glb.camera("eye", (-3, 0, 0), (1, 0, 0), 40)
     maker.glb.spot_light("spot", (0, 0, 0), (1, 0, 0), (1, 1, 1), 7.0)
     direct = maker.draw("direct", **PICTURE)[..., 0]
@@ -98,11 +89,11 @@ def test_a_spot_has_the_usual_angles_and_shines_along_its_node(maker):
     assert direct[16, 16] > 1 and direct[0, 0] == 0
 
 
-def test_a_blocker_throws_a_sharp_shadow_that_grows_with_the_distance(maker):
+def test_a_blocker_casts_a_sharp_shadow_that_grows_with_the_distance(maker):
     seen_floor(maker)
-    # 0.4 wide, half-way between floor and lamp: 0.8 wide on the floor. The camera looks through its back.
+    # 0.4 wide, half-way between floor and light: 0.8 wide on the floor. The camera looks through its back.
     maker.quad((-0.2, 0.6, -0.2), (0.4, 0, 0), (0, 0, 0.4), maker.grey(0.5))
-    maker.glb.point_light("lamp", (0, 1.2, 0), (1, 1, 1), 7.0)
+    maker.glb.point_light("light", (0, 1.2, 0), (1, 1, 1), 7.0)
     direct = maker.draw("direct", **PICTURE)[..., 0]
     x, z = positions()
     lit = np.maximum(abs(x), abs(z)) > 0.4
@@ -112,10 +103,10 @@ def test_a_blocker_throws_a_sharp_shadow_that_grows_with_the_distance(maker):
     near(direct[clear], of_pixels(0.5 / math.pi * 7 / 1.2 ** 2 * cosine ** 3)[clear])
 
 
-def test_what_lies_behind_a_point_throws_no_shadow_before_it(maker):
+def test_a_surface_behind_a_point_light_casts_no_shadow_before_it(maker):
     seen_floor(maker)
-    maker.quad((-2, 1, -2), (4, 0, 0), (0, 0, 4), maker.grey(0.0))  # a black ceiling above the lamp, seen through
-    maker.glb.point_light("lamp", (0, 0.9, 0), (1, 1, 1), 7.0)
+    maker.quad((-2, 1, -2), (4, 0, 0), (0, 0, 4), maker.grey(0.0))  # a black ceiling above the light, clear to the camera
+    maker.glb.point_light("light", (0, 0.9, 0), (1, 1, 1), 7.0)
     x, z = positions()
     near(maker.draw("direct", **PICTURE)[..., 0],
          of_pixels(0.5 / math.pi * 7 * 0.9 / (x ** 2 + z ** 2 + 0.81) ** 1.5))
@@ -133,7 +124,7 @@ def test_further_directional_lights_are_points_and_add_to_the_sun(maker):
     np.testing.assert_allclose(sun[..., 1:], direct[..., 1:], rtol=1e-5)
 
 
-def test_a_further_directional_light_throws_a_shadow(maker):
+def test_a_further_directional_light_casts_a_shadow(maker):
     floor(maker, maker.grey(0.5))
     maker.quad((-2, 1, -2), (2, 0, 0), (0, 0, 4), maker.grey(0.5))  # above x < 0; the camera looks through its back
     look_down(maker)
@@ -144,35 +135,35 @@ def test_a_further_directional_light_throws_a_shadow(maker):
     np.testing.assert_allclose(direct[:, 9:], 0.5, rtol=1e-5)
 
 
-def test_the_default_sun_shines_only_where_nothing_else_does(maker, tmp_path):
+def test_only_scenes_without_lights_have_the_default_sun(maker, tmp_path):
     seen_floor(maker)
     maker.path.write_bytes(maker.glb.to_bytes())
     assert load_scene(maker.path).sun.irradiance.max() == pytest.approx(math.pi)
-    maker.glb.point_light("lamp", (0, 1, 0), (1, 1, 1), 1.0)
+    maker.glb.point_light("light", (0, 1, 0), (1, 1, 1), 1.0)
     assert maker.load().sun.irradiance.max() == 0
 
 
-def test_one_bounce_and_all_bounces_of_a_point_within_a_white_ball(maker):
-    """In the middle of a ball of radius R with inner albedo a, E = I / R^2 everywhere: direct a E / pi, one bounce more
-    a times as much, all bounces 1 / (1 - a)."""
+def test_bounces_of_a_point_light_in_a_white_ball_have_closed_forms(maker):
+    """In the middle of a ball of radius R with inner albedo a, E = I / R^2 everywhere: direct light is a E / pi, one bounce a
+    times as much, all bounces 1 / (1 - a)."""
     from scenes import shapes
     ball = shapes.icosphere(1.5, 4)
     ball.indices = [i for t in zip(ball.indices[::3], ball.indices[2::3], ball.indices[1::3]) for i in t]  # inside out
     ball.normals = [tuple(-x for x in n) for n in ball.normals]
     maker.place(ball, maker.grey(0.6), translation=[5, 1, 0])
-    maker.glb.point_light("lamp", (5, 1, 0), (1, 1, 1), 9.0)
+    maker.glb.point_light("light", (5, 1, 0), (1, 1, 1), 9.0)
     maker.glb.camera("inside", (5.3, 1.2, 0.8), (5, 1, -1), 80)
     direct, indirect, full = maker.draw("direct", "indirect", "full", samples=128)
     expected = 0.6 / math.pi * 9 / 1.5 ** 2
-    np.testing.assert_allclose(direct, expected, rtol=0.01)  # facets are a little nearer than the ball
+    np.testing.assert_allclose(direct, expected, rtol=0.01)  # the facets are slightly nearer than the ball
     assert indirect.mean() == pytest.approx(0.6 * expected, rel=0.01)
     assert full.mean() == pytest.approx(expected / 0.4, rel=0.015)
 
 
-def test_a_metal_shows_a_points_highlight_in_the_full_picture_alone(maker):
+def test_only_the_full_picture_has_the_highlight_of_a_point_light(maker):
     floor(maker, maker.glb.material("metal", (0.9, 0.6, 0.3), metallic=1.0, roughness=0.5))
     look_down(maker, height=3.0, degrees=1)
-    maker.glb.point_light("lamp", (0, 2, 0), (1, 1, 1), 4 * math.pi)
+    maker.glb.point_light("light", (0, 2, 0), (1, 1, 1), 4 * math.pi)
     glossy, full = maker.draw("glossy", "full")
     assert glossy.max() == 0
     # Head-on D = 1 / (pi alpha^2) and G = 1: F0 D E / 4 with E = pi.

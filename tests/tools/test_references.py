@@ -1,4 +1,4 @@
-"""The path-traced truth against answers that need no renderer."""
+"""The path tracer against closed forms."""
 import io
 import math
 
@@ -19,7 +19,7 @@ def floor(maker, material, half=2.0):
 
 
 def look_down(maker, x=0.0, height=3.0, degrees=20):
-    """Picture: +x to the right, -z up."""
+    """Adds a camera whose picture has +x to the right and -z up."""
     maker.glb.node("eye", translation=[x, height, 0], rotation=[-math.sqrt(0.5), 0, 0, math.sqrt(0.5)],
                    camera=maker.glb._append("cameras", {"type": "perspective", "perspective": {
                        "yfov": math.radians(degrees), "znear": 0.1}}))
@@ -38,7 +38,7 @@ def test_a_lit_plane_is_albedo_times_irradiance_over_pi_times_cosine(maker):
     expected = 0.5 * np.array([1, 0.5, 0.25]) * 5.0 / math.pi * 0.8
     np.testing.assert_allclose(direct, np.broadcast_to(expected, direct.shape), rtol=1e-5)
     np.testing.assert_allclose(full, direct, rtol=1e-5)  # a plane does not light itself
-    # A disc's irradiance is that of its centre: the mean direction is the centre's.
+    # A disc gives the irradiance of its centre, which is its mean direction.
     np.testing.assert_allclose(sun.mean((0, 1)), expected, rtol=1e-3)
     assert indirect.max() == 0
     assert shadow.min() == 1 and ao.min() == 1
@@ -46,7 +46,7 @@ def test_a_lit_plane_is_albedo_times_irradiance_over_pi_times_cosine(maker):
 
 def test_a_sky_that_grows_along_the_axes_lights_each_side_by_its_closed_form(maker):
     """Radiance (1 + d) / 2 in red towards +X, green towards +Y, blue towards +Z: a surface with the normal n receives
-    1/2 + n/3. (Which way a sky is turned about the vertical a floor does not tell: the next test does.)"""
+    1/2 + n/3. A floor does not show a sky's rotation about the vertical: the next test does."""
     maker.path.with_suffix(".hdr").write_bytes(radiance.picture(128, lambda *d: [(1 + c) / 2 for c in d]))
     floor(maker, maker.grey(0.5))
     look_down(maker)
@@ -56,7 +56,7 @@ def test_a_sky_that_grows_along_the_axes_lights_each_side_by_its_closed_form(mak
     np.testing.assert_allclose(indirect.mean((0, 1)), expected, rtol=0.01)
 
 
-def test_behind_the_scene_is_the_sky(maker):
+def test_the_sky_is_behind_the_scene(maker):
     """Looking down past a small floor: straight down is the nadir, and +x is to the right."""
     maker.path.with_suffix(".hdr").write_bytes(radiance.picture(128, lambda x, y, z: [(1 + x) / 2, (1 + y) / 2, (1 + z) / 2]))
     floor(maker, maker.grey(), half=0.01)
@@ -102,7 +102,7 @@ def test_ambient_occlusion_beside_a_wall_has_its_closed_form(maker):
     where the disc's coordinate is above c = x / d: the segment (acos c - c sqrt(1 - c^2)) / pi is occluded."""
     grey = maker.grey()
     floor(maker, grey, 2.0)
-    maker.quad((1, 0, -2), (0, 0, 4), (0, 4, 0), grey)  # its front looks to -x
+    maker.quad((1, 0, -2), (0, 0, 4), (0, 4, 0), grey)  # it faces -x
     look_down(maker, x=0.9, height=1.0, degrees=11)
     scene = maker.load()
     ao = maker.draw("ao", size=(32, 4), samples=1024)[..., 0].mean(0)
@@ -112,7 +112,7 @@ def test_ambient_occlusion_beside_a_wall_has_its_closed_form(maker):
     on_floor = distance > 0.02
     c = np.minimum(c[on_floor], 1)
     expected = 1 - (np.arccos(c) - c * np.sqrt(1 - c * c)) / math.pi
-    assert expected.min() < 0.85  # the case is not empty
+    assert expected.min() < 0.85  # some of the floor is occluded
     np.testing.assert_allclose(ao[on_floor], expected, atol=0.03)
 
 
@@ -217,17 +217,17 @@ def test_a_mirrored_and_stretched_ball_is_lit_as_its_ellipsoid(maker):
     np.testing.assert_allclose(row, expected, atol=0.02)
 
 
-def test_paths_sent_to_an_opening_leave_the_mean_and_lessen_the_noise(maker):
-    """A floor under a ceiling with a hole, above which a lamp is: with and without the hole's name."""
+def test_paths_through_an_opening_keep_the_mean_and_lower_the_noise(maker):
+    """A floor under a ceiling with a hole and an emitter above it, with and without the node that names the hole."""
     grey = maker.grey(0.5)
     floor(maker, grey, 1.0)
     h = 0.05  # half of the hole's side
     for origin, u, v in (((-1, 1, -1), (1 - h, 0, 0), (0, 0, 2)), ((h, 1, -1), (1 - h, 0, 0), (0, 0, 2)),
                          ((-h, 1, -1), (2 * h, 0, 0), (0, 0, 1 - h)), ((-h, 1, h), (2 * h, 0, 0), (0, 0, 1 - h))):
         maker.quad(origin, u, v, grey)  # faces down
-    maker.quad((-1, 2, -1), (2, 0, 0), (0, 0, 2), grey)  # what is seen through the hole, lit from below
-    lamp = maker.grey(0.0, emissive=((1, 0.5, 0.25), 20.0, None))
-    maker.quad((0.5, 1.2, 0.3), (0.3, 0, 0), (0, 0, -0.3), lamp)  # faces up
+    maker.quad((-1, 2, -1), (2, 0, 0), (0, 0, 2), grey)  # the camera sees it through the hole; it is lit from below
+    emitter = maker.grey(0.0, emissive=((1, 0.5, 0.25), 20.0, None))
+    maker.quad((0.5, 1.2, 0.3), (0.3, 0, 0), (0, 0, -0.3), emitter)  # faces up
     look_down(maker, height=0.9, degrees=30)
     scene = maker.load()
     plain = draw(make_world(scene), scene, "full", (16, 16), 8192, 0)

@@ -1,4 +1,4 @@
-"""Specular and glossiness in terms of metallic and roughness, where the answer is known."""
+"""Conversion of specular and glossiness to metallic and roughness, where the answer is known."""
 import numpy as np
 import pytest
 
@@ -8,8 +8,8 @@ DIELECTRIC = 0.04
 
 
 @pytest.mark.parametrize("metallic", [0.0, 0.3, 1.0])
-def test_what_metallic_and_roughness_can_say_is_given_back(metallic: float):
-    """Of grey: their diffuse and specular colours, put in, are the same surface."""
+def test_a_metallic_grey_is_converted_to_itself(metallic: float):
+    """Takes the diffuse and specular colours of the same grey surface."""
     base = 0.5
     specular = np.full(3, DIELECTRIC * (1 - metallic) + base * metallic)
     # The extension's diffuse light is diffuse (1 - max(specular)); that of metallic-roughness base (1 - .04) (1 - metallic).
@@ -25,7 +25,7 @@ def test_gold_keeps_its_colour():
     np.testing.assert_allclose(color, [1.0, 0.77, 0.34], atol=1e-6)
 
 
-def test_textures_of_two_sizes_are_laid_on_each_other():
+def test_textures_of_two_sizes_are_combined():
     factors = SpecularGlossiness(np.ones(4), np.ones(3), 0.5, {}, {})
     diffuse = np.zeros((1, 2, 4))
     diffuse[0, :, 0], diffuse[..., 3] = [0.2, 0.8], 1

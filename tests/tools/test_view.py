@@ -1,4 +1,4 @@
-"""`vct view` in a window of a virtual X server: real keys, real mouse, and what is on the screen."""
+"""`vct view` in a window of a virtual X server, with real keys and a real mouse; the tests read the screen."""
 import ctypes
 import os
 import re
@@ -37,7 +37,7 @@ def display(tmp_path_factory):
                               pass_fds=[writing], stderr=subprocess.DEVNULL)
     os.close(writing)
     with os.fdopen(reading) as pipe:
-        number = pipe.readline().strip()  # once it takes connections
+        number = pipe.readline().strip()  # arrives when the server takes connections
     assert number, "the X server ended"
     yield f":{number}", folder / "Xvfb_screen0"
     server.terminate()
@@ -45,7 +45,7 @@ def display(tmp_path_factory):
 
 
 class View:
-    """One run of `vct view`, from its window to its end."""
+    """One run of `vct view`."""
 
     def __init__(self, program, display, folder, *arguments):
         self.folder, self.screen_file = folder, display[1]
@@ -58,7 +58,7 @@ class View:
         self.window = wait_for("a window", self._find)
         wait_for("a scene", lambda: " triangles" in self.err.read_text())
         self.xdotool("windowmove", self.window, 0, 0, "mousemove", 400, 300)
-        time.sleep(1.5)  # until what surfaces receive stands still
+        time.sleep(1.5)  # until the light has converged
 
     def _find(self):
         assert self.process.poll() is None, self.err.read_text()
@@ -79,7 +79,7 @@ class View:
                 "mousemove_relative", "--", right - right // 2, down - down // 2, "mouseup", button)
 
     def save(self):
-        """What it prints and saves of what is seen: the options, and the picture."""
+        """Saves the view: returns the printed words, their options, and the picture."""
         lines = self.out.read_text().count("\n")
         files = set(self.folder.glob("vct-view-*.png"))
         time.sleep(1.5)
@@ -94,7 +94,7 @@ class View:
         return words, options, np.asarray(PIL.Image.open(new.pop()).convert("RGB")).astype(int)
 
     def screen(self, width, height):
-        data = self.screen_file.read_bytes()  # X's window dump
+        data = self.screen_file.read_bytes()  # in X's format for window dumps
         head = struct.unpack(">25I", data[:100])
         row, first = head[12], head[0] + 12 * head[19]
         pixels = np.frombuffer(data, np.uint8, row * head[5], first).reshape(head[5], -1, 4)
@@ -126,7 +126,7 @@ def view(program, display, tmp_path):
 
 
 def rendered(program, words, folder):
-    """The picture of the line that was printed."""
+    """Runs the printed command and returns its picture."""
     words[words.index("--out") + 1] = str(folder / "rendered")
     done = subprocess.run([program, *words[1:]], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
@@ -135,14 +135,14 @@ def rendered(program, words, folder):
 
 
 def difference(a, b):
-    """Mean of 8-bit values; and shapes must be the same."""
+    """Mean difference of 8-bit values of pictures of the same shape."""
     assert a.shape == b.shape
     return np.abs(a - b).mean()
 
 
-def test_what_is_seen_is_what_the_printed_line_renders(view, program, root, tmp_path):
+def test_the_printed_command_renders_the_view(view, program, root, tmp_path):
     window = view(root / "assets/courtyard.glb", "--size", "480x360")
-    window.do("key", "h")  # the panel goes, but for its button
+    window.do("key", "h")  # hides the panel except for its button
     _, start, first = window.save()
     assert (tmp_path / "vct-view-1.png").is_file()
     window.drag(1, 60, -20)
@@ -154,13 +154,13 @@ def test_what_is_seen_is_what_the_printed_line_renders(view, program, root, tmp_
     assert difference(first, turned) > 5
     again = rendered(program, words, tmp_path)
     assert difference(turned, again) < 0.5
-    # The window itself, below the panel's button; the cursor may be in it.
+    # Compares below the panel's button; the cursor may be in the picture.
     shown = window.screen(480, 360)[60:]
     assert difference(shown, turned[60:]) < 0.5
     window.close("key", "Escape")
 
 
-def test_a_scene_without_a_camera_and_a_window_upright(view, program, maker, tmp_path):
+def test_an_upright_window_shows_a_scene_without_a_camera(view, program, maker, tmp_path):
     maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), maker.grey(0.6))
     maker.quad((-1, 0, -1), (2, 0, 0), (0, 1.5, 0), maker.glb.material("red", (0.8, 0.2, 0.1)))
     maker.path.write_bytes(maker.glb.to_bytes())
@@ -172,7 +172,7 @@ def test_a_scene_without_a_camera_and_a_window_upright(view, program, maker, tmp
     window.close("key", "Escape")
 
 
-def test_keys_and_the_right_button(view, root, tmp_path):
+def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     for name in ("cornell", "moving"):
         shutil.copy(root / f"assets/{name}.glb", tmp_path)
     window = view("moving.glb", "--size", "480x360", "--preset", "quality", "--grid", "64", "--mode", "phong", "--time", "1.5")
@@ -184,7 +184,7 @@ def test_keys_and_the_right_button(view, root, tmp_path):
     window.do("keydown", "w")
     window.do("keyup", "w")
     _, changed, picture = window.save()
-    assert (changed["--preset"], changed["--mode"]) == ("thesis", "gi")  # the first after the last
+    assert (changed["--preset"], changed["--mode"]) == ("thesis", "gi")  # Tab goes from the last preset to the first
     assert changed["--light"] != options["--light"]
     assert changed["--time"] == "1.5"
     assert changed["--camera"] != options["--camera"]
@@ -201,36 +201,20 @@ def test_keys_and_the_right_button(view, root, tmp_path):
     window.close("key", "Escape")
 
 
-def test_the_panel_is_the_apps(view, root):
-    window = view(root / "assets/cornell.glb", "--size", "480x600", "--mode", "phong")
-    _, options, _ = window.save()
-    window.do("mousemove", 147, 386,  # the handle of "light from"
-              "mousedown", 1, "mousemove_relative", "--", 20, 0)
-    window.do("mousemove_relative", "--", 20, 0, "mouseup", 1)
-    _, turned, _ = window.save()
-    assert turned["--light"] != options["--light"]
-    assert turned["--camera"] == options["--camera"], "the finger was the panel's"
-    window.do("mousemove", 25, 22)
-    before = window.screen(480, 600)
-    window.do("click", 1)  # "Hide"
-    time.sleep(1)
-    assert difference(before[100:300, 10:300], window.screen(480, 600)[100:300, 10:300]) > 10
-    window.close("key", "Escape")
-
-
-def test_the_wheel_scrolls_the_panel_it_is_over_and_else_zooms(view, root):
+def test_wheel_and_drag_over_the_panel_are_the_panels(view, root):
     window = view(root / "assets/cornell.glb", "--size", "480x240", "--mode", "phong")  # lower than the panel
-    window.do("key", "t")  # no times, which change
+    window.do("key", "t")  # hides the times, which change
     _, options, _ = window.save()
     panel = (slice(60, 230), slice(10, 300))
     top = window.screen(480, 240)[panel]
     window.do("mousemove", 150, 150, "click", 5, "click", 5)
-    assert difference(top, window.screen(480, 240)[panel]) > 5, "the panel stands still"
+    assert difference(top, window.screen(480, 240)[panel]) > 5, "the panel does not scroll"
     window.do("click", 4, "click", 4)
     window.do("click", 4)
     assert difference(top, window.screen(480, 240)[panel]) < 1, "and back"
+    window.do("mousedown", 1, "mousemove_relative", "--", 20, 20, "mouseup", 1)
     _, same, _ = window.save()
-    assert same["--camera"] == options["--camera"]
+    assert same["--camera"] == options["--camera"], "wheel and drag were the panel's"
     window.do("mousemove", 450, 150, "click", 5)
     _, farther, _ = window.save()
     assert farther["--camera"] != options["--camera"]
@@ -238,7 +222,7 @@ def test_the_wheel_scrolls_the_panel_it_is_over_and_else_zooms(view, root):
 
 
 def send_close(display, window):
-    """What the window's button sends."""
+    """Sends the message of the window's close button."""
     x = ctypes.CDLL("libX11.so.6")
     x.XOpenDisplay.restype = ctypes.c_void_p
     for function in (x.XInternAtom, x.XSendEvent, x.XCloseDisplay):
@@ -253,7 +237,7 @@ def send_close(display, window):
     x.XCloseDisplay(connection)
 
 
-def test_sizes_and_the_windows_own_button(view, root, display):
+def test_any_window_size_works_and_the_close_button_ends_it(view, root, display):
     window = view(root / "assets/cornell.glb", "--size", "300x200", "--mode", "phong")
     for width, height in ((640, 240), (1, 1), (64, 400), (300, 300)):
         window.do("windowsize", window.window, width, height)
@@ -271,7 +255,7 @@ def test_sizes_and_the_windows_own_button(view, root, display):
 
 
 @pytest.mark.parametrize("value", [None, "", ":4321", "nonsense"])
-def test_without_a_display_it_says_why_and_what_to_do(program, root, value):
+def test_a_missing_display_is_one_clear_error(program, root, value):
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
     if value is not None:
         environment["DISPLAY"] = value
@@ -289,7 +273,7 @@ def test_without_a_display_it_says_why_and_what_to_do(program, root, value):
     (["assets/cornell.glb", "--preset", "best"], "thesis, mobile"),
     (["assets/cornell.glb", "--sky", "blue"], "'blue' is not a number"),
 ])
-def test_what_cannot_be_shown_is_said_before_a_window_opens(program, root, arguments, words):
+def test_wrong_options_are_errors_before_a_window_opens(program, root, arguments, words):
     done = subprocess.run([program, "view", *arguments], cwd=root, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 1
     if "built without GLFW" not in done.stderr:
