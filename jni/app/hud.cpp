@@ -268,10 +268,10 @@ void Hud::buildLights(const HudContent& content) const {
     const std::string on = std::to_string(shining) + " of " + std::to_string(count) + " on";
     if (!ImGui::BeginCombo("lights", on.c_str(), ImGuiComboFlags_HeightLargest)) return;
     for (std::size_t i = 0; i < count; ++i) {
-        bool shines = !off.test(i);
+        bool isOn = !off.test(i);
         // The number makes labels unique. ImGui would treat two widgets with the same label as one.
         const std::string label = std::to_string(i + 1) + " " + content.lights[i];
-        if (ImGui::Checkbox(label.c_str(), &shines)) off.set(i, !shines);
+        if (ImGui::Checkbox(label.c_str(), &isOn)) off.set(i, !isOn);
     }
     ImGui::EndCombo();
 }

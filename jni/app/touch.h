@@ -27,7 +27,7 @@ class Touch {
 
     // `points`: every finger that is down after an event, in any order.
     void update(const std::vector<TouchPoint>& points, double timeS);
-    // Forgets the fingers, because the system has taken them for a gesture of its own.
+    // Drops the fingers, because the system has taken them for a gesture of its own.
     void cancel();
 
     // Returns the gesture since the last call.

@@ -30,9 +30,9 @@ void setStrength(const GltfFile& file, const tinygltf::Light& source, const std:
     const double largest = std::max(color.x, std::max(color.y, color.z));
     const double intensity = source.intensity * largest;
     if (!(intensity <= 1e30)) file.fail(name + " has an intensity that is not a usable number");
-    const bool shines = intensity > 0.0;
-    light.color = shines ? glm::vec3(color / largest) : glm::vec3(0.0F);
-    light.intensity = shines ? static_cast<float>(intensity) : 0.0F;
+    const bool isBright = intensity > 0.0;
+    light.color = isBright ? glm::vec3(color / largest) : glm::vec3(0.0F);
+    light.intensity = isBright ? static_cast<float>(intensity) : 0.0F;
 }
 
 }  // namespace

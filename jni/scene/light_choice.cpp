@@ -50,8 +50,8 @@ DirectionalLight defaultLight() {
 }
 
 glm::vec3 chooseSky(const Scene& scene) {
-    const bool shines = !scene.lights.empty() || !scene.punctualLights.empty() || hasLightingEmission(scene);
-    return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
+    const bool isLit = !scene.lights.empty() || !scene.punctualLights.empty() || hasLightingEmission(scene);
+    return isLit ? glm::vec3(0.0F) : plainSky(defaultLight());
 }
 
 glm::vec3 plainSky(const DirectionalLight& light) {

@@ -1,4 +1,4 @@
-// Some drivers forget the element buffer of a vertex array, so it is bound again after each bind of the
+// Some drivers lose the element buffer of a vertex array, so it is bound again after each bind of the
 // array.
 #pragma once
 
