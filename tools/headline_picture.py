@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import io
 import json
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -20,7 +21,6 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 import metrics
-import program
 from files import ROOT, write_whole
 from truth.exr import read_exr
 
@@ -48,11 +48,22 @@ def neutral(linear: np.ndarray) -> np.ndarray:
     return np.where(peak <= compressed_from, color, bright)
 
 
+def run(vct: Path, command: str, *options: object) -> str:
+    """Runs `vct COMMAND` on the scene as the picture shows it, and returns what it prints."""
+    view = ("--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA, "--light", LIGHT, "--environment", ENVIRONMENT)
+    words = [vct, command, SCENE, *view, *options]
+    try:
+        return subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout
+    except OSError as error:
+        raise SystemExit(f"error: {vct} does not start ({error.strerror}): scripts/build.sh desktop vct builds it") from None
+    except subprocess.CalledProcessError:
+        raise SystemExit(f"error: vct {command} failed; its message is above") from None
+
+
 def rendered(vct: Path) -> np.ndarray:
     """Returns the picture of `mobile`, mode gi-cone-shadow, linear RGB."""
     with tempfile.TemporaryDirectory() as folder:
-        program.render(vct, SCENE, "--preset", "mobile", "--mode", "gi-cone-shadow", "--size", f"{SIZE[0]}x{SIZE[1]}", "--camera",
-                       CAMERA, "--light", LIGHT, "--environment", ENVIRONMENT, "--samples", SAMPLES, "--exposure", "1", "--out", folder)
+        run(vct, "render", "--preset", "mobile", "--mode", "gi-cone-shadow", "--samples", SAMPLES, "--exposure", "1", "--out", folder)
         return read_exr(Path(folder) / "gi-cone-shadow.exr")
 
 
@@ -61,10 +72,8 @@ def path_traced(vct: Path, spp: int) -> np.ndarray:
     from truth.asked import lit_by, seen_by
     from truth.drawing import draw, make_world
     from truth.scene import load_scene
-    done = program.run(vct, "info", SCENE, "--print-camera", "--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA)
-    if done.returncode != 0:
-        raise program.Failed(done.stderr)
-    scene = lit_by(seen_by(load_scene(SCENE, SIZE), json.loads(done.stdout)), LIGHT, None, ENVIRONMENT, 1.0)
+    view = json.loads(run(vct, "info", "--print-camera"))
+    scene = lit_by(seen_by(load_scene(SCENE, SIZE), view), LIGHT, None, ENVIRONMENT, 1.0)
     world = make_world(scene)
     full, direct, sun = (draw(world, scene, kind, SIZE, spp, 0).image for kind in ("full", "direct", "sun"))
     return full - direct + sun
@@ -84,14 +93,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=ROOT / "docs/images/headline.png", help="PNG (default: docs/images/headline.png)")
     parser.add_argument("--spp", type=int, default=512, help="samples per pixel of the path tracer, even (default: %(default)s)")
-    program.add_option(parser)
+    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="the renderer (default: build/desktop/vct)")
     options = parser.parse_args()
-    program.require(options.program)
-    try:
-        mobile = rendered(options.program)
-        truth = path_traced(options.program, options.spp)
-    except program.Failed as failed:
-        raise SystemExit(f"error: {SCENE.name}: {failed}") from None
+    mobile = rendered(options.program)
+    truth = path_traced(options.program, options.spp)
     canvas = Image.new("RGB", (2 * SIZE[0] + GAP, SIZE[1]), "white")
     canvas.paste(labelled(mobile, "mobile, in real time"), (0, 0))
     canvas.paste(labelled(truth, f"path tracing, {options.spp} samples per pixel"), (SIZE[0] + GAP, 0))
