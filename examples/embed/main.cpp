@@ -1,9 +1,8 @@
-// A room with a box and a ball that floats, in a sun that moves. The program draws its own G-buffer; the
-// library adds what the surfaces receive of each other's light, and the sun's soft shadow; the program shades
-// with both.
+// A room with a box and a floating ball under a moving sun. The program draws its own G-buffer, the library
+// computes irradiance and the sun's soft shadow, and the program shades with both.
 //
-// embed                                     in a window
-// embed --headless FRAMES --out FILE.ppm    the last of so many frames, without one
+// embed                                     opens a window
+// embed --headless FRAMES --out FILE.ppm    draws so many frames without a window and writes the last one
 #include <GLES3/gl31.h>
 #include <vct/vct.h>
 
@@ -30,7 +29,7 @@ void main() {
     gl_Position = clipFromWorld * worldFromObject * vec4(position, 1.0);
 })";
 
-// What follows is normalEncodingGlsl(), and then this:
+// The fragment shader of the G-buffer, without its beginning: normalEncodingGlsl() comes before it.
 const char* gBufferFragment = R"(
 in vec3 worldNormal;
 layout(location = 2) uniform vec3 baseColor;
@@ -51,13 +50,13 @@ layout(binding = 0) uniform sampler2D albedoTarget;
 layout(binding = 1) uniform highp usampler2D normalTarget;
 layout(binding = 2) uniform sampler2D irradiance;
 layout(binding = 3) uniform sampler2D sunVisibility;
-layout(location = 0) uniform vec3 towardsSun;
+layout(location = 0) uniform vec3 directionToSun;
 layout(location = 0) out vec4 color;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     vec3 normal = decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
-    float sun = max(dot(normal, towardsSun), 0.0) * texelFetch(sunVisibility, pixel, 0).r;
+    float sun = max(dot(normal, directionToSun), 0.0) * texelFetch(sunVisibility, pixel, 0).r;
     vec3 radiance = root * root * (sun + texelFetch(irradiance, pixel, 0).rgb);
     color = vec4(pow(min(radiance, vec3(1.0)), vec3(1.0 / 2.2)), 1.0);
 })";
@@ -96,7 +95,7 @@ GLuint texture(GLenum format, int width, int height) {
     return name;
 }
 
-// The textures that the program draws to; made anew for another size.
+// The textures that the program draws to. They are recreated when the window's size changes.
 struct Targets {
     GLuint albedo, normal, depth, picture, gBuffer = 0, shaded = 0;
     Targets(int width, int height)
@@ -123,7 +122,7 @@ struct Targets {
     }
 };
 
-// A shape in the program's own buffers.
+// A shape in the program's own GL buffers.
 struct Drawable {
     GLuint vertexArray = 0;
     GLsizei count = 0;
@@ -169,7 +168,7 @@ void drawGBuffer(const Targets& targets, GLuint program, const std::vector<Drawa
     }
 }
 
-void shade(const Targets& targets, GLuint program, const vct::Pictures& pictures, Vector towardsSun) {
+void shade(const Targets& targets, GLuint program, const vct::Pictures& pictures, Vector directionToSun) {
     glBindFramebuffer(GL_FRAMEBUFFER, targets.shaded);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -179,7 +178,7 @@ void shade(const Targets& targets, GLuint program, const vct::Pictures& pictures
         glBindTexture(GL_TEXTURE_2D, inputs[unit]);
     }
     glUseProgram(program);
-    glUniform3fv(0, 1, towardsSun.data());
+    glUniform3fv(0, 1, directionToSun.data());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -202,7 +201,7 @@ void run(int framesWithoutWindow, const std::string& out) {
     const Shape ballShape = ball(0.4F);
     const Matrix4 boxPlace = translation({-0.8F, -0.8F, -0.6F});
 
-    // The scene is given once, and read by the constructor.
+    // The constructor of GlobalIllumination reads the scene once.
     vct::SceneDescription scene;
     scene.materials.resize(2);
     scene.materials[0].baseColor = {0.8F, 0.8F, 0.8F};
@@ -240,19 +239,19 @@ void run(int framesWithoutWindow, const std::string& out) {
         const Matrix4 cameraFromWorld = translation({0, 0, -5.5F});
         const Matrix4 clipFromCamera = perspective(40, aspect, 0.1F, 20);
         const float angle = 0.8F * std::sin(seconds);
-        const Vector towardsSun{std::sin(angle) * 0.8F, 0.6F, std::cos(angle) * 0.8F};
+        const Vector directionToSun{std::sin(angle) * 0.8F, 0.6F, std::cos(angle) * 0.8F};
         drawables[2].worldFromObject = translation({0.8F, 0.3F * std::sin(2 * seconds), 0.2F});
         glViewport(0, 0, options.width, options.height);
         drawGBuffer(*targets, gBufferProgram, drawables, product(clipFromCamera, cameraFromWorld));
 
-        // In each frame: what has moved, and the pictures.
-        renderer.setSun({towardsSun[0], towardsSun[1], towardsSun[2]});
+        // Each frame passes the movements to the library and gets its pictures.
+        renderer.setSun({directionToSun[0], directionToSun[1], directionToSun[2]});
         renderer.setTransform(2, vct::Matrix::of(drawables[2].worldFromObject.data()));
         const vct::View view{vct::Matrix::of(cameraFromWorld.data()), vct::Matrix::of(clipFromCamera.data())};
         const vct::Pictures pictures =
             renderer.render(view, {targets->albedo, targets->normal, targets->depth});
 
-        shade(*targets, shadeProgram, pictures, towardsSun);
+        shade(*targets, shadeProgram, pictures, directionToSun);
         if (framesWithoutWindow > 0) continue;
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         glBlitFramebuffer(0, 0, options.width, options.height, 0, 0, options.width, options.height,

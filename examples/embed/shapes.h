@@ -1,5 +1,4 @@
-// Triangles of a box and a ball, and the few matrices that the example needs. All matrices are in
-// column-major order.
+// Triangles of a box and a ball, and the matrices that the examples need (column-major).
 #pragma once
 
 #include <array>
@@ -14,7 +13,7 @@ struct Shape {
     std::vector<std::uint32_t> indices;
 };
 
-// Seen from outside, or, as a room that is open towards +Z, from inside.
+// A box. With `inside`, its faces are visible from inside and the side towards +Z is open, as a room.
 Shape box(Vector halfSize, bool inside);
 Shape ball(float radius);
 

@@ -1,5 +1,4 @@
-// A red triangle on a grey floor, drawn by the library alone, and written as a picture: the shortest program
-// that embeds it.
+// The shortest program that embeds the library: a red triangle on a grey floor, written to a file.
 //
 // triangle FILE.ppm
 #include <EGL/egl.h>
@@ -17,7 +16,8 @@
 
 namespace {
 
-// A picture of the library's is linear, from the bottom up; the file is not linear, and from the top down.
+// Writes a picture of the library to a file. The picture is linear with row 0 at the bottom; the file is
+// gamma-encoded with row 0 at the top.
 void writePpm(const std::string& path, unsigned picture, int width, int height) {
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
@@ -38,9 +38,9 @@ void writePpm(const std::string& path, unsigned picture, int width, int height) 
 }
 
 void run(const std::string& out) {
-    const Window window(1);  // a context of OpenGL ES 3.1, and no window
+    const Window window(1);  // an OpenGL ES 3.1 context without a window
 
-    // Counter-clockwise is the front.
+    // Front faces are counter-clockwise.
     const std::vector<float> floorPositions{-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2};
     const std::vector<float> floorNormals{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};
     const std::vector<std::uint32_t> floorIndices{0, 1, 2, 0, 2, 3};
@@ -52,12 +52,12 @@ void run(const std::string& out) {
     scene.materials.resize(2);
     scene.materials[0].baseColor = {0.8F, 0.8F, 0.8F};
     scene.materials[1].baseColor = {0.8F, 0.05F, 0.05F};
-    scene.materials[1].doubleSided = true;  // Else it would vanish, seen from behind.
+    scene.materials[1].doubleSided = true;  // makes the triangle visible from behind
     scene.meshes = {{floorPositions, floorNormals, floorIndices, 0},
                     {redPositions, redNormals, redIndices, 1}};
     scene.instances.resize(2);
     scene.instances[1].mesh = 1;
-    scene.sun.towardsSun = {-0.8, 0.8, 0.7};
+    scene.sun.directionToSun = {-0.8, 0.8, 0.7};
     scene.skyRadiance = {0.2F, 0.25F, 0.3F};
 
     vct::Options options;
@@ -66,11 +66,11 @@ void run(const std::string& out) {
     vct::GlobalIllumination renderer(
         [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }, scene, options);
 
-    // The camera is at (0, 2.2, 4), and looks along -Z, 25 degrees down.
+    // The camera is at (0, 2.2, 4) and looks along -Z, 25 degrees downwards.
     const Matrix4 cameraFromWorld = product(rotationAboutX(25), translation({0, -2.2F, -4}));
     const Matrix4 clipFromCamera = perspective(45, 640.0F / 480.0F, 0.1F, 20);
     const vct::View view{vct::Matrix::of(cameraFromWorld.data()), vct::Matrix::of(clipFromCamera.data())};
-    const vct::Pictures pictures = renderer.render(view, vct::GlobalIllumination::Light::settled);
+    const vct::Pictures pictures = renderer.render(view, vct::GlobalIllumination::Light::converged);
 
     writePpm(out, pictures.radiance, options.width, options.height);
 }

@@ -1,18 +1,18 @@
-// A GL context with a window, or without one. Nothing here has to do with the library.
+// A GL context with or without a window. It does not depend on the library.
 #pragma once
 
 struct GLFWwindow;
 
 class Window {
   public:
-    // `framesWithoutWindow`: 0 opens a window; else there is none, and so many frames are drawn. Throws
+    // `framesWithoutWindow`: 0 opens a window; otherwise the number of frames to draw without one. Throws
     // std::runtime_error.
     explicit Window(int framesWithoutWindow);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Shows what was drawn, and says whether there is another frame to draw.
+    // Shows the drawn frame. Returns true if there is another frame to draw.
     bool next();
     int width() const { return width_; }
     int height() const { return height_; }

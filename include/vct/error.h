@@ -1,11 +1,11 @@
-// The one type of exception that the library throws for what input, the driver or the machine can cause.
+// The exception that the library throws for errors of input, driver or machine.
 #pragma once
 
 #include <stdexcept>
 
 namespace vct {
 
-// The message is one sentence that names what failed, why, and what to do about it.
+// The message says what failed, why, and what to do about it.
 class Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -1,13 +1,13 @@
-// Global illumination by voxel cone tracing, for a program that has an OpenGL ES 3.1 context (with the
-// Android Extension Pack's image atomics; desktop OpenGL 4.5 serves too). docs/embedding.md introduces it.
+// Global illumination by voxel cone tracing, for programs with an OpenGL ES 3.1 context that has image
+// atomics (part of the Android Extension Pack), or with desktop OpenGL 4.5. docs/embedding.md is an
+// introduction.
 //
-// World space is right-handed with +Y up; its unit is the metre. Colours are linear RGB (Rec. 709 primaries),
-// radiance is absolute, in the unit per steradian that the sun's illuminance is in. Matrices are in
-// column-major order and multiply column vectors from the left, as in GL and glm.
+// Conventions: world space is right-handed, +Y up, in metres. Colours are linear RGB (Rec. 709 primaries).
+// Radiance is absolute, in the unit of the sun's illuminance per steradian. Matrices are column-major and
+// multiply column vectors from the left, as in GL and glm.
 //
-// Every function but the constructors of plain data needs the GL context to be current with which the
-// GlobalIllumination was made, and throws vct::Error, whose message names the cause and the remedy. Nothing
-// here is safe to call from two threads at a time.
+// All functions of GlobalIllumination need the GL context that it was created with to be current. They throw
+// vct::Error, whose message names cause and remedy. No two threads may call them at the same time.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ namespace vct {
 struct Matrix {
     std::array<double, 16> columns{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-    // Of sixteen floats or doubles: Matrix::of(glm::value_ptr(m)), for example.
+    // Converts sixteen floats or doubles, for example Matrix::of(glm::value_ptr(m)).
     template <class Number>
     static Matrix of(const Number* sixteen) {
         Matrix matrix;
@@ -38,22 +38,20 @@ struct Matrix {
 
 struct MaterialDescription {
     std::array<float, 3> baseColor{1, 1, 1};  // 0 to 1
-    std::array<float, 3> emission{0, 0, 0};   // radiance, from 0 on
-    // Below a roughness of 1 the surface is glossy, with the presets mobile and quality: metallic-roughness
-    // as in glTF 2.0. Both are between 0 and 1.
+    std::array<float, 3> emission{0, 0, 0};   // radiance, not negative
+    // Metallic-roughness as in glTF 2.0, both 0 to 1. With the presets mobile and quality a surface with a
+    // roughness below 1 is glossy.
     float metallic = 0.0F;
     float roughness = 1.0F;
-    // The triangles of others are seen from their front alone and vanish from behind, but cast shadows either
-    // way.
+    // False: the triangles are invisible from behind, but cast shadows from both sides.
     bool doubleSided = false;
 };
 
-// Triangles of one material, in object space. The spans are read by the constructor of GlobalIllumination
-// alone.
+// Triangles of one material, in object space. The constructor of GlobalIllumination copies the spans.
 struct MeshDescription {
-    std::span<const float> positions;        // x, y, z of each vertex
-    std::span<const float> normals;          // x, y, z of each vertex, of any length but 0
-    std::span<const std::uint32_t> indices;  // three of each triangle; counter-clockwise is front
+    std::span<const float> positions;        // x, y, z per vertex
+    std::span<const float> normals;          // x, y, z per vertex, of any length but 0
+    std::span<const std::uint32_t> indices;  // three per triangle; counter-clockwise is front
     std::size_t material = 0;                // index into SceneDescription::materials
 };
 
@@ -61,27 +59,27 @@ struct MeshDescription {
 struct InstanceDescription {
     std::size_t mesh = 0;  // index into SceneDescription::meshes
     Matrix worldFromObject;
-    bool moves = false;  // Whether setTransform() may move it, which costs memory and time.
+    bool moves = false;  // true: setTransform() may move it, which costs memory and time
 };
 
-// The only light besides emission and the sky.
+// The sun. Other light comes from emission and from the sky.
 struct Sun {
-    std::array<double, 3> towardsSun{0, 1, 0};  // of any length but 0
-    std::array<float, 3> color{1, 1, 1};        // multiplies the illuminance; the largest must be 1
-    float illuminance = 3.14159265F;            // of a surface that faces it (lux, for example)
-    float diameterDegrees = 5.0F;               // full opening angle, 0.1 to 170: how soft shadows are
+    std::array<double, 3> directionToSun{0, 1, 0};  // direction towards the sun; any length but 0
+    std::array<float, 3> color{1, 1, 1};  // multiplies the illuminance; the largest component must be 1
+    float illuminance = 3.14159265F;      // on a surface that faces the sun, for example in lux
+    float diameterDegrees = 5.0F;         // full opening angle of its disc, 0.1 to 170
 };
 
 struct Box {
     std::array<double, 3> min, max;
 };
 
-// A sky that is not the same in all directions: equirectangular, row 0 at the top, which is towards +Y. The
-// middle of a row is towards +X, and +Z a quarter of the width to the right of it. Read by the constructor of
-// GlobalIllumination alone. A sun of a few pixels is better a Sun.
+// A sky that depends on direction, as an equirectangular picture. Row 0 is at the top, towards +Y. The
+// middle of a row is towards +X, and +Z is a quarter of the width to the right of it. The constructor of
+// GlobalIllumination copies the span. A sun of a few pixels should be removed and given as a Sun.
 struct SkyPicture {
     int width = 0, height = 0;        // twice as wide as high, at most 8192 wide
-    std::span<const float> radiance;  // three of each pixel
+    std::span<const float> radiance;  // three values per pixel
 };
 
 struct SceneDescription {
@@ -89,112 +87,113 @@ struct SceneDescription {
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     Sun sun;
-    // Of directions that leave the scene: absolute as the sun's illuminance is, so beside 100000 lux a sky of
-    // 0.2 is black.
+    // Radiance of a sky of one colour. It is absolute like the sun's illuminance: beside a sun of 100000 lux,
+    // a sky of 0.2 is black.
     std::array<float, 3> skyRadiance{0, 0, 0};
-    std::optional<SkyPicture> sky;  // in place of that
-    // The voxels fill a cube around all instances where they are at first, and around this box. What moves
-    // out of the cube neither lights nor shadows anything.
+    std::optional<SkyPicture> sky;  // replaces skyRadiance
+    // The voxels fill a cube around this box and the initial positions of all instances. An instance that
+    // moves out of the cube neither lights nor shadows other surfaces.
     std::optional<Box> bounds;
 };
 
 struct Options {
-    std::string preset = "mobile";  // "thesis", "mobile" or "quality": docs/embedding.md has their cost
+    std::string preset = "mobile";  // "thesis", "mobile" or "quality"; docs/embedding.md has their cost
     int grid = 0;                   // voxels along a side: 64, 128, 256 or 512; 0: the preset's
-    int width = 400, height = 400;  // of the pictures, in pixels
-    // Which pictures render() makes; those that are not asked for cost nothing.
+    int width = 400, height = 400;  // size of the pictures in pixels
+    // The pictures that render() draws. Pictures that are not requested cost nothing.
     bool radiance = true, irradiance = false, ambientVisibility = false, sunVisibility = false;
-    std::string shaderFolder;  // A folder to read the shaders from; "": those that were built in.
+    std::string shaderFolder;  // folder to read the shaders from; "": the built-in ones
 };
 
-// Where the pictures are seen from. Clip space is GL's: depth from -1 (near) to 1 (far) in it.
+// The camera of the pictures. Clip space is GL's: depth from -1 (near) to 1 (far).
 struct View {
     Matrix cameraFromWorld;  // a rotation and a translation
-    // The projection, perspective (its last row is 0 0 -1 0) or orthographic (0 0 0 1), by which depth grows
-    // with distance. By either, glossy surfaces show what they reflect towards the camera's origin.
+    // Perspective (last row 0 0 -1 0) or orthographic (last row 0 0 0 1); depth grows with distance. Glossy
+    // reflections are those seen from the camera's origin, also with an orthographic projection.
     Matrix clipFromCamera;
 };
 
-// A G-buffer of the caller's: names of 2D textures of the pictures' size, row 0 at the bottom. Their sampler
-// parameters do not matter, but those of `gloss`, which must have the filter NEAREST.
+// The caller's G-buffer: names of 2D textures of the pictures' size, row 0 at the bottom. Their sampler
+// parameters do not matter, except that `gloss` must have the filter NEAREST.
 struct GBufferTextures {
-    unsigned albedo = 0;  // GL_RGBA8: the square root of the base colour; a is not read
-    unsigned normal =
-        0;               // GL_RG16UI: encodeNormal() of normalEncodingGlsl(), world space, towards the viewer
-    unsigned depth = 0;  // GL_DEPTH_COMPONENT32F or GL_DEPTH_COMPONENT24, of View; 1 where there is nothing
-    // 0 where the scene has no such materials:
+    unsigned albedo = 0;  // GL_RGBA8: square root of the base colour; alpha is not read
+    unsigned normal = 0;  // GL_RG16UI: encodeNormal(), see normalEncodingGlsl(); world space, towards viewer
+    unsigned depth = 0;   // GL_DEPTH_COMPONENT32F or GL_DEPTH_COMPONENT24, by View; 1 if there is no surface
+    // These are 0 if the scene has no such materials:
     unsigned emission = 0;  // GL_RGBA16F: radiance / GlobalIllumination::radianceUnit()
     unsigned gloss = 0;     // GL_RG8: metallic, roughness
 };
 
-// Names of 2D textures, GL_RGBA16F, row 0 at the bottom, NEAREST and CLAMP_TO_EDGE; 0 where Options does not
-// ask for it. They are linear. They belong to the GlobalIllumination, and are the same ones until resize(). a
-// is 1 on surfaces; where there are none (depth is 1) it is 0, and rgb is the sky's radiance, in units of
-// radianceUnit(), in each of the pictures.
+// Names of 2D textures: GL_RGBA16F, linear, row 0 at the bottom, NEAREST, CLAMP_TO_EDGE; 0 if Options does
+// not request the picture. They belong to the GlobalIllumination and stay valid until resize(). On surfaces
+// alpha is 1. Elsewhere (depth is 1) alpha is 0 and rgb is the sky's radiance in units of radianceUnit(), in
+// every picture.
 struct Pictures {
-    // What the camera sees, in units of radianceUnit().
+    // The complete light, in units of radianceUnit().
     unsigned radiance = 0;
-    // What surfaces receive of other surfaces, emitters and the sky, but not of the sun: 1 is the sun's
-    // illuminance. With the presets mobile and quality, but not with thesis, a surface that is not glossy and
-    // does not emit shows the radiance, in units of radianceUnit():
-    // baseColor * (max(dot(normal, towardsSun), 0) * sunVisibility * sun.color + irradiance),
-    // where normal and towardsSun have length 1 and sunVisibility is that picture's r.
+    // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, relative to the
+    // sun's illuminance. With the presets mobile and quality, a surface that neither is glossy nor emits has
+    // the radiance, in units of radianceUnit(),
+    //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun.color + irradiance),
+    // with `normal` and `directionToSun` at unit length and sunVisibility from the picture of that name. With
+    // the preset thesis this does not hold.
     unsigned irradiance = 0;
-    // These have the same number in r, g and b:
-    unsigned ambientVisibility = 0;  // 1 - ambient occlusion; with mobile and quality no part of radiance
-    unsigned sunVisibility = 0;      // the soft shadow: the share of the sun's disc that is seen
+    // These have the same value in r, g and b:
+    unsigned ambientVisibility = 0;  // 1 - ambient occlusion; not a part of radiance with mobile and quality
+    unsigned sunVisibility = 0;      // visible share of the sun's disc: the soft shadow
 };
 
-// Of the window or EGL library that made the context. Most return another type, which takes a lambda:
+// The function of the window or EGL library that returns GL entry points. A lambda can adapt its type:
 // [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }.
 using GetProcAddress = void* (*)(const char* name);
 
 // A scene in GL with its voxels and their light.
 //
-// GL state. Each function, the constructor and the destructor included, leaves these as they were: the
-// framebuffers that are bound for drawing and for reading, viewport, scissor box, depth range, colour and
-// depth masks, depth function, culled face and front face, the program, the vertex array, the active texture
-// unit, and whether these are enabled: GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST,
-// GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD. (Of what GL has per draw buffer, that of buffer 0 becomes
-// all of theirs.) It uses and leaves undefined: textures of units 0 to 15 and 31, whose samplers are 0
-// afterwards; images of units 0 to 3; uniform buffers 0 to 5 and shader storage buffers 0 to 4; and what is
-// bound to GL_ARRAY_BUFFER, GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER,
-// GL_COPY_WRITE_BUFFER, GL_DRAW_INDIRECT_BUFFER and GL_DISPATCH_INDIRECT_BUFFER. Everything else is neither
-// read nor changed. While a function runs, no query and no transform feedback may be active. An error that
-// glGetError() has kept from before is dropped.
+// GL state:
+// - Every function, including constructor and destructor, restores: the bound framebuffers for drawing and
+//   reading, viewport, scissor box, depth range, colour and depth masks, depth function, culled face and
+//   front face, the program, the vertex array, the active texture unit, and the switches GL_BLEND,
+//   GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL and GL_RASTERIZER_DISCARD. State
+//   that GL has per draw buffer is restored to that of draw buffer 0 for all draw buffers.
+// - These are undefined afterwards: textures of units 0 to 15 and 31 (their samplers are 0), images of units
+//   0 to 3, uniform buffers 0 to 5, shader storage buffers 0 to 4, and the bindings GL_ARRAY_BUFFER,
+//   GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER,
+//   GL_DRAW_INDIRECT_BUFFER and GL_DISPATCH_INDIRECT_BUFFER.
+// - Other state is neither read nor changed. No query and no transform feedback may be active during a call.
+//   An earlier error that glGetError() would return is dropped.
 //
-// The only state of the process is the table of GL entry points, which the constructor fills: all contexts
-// that use the library at the same time must be of one driver.
+// The constructor fills a table of GL entry points that the whole process shares. All contexts that use the
+// library at the same time must therefore have the same driver.
 class GlobalIllumination {
   public:
-    // Uploads the scene. Throws where the description is wrong, the driver lacks something, or memory does
-    // not suffice. The first render() compiles the shaders and makes the voxels, so it takes longest, and may
-    // throw for the same causes.
+    // Uploads the scene. Throws if the description is invalid, the driver lacks a feature, or there is not
+    // enough memory. The first render() compiles the shaders and builds the voxels. It takes longest, and may
+    // throw for the same reasons.
     GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,
                        const Options& options = {});
     ~GlobalIllumination();
     GlobalIllumination(GlobalIllumination&&) noexcept;
     GlobalIllumination& operator=(GlobalIllumination&&) noexcept;
 
-    // These are seen in the next picture. The voxels near what moved, or the light of all of them, are made
-    // anew then.
-    // `instance`: an index into SceneDescription::instances, of one that was declared to move.
+    // Moves an instance in the next picture. `instance`: index into SceneDescription::instances, with `moves`
+    // set.
     void setTransform(std::size_t instance, const Matrix& worldFromObject);
-    // Of any length but 0. Colour, illuminance and diameter stay.
-    void setSun(const std::array<double, 3>& towardsSun);
-    // Makes the pictures and the G-buffer anew, and nothing else.
+    // Turns the sun in the next picture. `directionToSun`: any length but 0. Colour, illuminance and diameter
+    // are fixed.
+    void setSun(const std::array<double, 3>& directionToSun);
+    // Recreates the pictures and the G-buffer in another size. Voxels and their light are kept.
     void resize(int width, int height);
 
-    // How far a call brings the light: after a change, what surfaces receive approaches its final value over
-    // some 16 frames.
-    enum class Light { oneStep, settled };
-    // Draws the pictures. With `gBuffer`, from the caller's G-buffer, which must show the scene from the same
-    // View; else from a G-buffer of the library's own.
+    // After a change, indirect light converges over about 16 frames. `oneStep` takes one step per call, for
+    // interactive use; `converged` takes all remaining steps, for a still picture.
+    enum class Light { oneStep, converged };
+    // Draws the pictures. `gBuffer` is a G-buffer of the caller's that shows the scene from the same View;
+    // without it the library draws its own.
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
 
-    // The radiance that a value of 1 in Pictures::radiance stands for: the sun's illuminance / pi, which is
-    // what a white surface that faces the sun sends back; 1 where the sun is off.
+    // The radiance that is 1 in Pictures::radiance: the sun's illuminance / pi, which is the radiance of a
+    // white surface that faces the sun; 1 if the sun is off.
     double radianceUnit() const;
 
   private:
@@ -202,9 +201,9 @@ class GlobalIllumination {
     std::unique_ptr<Implementation> implementation_;
 };
 
-// GLSL ES 3.10 for the shaders of a G-buffer of your own: uvec2 encodeNormal(vec3 unitLength), vec3
-// decodeNormal(uvec2 code) and vec3 safeNormalize(vec3 v). It has no #version; in a fragment shader it comes
-// after "precision highp float;" and "precision highp int;".
+// GLSL ES 3.10 functions for your own G-buffer: uvec2 encodeNormal(vec3 unitLength), vec3 decodeNormal(uvec2
+// code) and vec3 safeNormalize(vec3 v). The text has no #version. In a fragment shader, insert it after
+// "precision highp float;" and "precision highp int;".
 std::string normalEncodingGlsl();
 
 }  // namespace vct

@@ -1,14 +1,14 @@
-// The files below shaders/, as they were when the library was built (cmake/embed_shaders.cmake).
+// The shader files that are built into the library (cmake/embed_shaders.cmake).
 #pragma once
 
 #include "gl/shader_source.h"
 
 namespace vct {
 
-// Throws vct::Error where there is no such file.
+// The returned function throws vct::Error if a file does not exist.
 gl::ReadShader embeddedShaders();
 
-// What cmake/embed_shaders.cmake writes; the last path is null.
+// The table that cmake/embed_shaders.cmake writes; the last path is null.
 struct EmbeddedFile {
     const char* path;
     const char* text;

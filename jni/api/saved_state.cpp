@@ -6,9 +6,9 @@ namespace vct {
 
 namespace {
 
-constexpr GLuint lastUnit = VCT_TEX_SHADOW_MOMENTS;  // of those that passes read from
+constexpr GLuint lastUnit = VCT_TEX_SHADOW_MOMENTS;  // the last texture unit that passes read
 
-// The samplers of the embedding program would be read through in place of the textures' own parameters.
+// Samplers of the embedding program would override the textures' own parameters.
 void unbindSamplers() {
     for (GLuint unit = 0; unit <= lastUnit; ++unit)
         gl::BindSampler(unit, 0);
@@ -17,7 +17,7 @@ void unbindSamplers() {
 }  // namespace
 
 SavedState::SavedState() {
-    // Bounded: without a context some drivers return an error for ever.
+    // The limit is needed because some drivers return errors for ever without a context.
     for (int i = 0; i < 8 && gl::GetError() != GL_NO_ERROR; ++i) {
     }
     for (std::size_t i = 0; i < switches.size(); ++i) {

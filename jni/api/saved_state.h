@@ -1,4 +1,4 @@
-// The GL state that include/vct/vct.h promises to leave as it was.
+// Saves and restores the GL state that include/vct/vct.h promises to leave unchanged.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace vct {
 
-// Notes the state when it is made and sets what the engine's passes take for granted; its end restores the
-// state.
+// The constructor saves the state and sets the state that the engine's passes expect; the destructor restores
+// it.
 class SavedState {
   public:
     SavedState();

@@ -11,7 +11,7 @@ namespace vct {
 
 namespace {
 
-// Beyond this a coordinate squared leaves the range of float, as in a scene of a file.
+// The square of a larger coordinate would exceed the range of float. Scenes from files have the same limit.
 constexpr double maxCoordinate = 1e18;
 
 void require(bool ok, const std::string& message) {
@@ -22,7 +22,7 @@ std::string indexed(const char* what, std::size_t index) {
     return what + (" " + std::to_string(index));
 }
 
-// All of them finite and within the range. NaN is in no range.
+// True if all numbers are within the range, which NaN never is.
 template <class Numbers>
 bool within(const Numbers& numbers, double least, double most) {
     return std::all_of(std::begin(numbers), std::end(numbers),
@@ -82,7 +82,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
     }
     mesh.centre = 0.5 * (bounds.min + bounds.max);
     mesh.vertices.resize(vertices);
-    // Only vertices in use: the others may hold anything.
+    // Only vertices in use are checked.
     for (const std::uint32_t index : mesh.indices) {
         const glm::dvec3 normal = vectorAt(description.normals, index);
         const double length = std::sqrt(glm::dot(normal, normal));
@@ -96,7 +96,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
 
 DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
-    light.towardsLight = direction(sun.towardsSun, "the direction towards the sun");
+    light.directionToLight = direction(sun.directionToSun, "the direction towards the sun");
     require(within(sun.color, 0.0, 1.0) && *std::max_element(sun.color.begin(), sun.color.end()) == 1.0F,
             "the sun's colour: give three numbers from 0 on, the largest of which is 1");
     const float illuminance[] = {sun.illuminance};

@@ -1,4 +1,4 @@
-// The scene of the engine from what an embedding program describes.
+// Converts an embedding program's description of a scene to the engine's Scene.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace vct {
 
-// Throws vct::Error that names what is wrong. The instances that move have the nodes 0, 1, 2, ... in the
+// Throws vct::Error that names the first invalid value. Instances that move get the nodes 0, 1, 2, ... in the
 // order of the description. The sun is the first light.
 Scene sceneOf(const SceneDescription& description);
 
-// Throws vct::Error that names `what` where it is not finite, or not affine.
+// Throws vct::Error with the name `what` if the matrix is not finite or not affine.
 glm::dmat4 affine(const Matrix& matrix, const std::string& what);
 
-// As it is given, of unit length. Throws vct::Error that names `what` where there is none.
+// Returns the vector at unit length. Throws vct::Error with the name `what` if it has no direction.
 glm::dvec3 direction(const std::array<double, 3>& vector, const std::string& what);
 
 }  // namespace vct

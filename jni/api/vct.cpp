@@ -69,8 +69,8 @@ std::vector<Output> outputsFor(const Options& options) {
     return outputs;
 }
 
-// The last row tells a perspective or an orthographic projection from a transposed one, whose picture would
-// be of something else without an error. The tolerance is for products, which round.
+// Checks the last row of a projection, to reject transposed matrices, which would give a wrong picture
+// without an error. The tolerance allows for rounding in matrix products.
 glm::dmat4 projectionOf(const Matrix& matrix) {
     glm::dmat4 result;
     for (int i = 0; i < 16; ++i)
@@ -104,9 +104,9 @@ Camera cameraOf(const View& view) {
     return camera;
 }
 
-// A texture of the caller's G-buffer, bound to a unit to look at it.
+// Throws vct::Error if a texture of the caller's G-buffer has the wrong size or format.
 void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
-    gl::Texture::ownedElsewhere(name).bind(gl::scratchTextureUnit);
+    gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
     GLint width = 0, height = 0, format = 0;
     if (name != 0) {
         gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
@@ -157,17 +157,17 @@ struct GlobalIllumination::Implementation {
     }
 
     Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
-        renderer->render(
-            {outputs, cameraOf(view), light == Light::settled ? LightSteps::all : LightSteps::one, surface});
+        renderer->render({outputs, cameraOf(view),
+                          light == Light::converged ? LightSteps::all : LightSteps::one, surface});
         return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
                 textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility)};
     }
 
     std::vector<Output> outputs;
-    std::vector<int> nodes;  // of each instance; -1: it does not move
+    std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
     std::optional<Renderer> renderer;
-    std::optional<gl::PlainSampler> plain;  // for the caller's G-buffer
+    std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
 
 GlobalIllumination::GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,
@@ -191,8 +191,8 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
     implementation_->renderer->setPose(implementation_->pose);
 }
 
-void GlobalIllumination::setSun(const std::array<double, 3>& towardsSun) {
-    implementation_->renderer->setLightDirection(direction(towardsSun, "setSun: the direction"));
+void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
+    implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
 }
 
 void GlobalIllumination::resize(int width, int height) {
@@ -215,11 +215,11 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
     if (gBuffer.gloss != 0) requireTexture(gBuffer.gloss, "gloss", size, {GL_RG8});
     for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
         implementation_->plain->bind(unit);
-    const auto albedo = gl::Texture::ownedElsewhere(gBuffer.albedo),
-               normal = gl::Texture::ownedElsewhere(gBuffer.normal),
-               depth = gl::Texture::ownedElsewhere(gBuffer.depth),
-               emission = gl::Texture::ownedElsewhere(gBuffer.emission),
-               gloss = gl::Texture::ownedElsewhere(gBuffer.gloss);
+    const auto albedo = gl::Texture::wrapExternal(gBuffer.albedo),
+               normal = gl::Texture::wrapExternal(gBuffer.normal),
+               depth = gl::Texture::wrapExternal(gBuffer.depth),
+               emission = gl::Texture::wrapExternal(gBuffer.emission),
+               gloss = gl::Texture::wrapExternal(gBuffer.gloss);
     const GBuffer::Targets surface{
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};

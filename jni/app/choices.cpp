@@ -121,14 +121,14 @@ DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {
     if (choices.lightAnglesDeg) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
         light.node = -1;  // stays there
-        light.towardsLight = {std::cos(angles.y) * std::sin(angles.x), std::sin(angles.y),
-                              std::cos(angles.y) * std::cos(angles.x)};
+        light.directionToLight = {std::cos(angles.y) * std::sin(angles.x), std::sin(angles.y),
+                                  std::cos(angles.y) * std::cos(angles.x)};
     }
     return light;
 }
 
 glm::vec2 lightAnglesDeg(const DirectionalLight& light) {
-    const glm::dvec3& l = light.towardsLight;
+    const glm::dvec3& l = light.directionToLight;
     return glm::degrees(glm::dvec2(std::atan2(l.x, l.z), std::asin(std::clamp(l.y, -1.0, 1.0))));
 }
 

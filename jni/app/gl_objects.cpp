@@ -55,7 +55,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         preset_ = choices.preset;
     }
     if (settings.size != renderer_->settings().size) renderer_->resize(settings.size);
-    renderer_->setLightDirection(light.towardsLight);
+    renderer_->setLightDirection(light.directionToLight);
     renderer_->setShadowConeAngle(settings.shadowConeAngleDeg);
     for (std::size_t i = 0; i < scene->punctualLights.size(); ++i)
         renderer_->setLightOn(i, !choices.lightsOff.test(i));

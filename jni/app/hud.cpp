@@ -184,7 +184,7 @@ void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
     if (content.divisor)
         ImGui::TextWrapped("1/%g of the window's sides: what %g ms a frame allow, but at least 1/%g",
-                           *content.divisor, ResolutionScale::mostMs, ResolutionScale::largestDivisor);
+                           *content.divisor, ResolutionScale::maxMs, ResolutionScale::maxDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
     if (!ImGui::BeginTable("times", 3)) return;

@@ -54,7 +54,7 @@ void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window
 }
 
 gl::RenderPass windowPass(glm::ivec2 window, const glm::vec3& color) {
-    return gl::RenderPass(gl::Framebuffer::ofWindow(window.x, window.y), gl::Load::clear, gl::Store::colors,
+    return gl::RenderPass(gl::Framebuffer::window(window.x, window.y), gl::Load::clear, gl::Store::colors,
                           {color.r, color.g, color.b, 1.0F});
 }
 

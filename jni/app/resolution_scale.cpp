@@ -10,7 +10,7 @@ namespace vct::app {
 namespace {
 
 // From one to the next the number of pixels changes by about a half.
-constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::largestDivisor};
+constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::maxDivisor};
 
 constexpr std::size_t framesToFall = 10, framesToRise = 30;
 
@@ -34,7 +34,7 @@ bool ResolutionScale::follow(double frameMs) {
     std::size_t wanted = level_;
     if (timesMs_.size() >= framesToFall) {
         const double ms = median({timesMs_.end() - framesToFall, timesMs_.end()});
-        if (ms > mostMs) wanted = std::max(level_ + 1, finestWithin(mostMs, ms, divisor()));
+        if (ms > maxMs) wanted = std::max(level_ + 1, finestWithin(maxMs, ms, divisor()));
     }
     if (timesMs_.size() == framesToRise) {
         const std::size_t finest = finestWithin(enoughMs, median(timesMs_), divisor());

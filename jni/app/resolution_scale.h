@@ -11,15 +11,15 @@ namespace vct::app {
 // too, so that noise does not move it to and fro.
 class ResolutionScale {
   public:
-    static constexpr double mostMs = 15.0;    // of 60 frames a second, less what the system needs to show one
+    static constexpr double maxMs = 15.0;     // of 60 frames a second, less what the system needs to show one
     static constexpr double enoughMs = 12.0;  // up to which it rises
-    static constexpr double largestDivisor = 4.0;  // where it stays however long frames take
+    static constexpr double maxDivisor = 4.0;  // where it stays however long frames take
 
     // Takes a frame's time in ms, from its start until the GPU has finished it. Returns whether frames to
     // come have another size.
     bool follow(double frameMs);
 
-    // Of the window's sides, from 1 to largestDivisor.
+    // Of the window's sides, from 1 to maxDivisor.
     double divisor() const;
 
   private:

@@ -28,8 +28,8 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
         // A finger more or less moves nothing by itself: the next positions are compared with these.
         if (points_.empty() && points.size() == 1) {
             mayBeTap_ = true;
-            downAt_ = points[0].position;
-            downS_ = timeS;
+            touchPosition_ = points[0].position;
+            touchStartS_ = timeS;
         } else if (points.empty() && mayBeTap_) {
             finishTap(timeS);
         }
@@ -38,7 +38,7 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
         return;
     }
     if (points.size() == 1) {
-        if (mayBeTap_ && glm::distance(points[0].position, downAt_) < slop_) return;
+        if (mayBeTap_ && glm::distance(points[0].position, touchPosition_) < slop_) return;
         mayBeTap_ = false;
         gesture_.orbit += points[0].position - points_[0].position;
     } else if (points.size() == 2) {
@@ -55,12 +55,12 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
 
 void Touch::finishTap(double timeS) {
     mayBeTap_ = false;
-    if (timeS - downS_ > longestTapS) return;
-    const bool second = lastTapS_ >= 0.0 && downS_ - lastTapS_ <= longestDoubleTapS &&
-                        glm::distance(downAt_, lastTapAt_) <= tapDistance_;
+    if (timeS - touchStartS_ > longestTapS) return;
+    const bool second = lastTapS_ >= 0.0 && touchStartS_ - lastTapS_ <= longestDoubleTapS &&
+                        glm::distance(touchPosition_, lastTapAt_) <= tapDistance_;
     gesture_.doubleTap = gesture_.doubleTap || second;
     lastTapS_ = second ? -1.0 : timeS;  // a third tap begins anew
-    lastTapAt_ = downAt_;
+    lastTapAt_ = touchPosition_;
 }
 
 void Touch::cancel() {

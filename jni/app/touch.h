@@ -38,8 +38,8 @@ class Touch {
     float slop_, tapDistance_;
     std::vector<TouchPoint> points_;  // by id, at most the first two
     bool mayBeTap_ = false;           // one finger, that has not moved yet
-    glm::vec2 downAt_{0.0F};
-    double downS_ = 0.0, lastTapS_ = -1.0;
+    glm::vec2 touchPosition_{0.0F};
+    double touchStartS_ = 0.0, lastTapS_ = -1.0;
     glm::vec2 lastTapAt_{0.0F};
     Gesture gesture_;
 };

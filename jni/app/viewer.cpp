@@ -17,13 +17,13 @@ const glm::vec3 black(0.0F), background(0.08F);
 
 }  // namespace
 
-Viewer::Viewer(Surroundings surroundings, const ShowRequest& request)
-    : surroundings_(std::move(surroundings)),
-      scenes_(surroundings_.findScenes, surroundings_.readScene),
+Viewer::Viewer(ViewerHost host, const ShowRequest& request)
+    : host_(std::move(host)),
+      scenes_(host_.findScenes, host_.readScene),
       choices_(request.choices),
       animationS_(request.timeS),
-      hud_(surroundings_.pixelsPerDp),
-      touch_(surroundings_.pixelsPerDp),
+      hud_(host_.pixelsPerDp),
+      touch_(host_.pixelsPerDp),
       lastFrame_(std::chrono::steady_clock::now()) {
     if (!request.display) hud_.turnOff();
     const int first = std::max(scenes_.find(request.scene.empty() ? firstScene : request.scene), 0);
@@ -37,7 +37,7 @@ Viewer::~Viewer() {
 }
 
 void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
-    if (!gl_) gl_ = std::make_unique<GlObjects>(surroundings_.shaders);
+    if (!gl_) gl_ = std::make_unique<GlObjects>(host_.shaders);
     takeLoadedScene(window);
     const auto now = std::chrono::steady_clock::now();
     const double passedS = std::chrono::duration<double>(now - lastFrame_).count();
@@ -80,7 +80,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     const int sceneBefore = scene;
     content.scene = &scene;
     content.scenes = &scenes_.all();
-    content.sceneLightDeg = lightAnglesDeg(look_.light);
+    content.sceneLightDeg = lightAnglesDeg(defaults_.light);
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = sizeIn(window);
@@ -124,15 +124,15 @@ void Viewer::drawScene(glm::ivec2 window) {
         if (!scene_->animation.channels.empty()) {
             const Pose pose = poseAt(scene_->animation, sceneTimeS());
             renderer.setPose(pose);
-            renderer.setLightDirection(posed(light(), pose).towardsLight);
-            const Camera* const first = look_.camera              ? &*look_.camera
+            renderer.setLightDirection(posed(light(), pose).directionToLight);
+            const Camera* const first = defaults_.camera          ? &*defaults_.camera
                                         : scene_->cameras.empty() ? nullptr
                                                                   : &scene_->cameras.front();
             if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
         }
         if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
         renderer.render({{choices_.mode}, view_->camera(aspect_)});
-        if (!look_.exposure) exposure_.follow(renderer);
+        if (!defaults_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {
             const StepTimes times = renderer.timer().stopRecording();
@@ -143,7 +143,7 @@ void Viewer::drawScene(glm::ivec2 window) {
     });
     if (!failure.empty()) return revert(failure, window);
     good_ = wanted;
-    goodLook_ = look_;
+    goodDefaults_ = defaults_;
     failed_.reset();
 }
 
@@ -165,17 +165,17 @@ void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point
 
 Settings Viewer::settingsOf(glm::ivec2 window) const {
     Settings settings = settingsFor(choices_, window, scale_.divisor());
-    settings.skyRadiance = skyRadianceFor(choices_, look_.skyRadiance, light());
-    if (choices_.sky == Sky::scene) settings.environment = look_.environment;
+    settings.skyRadiance = skyRadianceFor(choices_, defaults_.skyRadiance, light());
+    if (choices_.sky == Sky::scene) settings.environment = defaults_.environment;
     return settings;
 }
 
 DirectionalLight Viewer::light() const {
-    return lightFor(choices_, look_.light);
+    return lightFor(choices_, defaults_.light);
 }
 
 float Viewer::exposure() const {
-    return look_.exposure.value_or(exposure_.value());
+    return defaults_.exposure.value_or(exposure_.value());
 }
 
 double Viewer::sceneTimeS() const {
@@ -218,7 +218,7 @@ void Viewer::revert(const std::string& why, glm::ivec2 window) {
     failed_ = wanted;
     if (!good_ || *good_ == wanted) return;
     choices_ = good_->choices;
-    if (scene_ != good_->scene) show(good_->scene, goodLook_, window);
+    if (scene_ != good_->scene) show(good_->scene, goodDefaults_, window);
 }
 
 void Viewer::fail(const std::string& message) {
@@ -239,10 +239,10 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
             log(LogLevel::warning, warning);
         log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
         const double aspect = aspectOf(sizeIn(window));
-        const Look look = surroundings_.lookOf(*loaded, aspect);
+        const ViewDefaults look = host_.defaultsFor(*loaded, aspect);
         if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
         show(loaded, look, window);
-        if (!look_.camera) {
+        if (!defaults_.camera) {
             const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
             const std::string note = cameraNote(*scene_, "", seen, aspect);
             if (!note.empty()) log(note);
@@ -254,24 +254,24 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
     }
 }
 
-void Viewer::show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window) {
+void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window) {
     scene_ = std::move(scene);
-    look_ = look;
+    defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     exposure_ = {};
     aspect_ = aspectOf(sizeIn(window));
-    view_.emplace(*scene_, look_.camera, aspect_);
+    view_.emplace(*scene_, defaults_.camera, aspect_);
 }
 
 void Viewer::reset() {
     choices_.lightAnglesDeg.reset();
     if (!scene_) return;
-    view_.emplace(*scene_, look_.camera, aspect_);
+    view_.emplace(*scene_, defaults_.camera, aspect_);
     exposure_ = {};
 }
 
 void Viewer::turnLight(const glm::vec2& deg) {
-    const glm::vec2 from = choices_.lightAnglesDeg.value_or(lightAnglesDeg(look_.light)) + deg;
+    const glm::vec2 from = choices_.lightAnglesDeg.value_or(lightAnglesDeg(defaults_.light)) + deg;
     choices_.lightAnglesDeg = {std::remainder(from.x, 360.0F), std::clamp(from.y, -90.0F, 90.0F)};
 }
 
@@ -305,16 +305,16 @@ std::optional<Viewer::Seen> Viewer::seen() {
 // Whoever a touch began with gets all of it.
 void Viewer::finger(const std::vector<TouchPoint>& points, double timeS) {
     if (!touching_ && !points.empty()) {
-        touchesDisplay_ = hud_.covers(points[0].position);
-        displayFinger_ = points[0];
+        touchesHud_ = hud_.covers(points[0].position);
+        hudFinger_ = points[0];
     }
     touching_ = !points.empty();
-    if (!touchesDisplay_) return touch_.update(points, timeS);
+    if (!touchesHud_) return touch_.update(points, timeS);
     const auto found = std::find_if(points.begin(), points.end(),
-                                    [&](const TouchPoint& point) { return point.id == displayFinger_.id; });
+                                    [&](const TouchPoint& point) { return point.id == hudFinger_.id; });
     const bool down = found != points.end();
-    if (down) displayFinger_ = *found;
-    hud_.touch(displayFinger_.position, down);
+    if (down) hudFinger_ = *found;
+    hud_.touch(hudFinger_.position, down);
 }
 
 }  // namespace vct::app

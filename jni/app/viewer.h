@@ -23,7 +23,7 @@
 namespace vct::app {
 
 // How a scene is shown before anybody touches anything.
-struct Look {
+struct ViewDefaults {
     std::optional<Camera> camera;  // for the window's shape; else OrbitView's
     DirectionalLight light;
     // The scene's own sky, which may be replaced by a dark or a plain one.
@@ -34,7 +34,7 @@ struct Look {
 };
 
 // What a viewer asks of where it runs.
-struct Surroundings {
+struct ViewerHost {
     std::string backend;       // driver.backend of timings.json
     std::string folder;        // of what is measured; the person's scenes are there too
     float pixelsPerDp = 1.0F;  // screen density over 160 dpi
@@ -43,12 +43,12 @@ struct Surroundings {
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
     // Of a scene that was just loaded, for a window of `aspect`. May throw vct::Error.
-    std::function<Look(const Scene&, double aspect)> lookOf;
+    std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
 
 class Viewer {
   public:
-    Viewer(Surroundings surroundings, const ShowRequest& request);
+    Viewer(ViewerHost host, const ShowRequest& request);
     ~Viewer();  // in its context
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
@@ -69,14 +69,14 @@ class Viewer {
     // Every finger that is down after an event, in pixels from the top left.
     void finger(const std::vector<TouchPoint>& points, double timeS);
     void cancelTouch() { touch_.cancel(); }
-    bool displayCovers(const glm::vec2& position) const { return hud_.covers(position); }
+    bool hudCovers(const glm::vec2& position) const { return hud_.covers(position); }
 
     // The mouse's wheel over the display; clicks upwards.
-    void scrollDisplay(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
+    void scrollHud(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
 
     // What fingers choose in the display can be chosen by keys, too.
     Choices& choices() { return choices_; }
-    void toggleDisplay() { hud_.toggle(); }
+    void toggleHud() { hud_.toggle(); }
     void showOtherScene(int step);         // of the list
     void reset();                          // view, light and exposure
     void turnLight(const glm::vec2& deg);  // around, and up
@@ -134,12 +134,12 @@ class Viewer {
 
     std::string scenePath() const;  // of what is being loaded or shown
     void takeLoadedScene(glm::ivec2 window);
-    void show(std::shared_ptr<const Scene> scene, const Look& look, glm::ivec2 window);
+    void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
 
-    Surroundings surroundings_;
+    ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
-    Look look_;
+    ViewDefaults defaults_;
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // of the last picture
 
@@ -147,7 +147,7 @@ class Viewer {
     ResolutionScale scale_;
     double animationS_ = 0.0;       // what has been played, of any scene
     std::optional<Wanted> good_;    // of the last frame that could be rendered
-    Look goodLook_;                 // likewise
+    ViewDefaults goodDefaults_;     // likewise
     std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
     Exposure exposure_;             // unless the look has one
     std::string message_;
@@ -160,8 +160,8 @@ class Viewer {
 
     Hud hud_;
     Touch touch_;
-    bool touching_ = false, touchesDisplay_ = false;
-    TouchPoint displayFinger_;
+    bool touching_ = false, touchesHud_ = false;
+    TouchPoint hudFinger_;
 
     std::unique_ptr<GlObjects> gl_;
 

@@ -12,7 +12,7 @@ namespace vct::app {
 // Once, and not before the window has shown something: it takes a moment.
 void Viewer::testDriver() {
     if (selfTest_ || shownFrames_ == 0) return;
-    selfTest_ = runSelfTest(gl_->capabilities(), surroundings_.shaders);
+    selfTest_ = runSelfTest(gl_->capabilities(), host_.shaders);
     const std::string text =
         (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
     if (selfTest_->passed)
@@ -24,17 +24,16 @@ void Viewer::testDriver() {
 void Viewer::startMeasuring(const std::string& command) {
     log(command);
     try {
-        results_ = std::make_unique<ResultsFolder>(surroundings_.folder + "/results");
+        results_ = std::make_unique<ResultsFolder>(host_.folder + "/results");
         BenchRequest request = benchRequestFromText(command);
         scenes_.rescan();
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
-        if (index < 0)
-            throw Error("there is no scene " + request.scene + "; copy it into " + surroundings_.folder);
+        if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + host_.folder);
         const SceneFile& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
         request_ = request;
-        surroundings_.keepScreenOn(true);
+        host_.keepScreenOn(true);
     } catch (const std::exception& error) {
         endMeasuring(error.what());
     }
@@ -51,8 +50,8 @@ void Viewer::measure() {
             if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
-                                gl_->capabilities(), surroundings_.shaders, surroundings_.backend,
-                                selfTestJson(*selfTest_), [](const std::string& line) { log(line); }},
+                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*selfTest_),
+                                [](const std::string& line) { log(line); }},
                 results_->path());
         }
         more = bench_->advance();
@@ -63,9 +62,9 @@ void Viewer::measure() {
 void Viewer::endMeasuring(const std::string& failure) {
     bench_.reset();
     request_.reset();
-    surroundings_.keepScreenOn(false);
+    host_.keepScreenOn(false);
     if (failure.empty()) {
-        message_ = "measured: " + surroundings_.folder + "/results";
+        message_ = "measured: " + host_.folder + "/results";
         log(message_);
     } else {
         fail("measuring failed: " + failure);

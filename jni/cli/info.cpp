@@ -1,20 +1,19 @@
-// vct info: what the driver is, and whether it has all that the pipeline needs; of a scene, what each
-// of its features costs.
+// vct info: the driver, and whether it has all that the pipeline needs; or the size and the features of a
+// scene.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/progress.h"
-#include "cli/sky_option.h"
 #include "core/error.h"
+#include "engine/grid_choice.h"
+#include "engine/voxelization.h"
 #include "gl/capabilities.h"
-#include "lab/options.h"
-#include "lab/scene_costs.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
 #include "scene/light_choice.h"
+#include "scene/scene_features.h"
 
 namespace vct::cli {
 namespace {
@@ -23,9 +22,6 @@ struct InfoOptions {
     SceneOptions scene;
     bool listDevices = false, printCamera = false;
     std::string preset = defaultPreset;
-    std::string mode = "gi-cone-shadow";
-    SkyOption sky;
-    int timedFrames = 0;
 };
 
 constexpr const char* infoFooter =
@@ -36,7 +32,7 @@ constexpr const char* infoFooter =
     "  vct info --list-devices      the indices that --device takes\n"
     "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
     "  vct info assets/courtyard.glb --grid auto\n"
-    "                               what each feature of the scene adds to a frame\n"
+    "                               the scene's size, its features, and its voxels\n"
     "  vct info my.glb --print-camera --size 640x360\n"
     "                               where it is seen from";
 
@@ -62,34 +58,38 @@ bool printCapabilities(const InfoOptions& options) {
     return true;
 }
 
-// Renders the scene, and the scene without each of its features.
+// Prints the size of the scene, the features that passes are built for, and the volume around it.
 void printScene(const InfoOptions& options) {
-    FrameOptions frame;
-    frame.settings = options.scene.settings(options.preset);
-    frame.settings.revoxelize = true;  // what every pass costs
-    options.sky.applyTo(frame.settings);
-    validate(frame.settings);
-    const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
-    if (modes.size() != 1) throw Error("--mode " + options.mode + ": the costs are of one mode; name one");
-    frame.mode = modes.front();
-    frame.timedFrames = options.timedFrames;
+    Settings settings = options.scene.settings(options.preset);
+    validate(settings);
     const Scene scene = options.scene.load();
-    frame.camera = options.scene.cameraOf(scene);
-    frame.light = lightFromText(options.scene.light, scene);
-    options.sky.lightScene(scene, options.scene.light, frame.light, frame.settings);
     const Context context = options.scene.backend.open();
-    options.scene.fitGrid(frame.settings, scene, context.capabilities);
-    if (const std::string note = voxelizationNote(frame.settings.voxels, context.capabilities); !note.empty())
-        say(note);
-    const Progress progress("rendering " + scene.path + " with and without each of its features");
-    const SceneCosts costs = sceneCosts(scene, frame, context.capabilities, shaders());
+    options.scene.fitGrid(settings, scene, context.capabilities);
+    const SceneFeatures features = featuresOf(scene);
     const glm::dvec3 extent = scene.boundsWorld.max - scene.boundsWorld.min;
-    std::printf(
-        "%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n"
-        "preset %s, mode %s, %dx%d pixels, %d^3 voxels\n\n%s",
-        scene.path.c_str(), scene.triangleCount(), scene.instances.size(), featuresOf(scene).materials,
-        extent.x, extent.y, extent.z, options.preset.c_str(), outputName(frame.mode), frame.settings.size.x,
-        frame.settings.size.y, frame.settings.grid, sceneCostsText(costs, options.timedFrames > 0).c_str());
+    std::printf("%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n", scene.path.c_str(),
+                scene.triangleCount(), scene.instances.size(), features.materials, extent.x, extent.y,
+                extent.z);
+    std::printf("volume:    %s\n", gridText(scene.boundsWorld, settings.grid).c_str());
+    const std::pair<const char*, bool> rows[] = {
+        {"textures", features.has(featureBaseColorTexture)},
+        {"alpha masks", features.has(featureAlphaMask)},
+        {"vertex colours", features.has(featureVertexColors)},
+        {"normal maps", features.has(featureNormalMap)},
+        {"gloss", features.glossy},
+        {"unlit materials", features.has(featureUnlit)},
+        {"emission", features.has(featureEmissive)},
+        {"punctual lights", !scene.punctualLights.empty()},
+        {"moving objects", features.movingObjects},
+        {"skins or morph targets", features.deforms},
+        {"moving lights", features.movingLight},
+    };
+    std::string found;
+    for (const auto& [name, occurs] : rows)
+        if (occurs) found += (found.empty() ? "" : ", ") + std::string(name);
+    std::printf("features:  %s\n", found.empty() ? "none besides triangles of one colour" : found.c_str());
+    if (const std::string note = voxelizationNote(settings.voxels, context.capabilities); !note.empty())
+        say(note);
 }
 
 // For tools: they need not know how a view is chosen. Without a driver.
@@ -112,28 +112,21 @@ void printCamera(const InfoOptions& options) {
 }  // namespace
 
 void addInfo(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand(
-        "info",
-        "Show the GL driver and whether it has what the pipeline needs, or what a scene's features cost");
+    CLI::App* command = app.add_subcommand("info",
+                                           "Show the GL driver and whether it has what the pipeline needs, "
+                                           "or the size and the features of a scene");
     const auto options = std::make_shared<InfoOptions>();
     command->add_flag("--list-devices", options->listDevices,
                       "List the EGL devices with their indices, and stop");
-    command->add_option("--preset", options->preset, "Of a scene's frame: " + presetList())
+    command->add_option("--preset", options->preset, "Chooses the grid of a scene: " + presetList())
         ->capture_default_str();
-    command->add_option("--mode", options->mode, "Of a scene's frame, as for render")->capture_default_str();
-    command
-        ->add_option(
-            "--times", options->timedFrames,
-            "Time so many frames with and without each feature, in turn; the difference of the medians")
-        ->check(CLI::Range(1, 1000));
     CLI::Option* scene = options->scene.addTo(*command);
     command->add_flag("--print-camera", options->printCamera,
                       "Print as JSON the camera by which --camera and --size see the scene, with the option "
                       "that repeats it, and stop");
-    options->sky.addTo(*command);
-    for (const char* ofAScene : {"--preset", "--mode", "--grid", "--voxel-size", "--size", "--camera",
-                                 "--light", "--sky", "--environment", "--times", "--print-camera"})
-        command->get_option(ofAScene)->needs(scene);
+    for (const char* sceneOption :
+         {"--preset", "--grid", "--voxel-size", "--size", "--camera", "--light", "--print-camera"})
+        command->get_option(sceneOption)->needs(scene);
     command->footer(infoFooter);
     command->callback([options, &exitCode] {
         if (options->listDevices)

@@ -73,12 +73,12 @@ Scene SceneFileOption::load(const std::string& animation) const {
 }
 
 CLI::Option* SceneOptions::addTo(CLI::App& command) {
-    CLI::Option* const sceneOption = addWithoutBackendTo(command);
+    CLI::Option* const sceneOption = addSceneTo(command);
     backend.addTo(command);
     return sceneOption;
 }
 
-CLI::Option* SceneOptions::addWithoutBackendTo(CLI::App& command) {
+CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
     CLI::Option* sceneOption = addFileTo(command);
     CLI::Option* gridOption =
         command

@@ -49,8 +49,8 @@ struct SceneOptions : SceneFileOption {
     std::optional<double> voxelSize;  // metres
     BackendOption backend;
 
-    CLI::Option* addTo(CLI::App& command);                // returns the scene's
-    CLI::Option* addWithoutBackendTo(CLI::App& command);  // likewise
+    CLI::Option* addTo(CLI::App& command);       // returns the scene's
+    CLI::Option* addSceneTo(CLI::App& command);  // likewise
     // Says what is to be said of it.
     Camera cameraOf(const Scene& loaded) const;
     // The preset's, with the size and a grid that is given as a number.

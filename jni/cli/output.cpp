@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
-        removeMade();
+        removeCreated();
         throw Error("cannot write into the folder '" + path + "': " + cause + "; choose another --out");
     };
     std::error_code error;
@@ -23,7 +23,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
         missing.push_back(folder);
     // Each before it is made, the outermost first: an interruption may come in between.
     for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
-        made_.emplace_back(folder->string());
+        created_.emplace_back(folder->string());
         fs::create_directory(*folder, error);
     }
     if (error) fail(error.message());
@@ -31,12 +31,12 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 }
 
 OutputFolder::~OutputFolder() {
-    removeMade();
+    removeCreated();
 }
 
-void OutputFolder::removeMade() {
+void OutputFolder::removeCreated() {
     std::error_code ignored;
-    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+    for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder)
         fs::remove(folder->path(), ignored);
 }
 

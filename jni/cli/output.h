@@ -21,13 +21,13 @@ class OutputFolder {
 
     const std::string& path() const { return path_; }
     std::string file(const std::string& name) const { return path_ + "/" + name; }
-    void keep() { made_.clear(); }
+    void keep() { created_.clear(); }
 
   private:
-    void removeMade();
+    void removeCreated();
 
     std::string path_;
-    std::vector<RemovedOnInterruption> made_;  // outermost first
+    std::vector<RemovedOnInterruption> created_;  // outermost first
 };
 
 // Throws vct::Error where a file could not be written at `path`; writes nothing.

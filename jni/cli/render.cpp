@@ -87,7 +87,7 @@ struct Placed {
     Camera moveTo(double seconds) const {
         const Pose pose = poseAt(scene.animation, seconds);
         renderer.setPose(pose);
-        renderer.setLightDirection(posed(light, pose).towardsLight);
+        renderer.setLightDirection(posed(light, pose).directionToLight);
         return posed(camera, pose);
     }
 };

@@ -41,7 +41,7 @@ void SkyOption::lightScene(const Scene& scene, const std::string& lightText, Dir
     const glm::vec3 sky = chooseSky(scene);
     if (sky == glm::vec3(0.0F)) return;
     settings.skyRadiance = sky;
-    const glm::dvec3 direction = -light.towardsLight / light.towardsLight.y;
+    const glm::dvec3 direction = -light.directionToLight / light.directionToLight.y;
     char text[320];
     std::snprintf(
         text, sizeof text,

@@ -90,7 +90,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
     const DirectionalLight& light = seen.light;
     // One that the scene moves, or that there is none, is the scene's.
     if (light.node < 0 && light.intensity > 0.0F && light.color != glm::vec3(0.0F)) {
-        line += " --light direction=" + threeText(-glm::vec3(light.towardsLight)) +
+        line += " --light direction=" + threeText(-glm::vec3(light.directionToLight)) +
                 ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
     }
     if (settings.environment)
@@ -142,7 +142,7 @@ bool view(const ViewOptions& options) {
 
     request.title = "vct: " + std::filesystem::path(path).filename().string();
     request.size = options.scene.size;
-    app::Surroundings& desktop = request.surroundings;
+    app::ViewerHost& desktop = request.host;
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
@@ -157,10 +157,10 @@ bool view(const ViewOptions& options) {
     };
     desktop.keepScreenOn = [](bool) {};
     // Camera, light and grid are of the scene that is named; others of the folder come with their own.
-    desktop.lookOf = [&options, sky](const Scene& scene, double aspect) {
+    desktop.defaultsFor = [&options, sky](const Scene& scene, double aspect) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
-        app::Look look;
+        app::ViewDefaults look;
         if (named && !options.scene.camera.empty()) {
             look.camera = cameraFromText(options.scene.camera, scene, aspect);
             look.camera->aspectRatio = aspect;  // to which it was fitted
@@ -198,7 +198,7 @@ void addView(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window, to walk through");
     const auto options = std::make_shared<ViewOptions>();
     options->scene.size = {800, 600};
-    options->scene.addWithoutBackendTo(*command)->required();
+    options->scene.addSceneTo(*command)->required();
     command->add_option("--mode", options->mode, "As for render, one")->capture_default_str();
     command->add_option("--preset", options->preset, "Set of settings: " + presetList())
         ->capture_default_str();

@@ -71,8 +71,8 @@ class Window {
         glfwMakeContextCurrent(window_);
         float scale = 1.0F;
         glfwGetWindowContentScale(window_, &scale, nullptr);
-        request_.surroundings.pixelsPerDp = std::max(scale, 1.0F);
-        viewer_.emplace(request_.surroundings, request_.show);
+        request_.host.pixelsPerDp = std::max(scale, 1.0F);
+        viewer_.emplace(request_.host, request_.show);
         glfwSetWindowUserPointer(window_, this);
         glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE);  // a key that was let go since the last frame
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
@@ -144,7 +144,7 @@ class Window {
         held_ = down ? button : -1;
         if (button == GLFW_MOUSE_BUTTON_LEFT) fingers(down ? 1 : 0, cursor_);
         // Two fingers are no hand for the display.
-        if (button != GLFW_MOUSE_BUTTON_LEFT && down && viewer_->displayCovers(cursor_)) held_ = -1;
+        if (button != GLFW_MOUSE_BUTTON_LEFT && down && viewer_->hudCovers(cursor_)) held_ = -1;
         if (button == GLFW_MOUSE_BUTTON_MIDDLE && (held_ != -1 || !down)) fingers(down ? 2 : 0, cursor_);
     }
 
@@ -158,8 +158,7 @@ class Window {
 
     void wheel(double clicks) {
         if (held_ != -1) return;
-        if (viewer_->displayCovers(cursor_))
-            return viewer_->scrollDisplay(cursor_, static_cast<float>(clicks));
+        if (viewer_->hudCovers(cursor_)) return viewer_->scrollHud(cursor_, static_cast<float>(clicks));
         fingers(2, cursor_);
         fingers(2, cursor_, 100.0F * std::pow(1.1F, static_cast<float>(clicks)));
         fingers(0, cursor_);
@@ -188,7 +187,7 @@ class Window {
                 choices.timeSteps = !choices.timeSteps;
                 break;
             case GLFW_KEY_H:
-                return viewer_->toggleDisplay();
+                return viewer_->toggleHud();
             case GLFW_KEY_R:
                 return viewer_->reset();
             case GLFW_KEY_P:

@@ -10,8 +10,8 @@ namespace vct::desktop {
 
 struct WindowRequest {
     std::string title;
-    glm::ivec2 size{800, 600};       // pixels
-    app::Surroundings surroundings;  // but for the screen's density
+    glm::ivec2 size{800, 600};  // pixels
+    app::ViewerHost host;       // but for the screen's density
     app::ShowRequest show;
     std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // by key
 };

@@ -1,5 +1,5 @@
-// A mesh's triangles sorted by the axis along which they are voxelized, so that one vertex shader can project
-// all triangles of a draw call (thesis algorithm 7 without its geometry shader).
+// Sorts a mesh's triangles by their dominant axis. One draw call per axis can then voxelize them with a
+// vertex shader alone (thesis algorithm 7 without its geometry shader).
 #pragma once
 
 #include <array>
@@ -11,14 +11,12 @@
 namespace vct {
 
 struct AxisSort {
-    std::vector<std::uint32_t>
-        indices;                       // along x, then y, then z, each in the mesh's order; none without area
-    std::array<int, 3> indexCounts{};  // of each axis
+    // Triangles along x, then y, then z, each group in the mesh's order. Triangles without area are left out.
+    std::vector<std::uint32_t> indices;
+    std::array<int, 3> indexCounts{};  // indices per axis
 };
-
-// `volumeFromObject`: what the vertex shader multiplies positions by. The axes are those that the geometry
-// shader finds, bit for bit, whatever the transform: a triangle's axis depends on where it lies as well, by
-// the rounding of its corners.
+// `volumeFromObject` is the matrix that the vertex shader multiplies positions by. A triangle's axis can
+// depend on how its corners are rounded, so they are transformed exactly as in the shader.
 AxisSort sortByAxis(const Mesh& mesh, const glm::mat4& volumeFromObject);
 
 }  // namespace vct

@@ -9,8 +9,8 @@ namespace vct {
 
 namespace {
 
-// Binds the part of `buffer` from byte `first` on that holds `bytes`, and returns how many bytes lie before
-// them in it: a binding has to begin where the driver likes it.
+// Binds `bytes` bytes of `buffer` from byte `first` on. The binding has to begin at a multiple of the
+// driver's alignment, so it may include bytes before `first`; their number is returned.
 std::size_t bindPart(GLuint index, const gl::Buffer& buffer, std::size_t first, std::size_t bytes) {
     GLint alignment = 1;
     gl::GetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
@@ -83,10 +83,10 @@ Deformer::Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bo
     for (const Part& part : parts_) {
         const Deformation& deformation = *part.deformation;
         first_.push_back({sources.size(), 3 * displacements.size(), states});
-        const std::vector<shared::DeformSource> ofPart = sourcesOf(deformation);
-        sources.insert(sources.end(), ofPart.begin(), ofPart.end());
-        const std::vector<glm::vec3> ofTargets = displacementsOf(deformation);
-        displacements.insert(displacements.end(), ofTargets.begin(), ofTargets.end());
+        const std::vector<shared::DeformSource> partSources = sourcesOf(deformation);
+        sources.insert(sources.end(), partSources.begin(), partSources.end());
+        const std::vector<glm::vec3> targetDisplacements = displacementsOf(deformation);
+        displacements.insert(displacements.end(), targetDisplacements.begin(), targetDisplacements.end());
         states += 3 * deformation.joints.size() + deformation.targets.size();
     }
     sources_ = storage("deform sources", std::move(sources));
@@ -95,7 +95,7 @@ Deformer::Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bo
 }
 
 void Deformer::begin() {
-    // Not before earlier draws have read the vertices.
+    // Earlier draws must have read the vertices before they are overwritten.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

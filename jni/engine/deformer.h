@@ -1,5 +1,5 @@
-// Puts the vertices of meshes that change their form where a pose has them, on the GPU, once per pose, in the
-// buffer from which every pass reads vertices. A scene without such meshes has none of this.
+// Applies skins and morph targets on the GPU, once per pose, and writes the vertices to the buffer that all
+// passes read. It exists only if the scene has meshes that deform.
 #pragma once
 
 #include <vector>
@@ -17,25 +17,25 @@ gl::ProgramDescription sortAxesProgram();
 
 class Deformer {
   public:
-    // Where a mesh lies in the buffers of vertices and of indices.
+    // The mesh's position in the vertex and index buffers.
     struct Place {
         std::uint32_t firstVertex;
-        std::size_t firstIndex;   // of its triangles
-        std::size_t firstSorted;  // room for three times as many: along x, then y, then z
+        std::size_t firstIndex;   // its triangles
+        std::size_t firstSorted;  // its sorted triangles: a range of full size for each of x, y and z
     };
     struct Part {
         std::shared_ptr<const Deformation> deformation;
         std::size_t triangles;
         Place place;
     };
-    // `sorts`: whether triangles are also sorted by their axis (Voxelization::sortedAxes).
+    // `sorts`: also sort the triangles by axis (Voxelization::sortedAxes).
     Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bool sorts,
              const glm::dmat4& volumeFromWorld);
 
-    // Deforms `part`. Positions and normals are the first six floats of each vertex, of `vertexFloats`.
+    // Deforms `part`. A vertex has `vertexFloats` floats and begins with its position and its normal.
     void deform(std::size_t part, const DeformationState& state, const gl::Buffer& vertices,
                 const gl::Buffer& indices, std::size_t vertexFloats) const;
-    // To be called before the first of these after draws, and behind the last, before draws.
+    // Barriers: call begin() before the first deform() of a pose, and end() after the last.
     static void begin();
     static void end();
 
@@ -52,7 +52,7 @@ class Deformer {
     struct First {
         std::size_t source = 0, displacement = 0, state = 0;
     };
-    std::vector<First> first_;  // of each part, in the buffers below
+    std::vector<First> first_;  // by part: its position in the buffers below
     gl::Buffer sources_, displacements_, state_;
 };
 

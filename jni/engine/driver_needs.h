@@ -1,4 +1,4 @@
-// Requirements of settings on a driver, beyond those of every output (gl/requirements.h).
+// Checks that a driver can do what settings ask for, beyond what every renderer needs (gl/requirements.h).
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,15 @@
 
 namespace vct {
 
-// Met or not.
+// All requirements of the settings, whether they are met or not.
 std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabilities& capabilities);
-
-// Throws one vct::Error that names every one that is not met.
+// Throws vct::Error that names every requirement that is not met.
 void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities);
 
-// Memory of the voxels' textures and lists at a grid, without sums and light, which follow from the scene.
+// Bytes of the voxels' textures and lists at a grid. The sums and the face irradiance are not included,
+// because their size depends on the scene.
 std::size_t voxelBytes(const Settings& settings, int grid);
-
-// Returns those of allGrids() that the driver can do, and for which `bytes` are enough.
+// The grids of allGrids() that the driver supports and that need at most `bytes` (voxelBytes()).
 std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities& capabilities,
                                std::size_t bytes);
 

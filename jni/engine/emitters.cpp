@@ -10,16 +10,16 @@ namespace vct {
 
 namespace {
 
-// Of a part, in voxels: what is wider is divided.
-constexpr double largestRadius = 5.0;
-// The cones towards it end so many voxels before its surface: what is nearer may be the lamp itself.
+// Largest radius of a part, in voxels; a larger part is divided.
+constexpr double maxRadius = 5.0;
+// Cones towards a part end this many voxels before its surface, because nearer voxels may be the emitter's.
 constexpr double freeVoxels = 2.0;
-// More parts than these and it is no lamp.
-constexpr std::size_t mostPartsOfLamp = 16;
-// Triangles are cut into pieces before they are sorted into parts, an instance into about so many.
-constexpr double piecesOfInstance = 256.0;
+// An instance with more parts than this is no compact emitter.
+constexpr std::size_t maxPartsPerEmitter = 16;
+// Triangles are cut into pieces, about this many per instance, before the pieces are grouped into parts.
+constexpr double piecesPerInstance = 256.0;
 
-// A piece of a triangle, one side of it.
+// One side of a piece of a triangle.
 struct Piece {
     glm::dvec3 centre, facing, radiance;  // as in EmitterPart
 };
@@ -28,7 +28,7 @@ glm::dvec3 linear(const std::uint8_t* rgba) {
     return {srgbDecode(rgba[0] / 255.0F), srgbDecode(rgba[1] / 255.0F), srgbDecode(rgba[2] / 255.0F)};
 }
 
-// The texel at a place, without a filter: pieces are averaged over.
+// The nearest texel. No filter is needed, because the radiance of all pieces is averaged.
 const std::uint8_t* texelAt(const Texture& texture, const glm::dvec2& uv) {
     const auto index = [](double coordinate, int size, Texture::Wrap wrap) {
         double at = wrap == Texture::Wrap::clampToEdge ? std::clamp(coordinate, 0.0, 1.0)
@@ -42,7 +42,7 @@ const std::uint8_t* texelAt(const Texture& texture, const glm::dvec2& uv) {
     return &texture.rgba[4 * (y * static_cast<std::size_t>(texture.width) + x)];
 }
 
-// Of an instance, all that glows.
+// Cuts the emitting surface of an instance into pieces.
 class Pieces {
   public:
     Pieces(const Scene& scene, const Instance& instance)
@@ -70,14 +70,14 @@ class Pieces {
         const glm::dvec3 normal = glm::cross(world(first + 1) - a, world(first + 2) - a);
         return glm::determinant(glm::dmat3(instance_.worldFromObject)) < 0.0 ? -normal : normal;
     }
-    // Into n^2 triangles of the same size.
+    // Cuts a triangle into n^2 triangles of the same size.
     void cut(std::size_t first, double areaOfAll) {
         const glm::dvec3 facing = 0.5 * doubleArea(first);
         const double n =
-            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesOfInstance)), 1.0, 16.0);
+            std::clamp(std::ceil(std::sqrt(glm::length(facing) / areaOfAll * piecesPerInstance)), 1.0, 16.0);
         for (double row = 0.0; row < n; ++row) {
             for (double column = 0.0; column < 2.0 * (n - row) - 1.0; ++column) {
-                // Every other one stands on its tip.
+                // Every second piece is upside down.
                 const double tip = std::fmod(column, 2.0), third = (1.0 + tip) / 3.0;
                 const double u = (std::floor(column / 2.0) + third) / n, v = (row + third) / n;
                 add(first, {1.0 - u - v, u, v}, facing / (n * n));
@@ -119,10 +119,10 @@ class Pieces {
     std::vector<Piece> pieces_;
 };
 
-// Half of a side of the rectangle of the same area and second moments.
+// Half a side of the rectangle with the part's area and ratio of second moments.
 glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     const glm::dvec3 normal = glm::normalize(part.facing);
-    // Along an axis of the world where that is a choice: a square has no longer side.
+    // A square has no longer side, so its axes follow the world's.
     const glm::dvec3 helper = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
     const glm::dvec3 u = glm::normalize(helper - glm::dot(helper, normal) * normal),
                      v = glm::cross(normal, u);
@@ -139,12 +139,12 @@ glm::dvec3 sideOf(const EmitterPart& part, const std::vector<Piece>& pieces) {
     const double c = std::cos(turn), s = std::sin(turn);
     const double first = std::sqrt(std::max(c * c * uu + 2.0 * c * s * uv + s * s * vv, 0.0));
     const double second = std::sqrt(std::max(s * s * uu - 2.0 * c * s * uv + c * c * vv, 0.0));
-    // Of one piece there are no moments: a square.
+    // A single piece has no moments and is treated as a square.
     const double shape = first > 0.0 && second > 0.0 ? std::clamp(first / second, 0.01, 100.0) : 1.0;
     return (c * u + s * v) * std::sqrt(0.25 * glm::length(part.facing) * shape);
 }
 
-EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
+EmitterPart aggregate(std::size_t instance, const std::vector<Piece>& pieces) {
     EmitterPart part{instance, glm::dvec3(0.0), glm::dvec3(0.0), 0.0, glm::dvec3(0.0), 0.0,
                      0.0,      glm::dvec3(0.0)};
     for (const Piece& piece : pieces) {
@@ -169,9 +169,9 @@ EmitterPart together(std::size_t instance, const std::vector<Piece>& pieces) {
     return part;
 }
 
-// Whether from every side about the same of it is seen: of the sum of its normals' squares, no direction has
-// more than its share, nearly.
-bool looksToAllSides(const std::vector<Piece>& pieces) {
+// True if the pieces show about the same area to every side: no axis has much more than a third of the
+// squared normals' sum.
+bool isIsotropic(const std::vector<Piece>& pieces) {
     glm::dvec3 squares(0.0);
     for (const Piece& piece : pieces)
         squares += piece.facing * piece.facing / std::max(glm::length(piece.facing), 1e-300);
@@ -179,8 +179,8 @@ bool looksToAllSides(const std::vector<Piece>& pieces) {
     return std::max({squares.x, squares.y, squares.z}) < 0.45 * sum;
 }
 
-// Six groups, by the axis that they face most.
-std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
+// Groups the pieces by the axis direction that they face most; at most six groups, none empty.
+std::vector<std::vector<Piece>> splitByFacing(const std::vector<Piece>& pieces) {
     std::vector<std::vector<Piece>> sides(6);
     for (const Piece& piece : pieces) {
         const glm::dvec3 size = glm::abs(piece.facing);
@@ -192,8 +192,8 @@ std::vector<std::vector<Piece>> bySide(const std::vector<Piece>& pieces) {
     return sides;
 }
 
-// Halves along the longest axis.
-std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
+// Splits the pieces at the middle of their longest axis.
+std::vector<std::vector<Piece>> splitAtMedian(std::vector<Piece> pieces) {
     glm::dvec3 low(pieces[0].centre), high(low);
     for (const Piece& piece : pieces) {
         low = glm::min(low, piece.centre);
@@ -207,20 +207,20 @@ std::vector<std::vector<Piece>> halves(std::vector<Piece> pieces) {
     return {{pieces.begin(), second}, {second, pieces.end()}};
 }
 
-// Nothing where there would be too many.
+// Divides an instance's pieces into parts. Returns none if there would be more than maxPartsPerEmitter.
 std::vector<EmitterPart> partsOf(std::size_t instance, std::vector<Piece> pieces, double largest) {
     std::vector<EmitterPart> done;
     std::vector<std::vector<Piece>> left{std::move(pieces)};
     while (!left.empty()) {
-        if (done.size() + left.size() > mostPartsOfLamp) return {};
+        if (done.size() + left.size() > maxPartsPerEmitter) return {};
         const std::vector<Piece> group = std::move(left.back());
         left.pop_back();
-        const EmitterPart part = together(instance, group);
+        const EmitterPart part = aggregate(instance, group);
         std::vector<std::vector<Piece>> divided;
         if (part.radius > largest)
-            divided = halves(group);
-        else if (glm::length(part.facing) < 0.8 * part.area && !looksToAllSides(group))
-            divided = bySide(group);
+            divided = splitAtMedian(group);
+        else if (glm::length(part.facing) < 0.8 * part.area && !isIsotropic(group))
+            divided = splitByFacing(group);
         if (divided.size() < 2)
             done.push_back(part);
         else
@@ -248,38 +248,38 @@ bool EmitterPart::isRound() const {
 }
 
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) {
-    std::vector<std::vector<EmitterPart>> lamps;
+    std::vector<std::vector<EmitterPart>> emitters;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
         if (material.emissive == glm::vec3(0.0F)) continue;
-        if (instance.deforms) continue;  // parts of one shape; the voxels hold its light
+        if (instance.deforms) continue;  // parts are rigid, so its emission stays in the voxels
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
         if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), largestRadius * volume.voxelSize());
-        if (!parts.empty()) lamps.push_back(std::move(parts));
+        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
+        if (!parts.empty()) emitters.push_back(std::move(parts));
     }
-    std::stable_sort(lamps.begin(), lamps.end(),
+    std::stable_sort(emitters.begin(), emitters.end(),
                      [](const auto& a, const auto& b) { return fluxOf(a) > fluxOf(b); });
     std::vector<EmitterPart> all;
-    for (const std::vector<EmitterPart>& parts : lamps)
+    for (const std::vector<EmitterPart>& parts : emitters)
         if (all.size() + parts.size() <= VCT_MAX_EMITTER_PARTS)
             all.insert(all.end(), parts.begin(), parts.end());
     return all;
 }
 
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts) {
-    std::vector<bool> lamps(scene.instances.size());
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {
+    std::vector<bool> emitting(scene.instances.size());
     for (const EmitterPart& part : parts)
-        lamps[part.instance] = true;
-    return lamps;
+        emitting[part.instance] = true;
+    return emitting;
 }
 
 Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
                    float radianceUnit)
-    : lamps_(lampsAmong(scene, parts)),
+    : instances_(emittingInstances(scene, parts)),
       volume_(volume),
       radianceUnit_(radianceUnit),
       uniforms_("emitters", GL_UNIFORM_BUFFER, sizeof(shared::EmitterBlock), nullptr, GL_DYNAMIC_DRAW) {
@@ -310,8 +310,8 @@ void Emitters::upload(const Pose* pose) const {
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
         shared::EmitterPartUniforms& to = block.part[i];
-        to.place = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
-                             part.radius * larger / volume_.side);
+        to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
+                                part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
         to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),

@@ -1,7 +1,7 @@
-// Small surfaces that glow, as lamps. Among the few directions into which a face gathers light it meets them
-// by chance; so they are divided into parts, and each face of the voxels looks at each part by a cone of its
-// own (shaders/directional/emitters.comp). Large ones stay with the other cones: those meet them often
-// enough.
+// Compact emitters: small surfaces that emit light, such as lamps. The few cones that a face gathers with hit
+// or miss them at random, which is noise. So they are divided into parts, and each face traces one cone
+// towards each part (shaders/directional/emitters.comp). Large emitters need no such cones, because the
+// cones of the gather hit them often enough.
 #pragma once
 
 #include <vector>
@@ -14,51 +14,52 @@
 
 namespace vct {
 
-// Some of an instance's triangles, seen from afar as one source. World space, at rest.
+// Some triangles of one instance, treated as one light source. World space, rest pose.
 struct EmitterPart {
-    std::size_t instance;  // of Scene::instances
-    glm::dvec3 centre;     // by area
-    glm::dvec3 facing;     // square metres: the sum of the triangles' normals, as long as they are large
-    double area;           // square metres, both sides of double-sided triangles
-    glm::dvec3 radiance;   // the mean by area, in the scene's unit
+    std::size_t instance;  // index into Scene::instances
+    glm::dvec3 centre;     // mean weighted by area
+    glm::dvec3 facing;     // square metres: sum of the triangles' normals, each as long as its area
+    double area;           // square metres; double-sided triangles count twice
+    glm::dvec3 radiance;   // mean weighted by area, in the scene's unit
     double radius;         // metres, around the centre
-    double halfDepth;      // metres, along `facing`; the radius where it is round
-    glm::dvec3 side;  // metres: half of one side of the rectangle that it is nearly; zero where it is round
-    double flux() const;   // over pi, of the brightest colour
-    bool isRound() const;  // sends the same to all sides, as closed surfaces do
+    double halfDepth;      // metres, along `facing`; equals `radius` if the part is round
+    glm::dvec3 side;       // metres: half a side of the rectangle that fits the part; zero if it is round
+
+    double flux() const;   // flux over pi of the brightest colour channel
+    bool isRound() const;  // emits evenly to all sides, as a closed surface does
 };
 
-// Of all lamps of a scene, the brightest first: those for which there is room. None is farther across than
-// ten voxels, but for large triangles.
+// The parts of a scene's compact emitters, in order of the emitters' flux, largest first. Emitters that do
+// not fit into VCT_MAX_EMITTER_PARTS are left out. A part has a radius of at most five voxels, as far as
+// triangles can be cut that small.
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume);
+// For each of the scene's instances: true if it is a compact emitter.
+std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts);
 
-// Whether each of the scene's instances is a lamp.
-std::vector<bool> lampsAmong(const Scene& scene, const std::vector<EmitterPart>& parts);
-
-// The parts as they are now, for shaders/shared/emitters.glsl.
+// The parts in the present pose, as uniforms for shaders/shared/emitters.glsl.
 class Emitters {
   public:
-    // `radianceUnit`: radiance that is 1 in shaders.
+    // `radianceUnit`: the radiance that is 1 in shaders, in the scene's unit.
     Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, const Volume& volume,
              float radianceUnit);
 
-    // Moves those that move, at once.
+    // Uploads the parts in that pose at once.
     void setPose(const Pose& pose);
     void bind() const { uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_EMITTERS); }
-    // Which of the scene's instances they are of.
-    const std::vector<bool>& lamps() const { return lamps_; }
+    // For each of the scene's instances: true if it is a compact emitter.
+    const std::vector<bool>& instances() const { return instances_; }
     const gl::Buffer& uniforms() const { return uniforms_; }
 
   private:
     struct Placed {
         EmitterPart part;
-        int node;                    // that moves it, or -1
-        glm::dmat4 objectFromWorld;  // at rest
+        int node;                    // animation node that moves the part, or -1
+        glm::dmat4 objectFromWorld;  // rest pose
     };
     void upload(const Pose* pose) const;
 
     std::vector<Placed> parts_;
-    std::vector<bool> lamps_;
+    std::vector<bool> instances_;
     Volume volume_;
     float radianceUnit_;
     gl::Buffer uniforms_;

@@ -11,17 +11,17 @@ namespace vct {
 namespace {
 
 constexpr double halfTurn = 3.14159265358979323846;  // radians
-// A texel of the finest level is then a sixth of a degree, two pixels of a picture of 400 pixels and 40
-// degrees, and the cube takes 17 MB.
+// At this size a texel is a sixth of a degree wide, two pixels of a picture with 400 pixels and a field of
+// view of 40 degrees, and the cube takes 17 MB.
 constexpr int largestSide = 512;
 constexpr int cubeFaces = 6;
 
-// The middle of a texel of a face in [-1, 1].
+// The coordinate of a texel's middle on a face, in [-1, 1].
 double faceCoordinate(double texel, int side) {
     return 2.0 * (texel + 0.5) / side - 1.0;
 }
 
-// Towards a place on a face (GL ES 3.1, table 8.25); of length sqrt(1 + s^2 + t^2).
+// The direction of a point on a face (GL ES 3.1, table 8.25). Its length is sqrt(1 + s^2 + t^2).
 glm::dvec3 directionOf(int face, double s, double t) {
     switch (face) {
         case 0:
@@ -39,7 +39,8 @@ glm::dvec3 directionOf(int face, double s, double t) {
     }
 }
 
-// The solid angle between the face's middle and a place on it, whose differences are those of texels.
+// The solid angle of the rectangle between a face's middle and a point on it. Differences of it are the solid
+// angles of texels.
 double cornerSolidAngle(double s, double t) {
     return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0));
 }
@@ -73,7 +74,7 @@ class WeightedMean {
     double weights_ = 0.0;
 };
 
-// Half as large, rows weighted by the solid angle of their pixels.
+// The picture at half its size; rows are weighted by the solid angle of their pixels.
 Image halved(const Image& picture) {
     Image half(picture.width / 2, picture.height / 2);
     for (int y = 0; y < half.height; ++y) {
@@ -91,9 +92,9 @@ Image halved(const Image& picture) {
     return half;
 }
 
-// Towards the poles pixels are narrower than high, and places that are half a pixel's height apart would miss
-// some: there each is spread along its row as wide as it is high.
-Image withoutNarrowPixels(const Image& picture) {
+// Spreads each pixel along its row until it is as wide as it is high. Towards the poles pixels are narrower.
+// Samples that are half a pixel's height apart would miss some there.
+Image limitNarrowPixels(const Image& picture) {
     Image even = picture;
     for (int y = 0; y < picture.height; ++y) {
         const double sine = std::sin(halfTurn * (y + 0.5) / picture.height);
@@ -112,7 +113,7 @@ Image withoutNarrowPixels(const Image& picture) {
     return even;
 }
 
-// Between the middles of the four pixels around a direction; around the picture's sides, not over its poles.
+// Bilinear look-up in a direction. It wraps around at the sides of the picture, and ends at its poles.
 glm::vec3 lookUp(const Image& picture, const glm::dvec3& direction) {
     const double length = glm::length(direction);
     const double u = 0.5 + std::atan2(direction.z, direction.x) / (2.0 * halfTurn);
@@ -127,7 +128,7 @@ glm::vec3 lookUp(const Image& picture, const glm::dvec3& direction) {
                     glm::mix(pixel(left, top + 1), pixel(left + 1, top + 1), right), below);
 }
 
-// The mean over a texel, of places no farther apart than half a pixel of the picture.
+// The finest level: means over the texels, of samples at most half a pixel of the picture apart.
 std::vector<glm::vec3> finestLevel(const Image& picture, int side) {
     const int places = std::max(2, static_cast<int>(std::ceil(4.0 * picture.height / (halfTurn * side))));
     std::vector<glm::vec3> texels;
@@ -164,7 +165,7 @@ float largestComponent(const glm::vec3& color) {
     return std::max({color.r, color.g, color.b});
 }
 
-// Throws vct::Error where a picture cannot be a sky.
+// Throws vct::Error if a picture cannot be a sky.
 void requireSky(const Image& picture, const std::string& name) {
     const auto require = [&](bool ok, const std::string& cause) {
         if (!ok) throw Error("the sky " + name + " cannot be used: " + cause);
@@ -195,7 +196,7 @@ Environment::Environment(const Image& picture, const std::string& name) {
     int side = 1;
     while (side < std::min(smaller.height, largestSide))
         side *= 2;
-    levels_.push_back(finestLevel(withoutNarrowPixels(smaller), side));
+    levels_.push_back(finestLevel(limitNarrowPixels(smaller), side));
     for (; side > 1; side /= 2)
         levels_.push_back(coarser(levels_.back(), side));
 }
@@ -208,7 +209,7 @@ float Environment::largestIrradiance() const {
 }
 
 gl::Texture Environment::texture(float radianceUnit) const {
-    constexpr float mostOfHalves = 6e4F;
+    constexpr float maxHalf = 6e4F;
     gl::Texture texture = gl::Texture::makeCube("environment", GL_RGBA16F, side(), levels());
     texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     texture.bind(gl::scratchTextureUnit);
@@ -218,8 +219,8 @@ gl::Texture Environment::texture(float radianceUnit) const {
         for (int face = 0; face < cubeFaces; ++face) {
             std::vector<glm::vec4> rgba;
             for (std::size_t i = 0; i < texelsOfFace; ++i)
-                rgba.emplace_back(
-                    glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, mostOfHalves), 1.0F);
+                rgba.emplace_back(glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, maxHalf),
+                                  1.0F);
             gl::TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                               side(level), side(level), GL_RGBA, GL_FLOAT, rgba.data());
         }

@@ -1,7 +1,7 @@
-// The sky all around a scene, out of a picture of all directions, for cones of any width.
+// A sky that depends on direction: a cube map made from an equirectangular picture, for cones of any width.
 //
-// A cube map of halves: one fetch of a direction and a mip level is a cone's sky, filtered by the texture
-// unit across the faces' borders and without a pole, which ES 3.1 has in its core.
+// A cube map gives a cone its light by one fetch with a direction and a mip level. ES 3.1 filters it across
+// the borders of its faces, and it has no poles.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,31 +14,31 @@
 
 namespace vct {
 
-constexpr int maxEnvironmentWidth = 8192;  // pixels of a picture
+constexpr int maxEnvironmentWidth = 8192;  // pixels
 
-// A sky's radiance as a cube map on the CPU, in floats. Each texel of a level is the mean of those of the
-// finer one, weighted by the solid angle that they fill: no light is lost or made from level to level, not
-// even that of a sun of one pixel.
+// The sky's radiance as a cube map on the CPU, in floats. A texel is the mean of the four texels of the next
+// finer level, weighted by solid angle, so that every level has the same total light, even if a sun is a
+// single pixel.
 class Environment {
   public:
     // `picture`: equirectangular, linear radiance. Its centre is towards +X, its top edge towards +Y, and +Z
     // is a quarter of its width to the right of the centre, as in three.js and Khronos' glTF Sample Viewer.
-    // `name` is the picture's in messages: throws vct::Error where it is not twice as wide as high, is wider
-    // than maxEnvironmentWidth, or has pixels that are negative or not finite.
+    // `name` names the picture in messages. Throws vct::Error if the picture is not twice as wide as high, is
+    // wider than maxEnvironmentWidth, or has pixels that are negative or not finite.
     Environment(const Image& picture, const std::string& name);
 
-    // Along a face's edge; the coarsest level has the side 1.
+    // Texels along a side of a face; 1 at the coarsest level.
     int side(int level = 0) const { return 1 << (levels() - 1 - level); }
     int levels() const { return static_cast<int>(levels_.size()); }
     // Face by face in GL's order, rows from t = 0 on.
     const std::vector<glm::vec3>& texels(int level) const { return levels_[level]; }
 
-    // A bound of the irradiance over pi that a surface receives, in any channel: four times the mean over all
-    // directions, which is what a surface receives of a sky that is all in the direction of its normal.
+    // An upper bound of irradiance over pi on any surface, in any channel: four times the mean radiance. A
+    // surface would receive this if all light came from the direction of its normal.
     float largestIrradiance() const;
 
-    // RGBA16F, relative to `radianceUnit`. What halves cannot hold, a sun perhaps, is cut off in those levels
-    // that are too fine for it, as skyRadiance is (frame_uniforms.cpp).
+    // RGBA16F, relative to `radianceUnit`. Values beyond the range of half floats, perhaps the sun's in fine
+    // levels, are cut off, as skyRadiance is (frame_uniforms.cpp).
     gl::Texture texture(float radianceUnit) const;
 
   private:

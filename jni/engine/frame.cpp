@@ -1,10 +1,10 @@
-// The frame, after the thesis of 2016 that the README names: depth as the lights see it, surfaces as the
-// camera sees them, the scene as voxels with their light, and what of all that reaches each pixel.
+// Renders one frame in the order of the thesis (README.md names it): shadow maps, G-buffer, lit voxels, and a
+// last pass that computes the light of every pixel.
 //
-// The last pass runs in every frame, and so does the G-buffer where the caller brings none. Shadow maps and
-// voxels follow from the scene's state alone, never from the camera: each is made when an output reads it for
-// the first time, keeps the state that it was made for, and is not rebuilt while the state is the same
-// (unless Settings::revoxelize asks for it, to measure that).
+// The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
+// Shadow maps and voxels depend on the scene's state and not on the camera. Each is created when an output
+// first needs it, stores the state that it was made for, and is rebuilt only when the state changes, or in
+// every frame if Settings::revoxelize asks for that, to measure it.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -16,7 +16,7 @@ namespace vct {
 
 void Renderer::render(const RenderRequest& request) {
     timer_.beginFrame();
-    // A frame that threw may have left shadow maps and voxels half made.
+    // A frame that threw an exception may have left shadow maps and voxels incomplete.
     if (lastFrameFailed_) invalidateCaches();
     lastFrameFailed_ = true;
 
@@ -29,15 +29,15 @@ void Renderer::render(const RenderRequest& request) {
                     [](Output output) { return reads(output).voxels; }))
         voxels().prepare(scene_);
 
-    // Depth as the sun sees it (thesis 4.2), and as other lights do, for the direct light of pixels and of
-    // voxels. The sun's soft shadow also reads moments of its map.
+    // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
+    // light through them.
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())
             direct.sun = shadowMap().update(scene_, now, output, settings_.revoxelize, timer_);
     if (punctualLights_) punctualLights_->update(scene_, now, settings_.revoxelize, timer_);
 
-    // Albedo, normal and depth of what the camera sees (thesis 4.3, "render data").
+    // The G-buffer: albedo, normal and depth of the visible surfaces (thesis 4.3, "render data").
     const GBuffer::Targets surface =
         request.surface != nullptr ? *request.surface
                                    : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_); });
@@ -47,9 +47,9 @@ void Renderer::render(const RenderRequest& request) {
     for (std::size_t i = 0; i < request.outputs.size(); ++i) {
         const Output output = request.outputs[i];
 
-        // The scene as voxels that are lit through the shadow maps, and their mip levels (thesis 4.4
-        // and 4.5). Faces gather indirect light or ambient occlusion, whichever the output needs. Of
-        // several outputs of indirect light only the first one takes the frame's light steps.
+        // Lit voxels and their mip levels (thesis 4.4 and 4.5). Faces gather indirect light or ambient
+        // occlusion, whichever the output needs. If several outputs show indirect light, the first one
+        // takes the frame's light steps and the others reuse the result.
         VoxelLight light;
         if (reads(output).voxels) {
             const bool indirect = reads(output).indirectLight;
@@ -65,7 +65,7 @@ void Renderer::render(const RenderRequest& request) {
             indirectTookSteps |= indirect;
         }
 
-        // The light of every pixel, or the part of it that the output shows (thesis 4.6).
+        // The light of every pixel, or the part of the light that the output shows (thesis 4.6).
         if (i == shades_.size()) shades_.emplace_back(shaders_, lightFeatures(), settings_);
         timer_.time(Step::trace, [&] { shades_[i].draw(output, surface, direct, light); });
     }

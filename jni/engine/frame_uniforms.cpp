@@ -19,17 +19,17 @@ float radianceUnit(const DirectionalLight& light) {
 }
 
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
-    const glm::dvec3 towards = light.towardsLight;
+    const glm::dvec3 towards = light.directionToLight;
     const glm::dvec3 helper = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, towards));
     const glm::dvec3 up = glm::cross(towards, right);
     const glm::dvec3 centre = 0.5 * (boundsWorld.min + boundsWorld.max);
     const glm::dvec3 half = 0.5 * (boundsWorld.max - boundsWorld.min);
     const double diagonal = 2.0 * glm::length(half);
-    // Half extents of the box along the map's axes, and one texel around them for the filter.
+    // The map's half extents are those of the box along its axes, and one texel more for the filter. A plane
+    // seen edge-on still gets a map of finite size.
     const double margin = 1.0 + 2.0 / shadowMapSize;
-    const double smallest =
-        1e-3 * (diagonal > 0.0 ? diagonal : 1.0);  // a plane seen edge-on keeps a finite map
+    const double smallest = 1e-3 * (diagonal > 0.0 ? diagonal : 1.0);
     const double halfWidth = std::max(glm::dot(glm::abs(right), half), smallest) * margin;
     const double halfHeight = std::max(glm::dot(glm::abs(up), half), smallest) * margin;
     const double range = (diagonal > 0.0 ? diagonal : 1.0) * 1.01;
@@ -55,7 +55,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
 
     shared::FrameUniforms frame{};
     frame.clipFromVolume = glm::mat4(clipFromVolume);
-    // Of a pixel's centre, as gl_FragCoord has it, and the depth buffer's depth.
+    // Window coordinates are gl_FragCoord's xy and the depth buffer's depth.
     const glm::dmat4 clipFromWindow =
         glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
         glm::scale(glm::dmat4(1.0), 2.0 / glm::dvec3(settings.size.x, settings.size.y, 1.0));
@@ -64,10 +64,10 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
         shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
     frame.shadowFromVolume = glm::mat4(shadowFromVolume);
     frame.eye = glm::vec4(eye);
-    frame.towardsLight = glm::vec4(glm::vec3(light.towardsLight), 0.0F);
+    frame.directionToLight = glm::vec4(glm::vec3(light.directionToLight), 0.0F);
     frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
-    // Cones and the picture hold radiance in halves, which end at 65504; beyond, a black surface would be
-    // NaN.
+    // Radiance is stored in half floats, whose largest value is 65504. An infinite value would turn into NaN
+    // on a black surface.
     frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
     const float sky =
         settings.environment
@@ -75,7 +75,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
             : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
     frame.largestSky = std::min(sky / radianceUnit(light), 6e4F);
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
-    // The map's axes in volume space; their lengths are coordinates per volume unit.
+    // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
     const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
     const glm::dvec2 radius = std::tan(halfAngleRad) *
                               glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);

@@ -1,4 +1,4 @@
-// What every pass of a frame knows: camera, light, volume, settings.
+// Fills the uniforms that all passes of a frame share: camera, sun, volume and settings.
 #pragma once
 
 #include "engine/settings.h"
@@ -8,19 +8,20 @@
 
 namespace vct {
 
-// Radiance of a lit white surface that faces the light: the unit of everything the shaders compute. 1 where
-// there is no light, so that emission alone can still be shown.
+// The shaders' unit of radiance, in the scene's unit: E/pi, the radiance of a lit white surface that faces
+// the light, where E is the light's intensity (irradiance). 1 if the light is off, so that emission can still
+// be shown.
 float radianceUnit(const DirectionalLight& light);
 
 // Orthographic projection along the light, fitted to the bounds: x, y and depth in [0, 1]. The depth range is
-// the length of the bounds' diagonal from every direction, so that the bias means the same for all of them.
+// the diagonal of the bounds for every direction, so that a bias in depth means the same for all of them.
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize);
 
-// `visibleWorld`: clipFromWorld()'s.
+// `visibleWorld` bounds the drawn objects and sets the near and far planes (clipFromWorld()).
 shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
                                     const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
                                     const Bounds& visibleWorld);
-// Where everything is within the bounds.
+// The same if all objects are within `boundsWorld`.
 inline shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
                                            const Bounds& boundsWorld, const Volume& volume,
                                            const Settings& settings) {

@@ -15,13 +15,13 @@ namespace vct {
 
 namespace {
 
-// All in double until the last step: a scene may lie 10^6 units from the origin.
+// Computes in double precision until the last step, because a scene may lie 10^6 metres from the origin.
 void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, const glm::dvec3& meshCentre,
            const glm::dmat4& volumeFromWorld) {
     const glm::dmat4 centred =
         worldFromObject * glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0, 0, 1, 0),
                                      glm::dvec4(meshCentre, 1.0));
-    // Cofactors instead of the inverse transpose: the same direction, and finite for a scale of zero.
+    // The cofactors have the direction of the inverse transpose, and are finite for a scale of zero.
     const glm::dmat3 m(worldFromObject);
     glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
@@ -45,12 +45,12 @@ bool isMirrored(const glm::dmat4& worldFromObject) {
     return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
 }
 
-shared::DrawUniforms materialUniforms(const Material& material, bool lamp, float radianceUnit) {
+shared::DrawUniforms materialUniforms(const Material& material, bool isEmitter, float radianceUnit) {
     shared::DrawUniforms uniforms{};
     uniforms.baseColor = material.baseColor;
     uniforms.emissive = glm::vec4(material.emissive / radianceUnit, material.normalScale);
     uniforms.surface =
-        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, lamp ? 0.0F : 1.0F);
+        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, isEmitter ? 0.0F : 1.0F);
     return uniforms;
 }
 
@@ -59,7 +59,7 @@ void drawTriangles(std::size_t firstIndex, int indexCount) {
                      reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
 }
 
-// The index buffer: the triangles of each mesh, and behind them the orders that instances need besides.
+// Builds the index buffer: the triangles of each mesh, then the sorted orders of its instances.
 class Indices {
   public:
     explicit Indices(const Scene& scene) {
@@ -73,7 +73,7 @@ class Indices {
     }
     std::size_t firstOfMesh(int mesh) const { return orders_[mesh][0]; }
     std::uint32_t firstVertexOf(int mesh) const { return firstVertex_[mesh]; }
-    // Where the mesh's triangles stand in this order; it is added if no instance before had the same.
+    // Returns the position of the mesh's triangles in this order, and adds them if no instance has it yet.
     std::size_t firstOf(int mesh, const std::vector<std::uint32_t>& order) {
         for (const std::size_t first : orders_[mesh]) {
             const auto same = [&](std::uint32_t index, std::uint32_t shared) {
@@ -91,26 +91,27 @@ class Indices {
     const std::vector<std::uint32_t>& all() const { return all_; }
 
   private:
-    // ES 3.1 has no base vertex: it goes into the indices.
+    // ES 3.1 has no base vertex, so the mesh's first vertex is added to each index.
     void append(const std::vector<std::uint32_t>& indices, std::uint32_t firstVertex) {
         for (std::uint32_t index : indices)
             all_.push_back(firstVertex + index);
     }
     std::vector<std::uint32_t> all_, firstVertex_;
-    std::vector<std::vector<std::size_t>> orders_;  // of each mesh, its own first
+    std::vector<std::vector<std::size_t>> orders_;  // positions by mesh; the mesh's own order comes first
 };
 
 }  // namespace
 
-GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
-                   const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization)
+GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
+                   const std::vector<bool>& emitterInstances, const Volume& volume, float radianceUnit,
+                   int uniformAlignment, Voxelization voxelization)
     : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
     Indices indices(scene);
 
     const auto alignment = static_cast<std::size_t>(uniformAlignment);
     const std::size_t stride = (sizeof(shared::DrawUniforms) + alignment - 1) / alignment * alignment;
     uniformBytes_.resize(stride * scene.instances.size());
-    // What moves comes last in each buffer: one range to upload.
+    // Dynamic objects come last in each buffer, so that a pose uploads one range.
     std::size_t nextStatic = 0;
     auto nextMoving =
         static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
@@ -131,7 +132,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
         draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
         const auto place = static_cast<std::size_t>(&instance - scene.instances.data());
         shared::DrawUniforms values =
-            materialUniforms(material, !lamps.empty() && lamps[place], radianceUnit);
+            materialUniforms(material, !emitterInstances.empty() && emitterInstances[place], radianceUnit);
         vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
         if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
@@ -144,7 +145,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const s
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
             std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+                draw.trianglesByAxis[axis] = {first, sorted.indexCounts[axis]};
                 first += static_cast<std::size_t>(sorted.indexCounts[axis]);
             }
         }
@@ -197,7 +198,7 @@ void GpuScene::addDeforming(const Mesh& mesh, Draw& draw) {
     moving_.push_back(std::move(moving));
 }
 
-// `indices`: of the whole buffer; room for the sorted triangles is added.
+// Reserves room for the sorted triangles at the end of `indices`, the whole index buffer.
 void GpuScene::makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::uint32_t>& indices) {
     const bool sorts = voxelization_ == Voxelization::sortedAxes;
     std::vector<Deformer::Part> parts;
@@ -210,7 +211,7 @@ void GpuScene::makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::u
                          count / 3,
                          {moving->firstVertex, draw.triangles.first, indices.size()}});
         if (!sorts) continue;
-        for (IndexRange& range : draw.trianglesAlong) {
+        for (IndexRange& range : draw.trianglesByAxis) {
             range = {indices.size(), draw.triangles.count};
             indices.resize(indices.size() + count, moving->firstVertex);
         }
@@ -223,7 +224,7 @@ void GpuScene::setForm(Moving& moving, DeformationState state) {
     moving.form = std::make_shared<const DeformationState>(std::move(state));
 }
 
-// `changed`: indices into moving_, of those that change their form.
+// `changed`: indices into moving_ of the objects whose form has changed.
 void GpuScene::deform(const std::vector<std::size_t>& changed) const {
     if (changed.empty()) return;
     Deformer::begin();
@@ -232,7 +233,7 @@ void GpuScene::deform(const std::vector<std::size_t>& changed) const {
     Deformer::end();
 }
 
-// Into uniformBytes_ and movingIndices_.
+// Writes a rigid dynamic object's uniforms to uniformBytes_ and its sorted triangles to movingIndices_.
 void GpuScene::place(Draw& draw) {
     Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
     const auto& [mesh, corners] = movingMeshes_[moving.mesh];
@@ -250,7 +251,7 @@ void GpuScene::place(Draw& draw) {
                    [&](std::uint32_t index) { return moving.firstVertex + index; });
     std::size_t first = firstMovingIndex_ + moving.firstIndex;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        draw.trianglesAlong[axis] = {first, sorted.indexCounts[axis]};
+        draw.trianglesByAxis[axis] = {first, sorted.indexCounts[axis]};
         first += static_cast<std::size_t>(sorted.indexCounts[axis]);
     }
 }
@@ -345,8 +346,8 @@ void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
 
 void GpuScene::bindGeometry() const {
     vertexArray_.bind();
-    // The vertex array has it, but not on every Adreno and Mali: Filament, OpenGLContext.h,
-    // vao_doesnt_store_element_array_buffer_binding.
+    // A vertex array should keep this binding, but some Adreno and Mali drivers lose it (Filament,
+    // OpenGLContext.h, vao_doesnt_store_element_array_buffer_binding).
     indices_.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
 
@@ -375,7 +376,7 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, ScenePart part) c
             continue;
         }
         for (GLuint axis = 0; axis < 3; ++axis) {
-            const IndexRange& range = draw.trianglesAlong[axis];
+            const IndexRange& range = draw.trianglesByAxis[axis];
             if (range.count == 0) continue;
             gl::Uniform1ui(VCT_UNIFORM_AXIS, axis);
             drawTriangles(range.first, range.count);

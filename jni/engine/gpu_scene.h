@@ -1,5 +1,5 @@
-// The scene in GL: one vertex and one index buffer, the textures, and the draw calls sorted so that programs
-// change as rarely as possible.
+// The scene's buffers and textures in GL, and its draw calls, sorted so that programs change as rarely as
+// possible.
 #pragma once
 
 #include <array>
@@ -19,34 +19,32 @@
 
 namespace vct {
 
-// A part of the scene: all instances, those that can move, or those that cannot.
+// Selects all objects, the dynamic ones (which may move), or the static ones.
 enum class ScenePart { all, dynamicOnly, staticOnly };
 
 class GpuScene {
   public:
-    // The scene is at rest. `lamps`: which of its instances emitters.h is about, or nothing. `radianceUnit`:
-    // E/pi of the light, to which emission is made relative. With Voxelization::sortedAxes the triangles of
-    // each instance are sorted by their axis (axis_sort.h).
-    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& lamps,
+    // Uploads the scene in its rest pose. `emitterInstances`: for each instance, true if it is a compact
+    // emitter (emitters.h); empty if there are none. `radianceUnit`: emission is stored relative to it. With
+    // Voxelization::sortedAxes the triangles of each instance are sorted by axis (axis_sort.h).
+    GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene, const std::vector<bool>& emitterInstances,
              const Volume& volume, float radianceUnit, int uniformAlignment, Voxelization voxelization);
 
-    // Moves what moves, for draws to come. Uploads what the instances that moved need, and nothing else.
+    // Sets the pose for the next draws. Uploads the data of the objects that moved, and no other.
     void setPose(const Pose& pose);
-    // Whether a pose can change anything.
+    // True if the scene has dynamic objects.
     bool moves() const { return !moving_.empty(); }
-    // Returns where all that can move is.
+    // Placements of the dynamic objects in the present pose.
     std::vector<Placement> placements() const;
-    // Returns the box around `boundsWorld` and all that moves, in the present pose.
+    // Bounds of `boundsWorld` and the dynamic objects in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
 
     enum class Culling { none, backFaces };
-
-    // Draws every instance, each with the program for its material features; back faces of single-sided
-    // materials are skipped with Culling::backFaces. Of two surfaces in the same place the eye sees the one
-    // drawn first: with Culling::backFaces that does not depend on the order of the instances.
+    // Draws every instance with the program for its material features. Culling::backFaces skips the back
+    // faces of single-sided materials. If two surfaces coincide, the one drawn first is visible; with
+    // Culling::backFaces the order of drawing does not depend on the order of the instances.
     void draw(Culling culling, const MaterialPrograms& programs) const;
-    // Draws the triangles of a part with programs that voxelize: per instance once, or once per axis that
-    // occurs.
+    // Draws a part of the scene with programs that voxelize: one draw call per instance, or one per axis.
     void drawForVoxels(const MaterialPrograms& programs, ScenePart part = ScenePart::all) const;
 
     const SceneFeatures& features() const { return features_; }
@@ -66,27 +64,27 @@ class GpuScene {
         bool doubleSided = false;
         bool mirrored = false;  // the instance's determinant is negative: front faces are clockwise
         IndexRange triangles;
-        std::array<IndexRange, 3> trianglesAlong;  // of each axis, where they are sorted
+        std::array<IndexRange, 3> trianglesByAxis;  // by axis, with Voxelization::sortedAxes
         std::size_t uniformOffset = 0;
         int moving = -1;  // index into moving_, or -1: static
     };
-    // What the draw of an instance that moves is made of anew in each pose.
+    // A dynamic object in the present pose.
     struct Moving {
-        int node = -1;  // of the scene's animation; -1: it changes its form, and vertices are in volume space
+        int node = -1;  // animation node; -1: the mesh deforms, and its vertices are in volume space
         glm::dmat4 worldFromObject{1.0};
-        std::size_t mesh = 0;           // index into movingMeshes_, or into deforming_
-        std::uint32_t firstVertex = 0;  // of the mesh
-        std::size_t firstIndex = 0;     // in movingIndices_: room for all of its triangles
-        Bounds boundsWorld;             // of the box around the mesh, in the present pose
-        std::shared_ptr<const DeformationState> form = nullptr;  // in the present pose, where it changes
+        std::size_t mesh = 0;           // index into movingMeshes_, or into deforming_ if the mesh deforms
+        std::uint32_t firstVertex = 0;  // the mesh's first vertex in the vertex buffer
+        std::size_t firstIndex = 0;     // in movingIndices_, where its sorted triangles begin
+        Bounds boundsWorld;
+        std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid
     };
-    // A mesh of them: what sorts its triangles, and its box.
+    // The mesh of rigid dynamic objects, kept to sort its triangles in each pose.
     struct MovingMesh {
         Mesh mesh;
-        std::vector<glm::dvec3> corners;  // object space
+        std::vector<glm::dvec3> corners;  // corners of its bounds, object space
     };
 
-    // One that changes its form.
+    // A mesh that deforms (skin or morph targets).
     struct Deforming {
         std::shared_ptr<const Deformation> deformation;
         DeformationBoxes boxes;
@@ -108,21 +106,21 @@ class GpuScene {
     SceneFeatures features_;
     Voxelization voxelization_;
     glm::dmat4 volumeFromWorld_;
-    std::vector<Draw> draws_;  // in the order of the scene's instances, by material features
-    // Indices into draws_, in an order that does not depend on that of the instances.
+    std::vector<Draw> draws_;  // sorted by material features
+    // Indices into draws_ in an order that does not depend on the order of the scene's instances.
     std::vector<std::size_t> visibleDraws_;
     std::vector<Moving> moving_;
     std::vector<MovingMesh> movingMeshes_;
     std::vector<Deforming> deforming_;
     std::optional<Deformer> deformer_;
-    std::size_t vertexFloats_ = 0;  // of each vertex, in their buffer
-    // What the buffers hold, where something moves: the uniforms of all draws, the triangles of those that
-    // move.
+    std::size_t vertexFloats_ = 0;  // floats per vertex
+    // Copies of what the buffers hold, for updates: the uniforms of all draws, and the sorted triangles of
+    // rigid dynamic objects. The uniforms are dropped if nothing moves.
     std::vector<unsigned char> uniformBytes_;
     std::vector<std::uint32_t> movingIndices_;
     std::size_t firstMovingIndex_ = 0;
-    std::vector<gl::Texture> textures_;      // as Scene::textures; without storage where nothing reads them
-    std::vector<gl::Texture> dataTextures_;  // likewise, of those that hold numbers and no colours
+    std::vector<gl::Texture> textures_;      // by Scene::textures; no storage unless a program reads it
+    std::vector<gl::Texture> dataTextures_;  // the same for textures of numbers (gloss, normals)
     gl::Buffer vertices_, indices_, uniforms_;
     gl::VertexArray vertexArray_;
 };

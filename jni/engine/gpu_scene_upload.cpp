@@ -1,4 +1,4 @@
-// The scene's vertices, indices and textures on their way to the GPU.
+// Uploads the scene's vertices, indices and textures. Vertices have only the attributes that the scene needs.
 #include <cstddef>
 #include <cstring>
 
@@ -12,7 +12,7 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
         GLuint location;
         int components;
         std::size_t offset;  // in Vertex or VertexExtras
-        bool extra = false;  // in the latter
+        bool extra = false;  // true: `offset` is in VertexExtras
     };
     std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
                                       {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double voxelsAcross = 2.0;
 constexpr double shareOfSurface = 0.02;
-// Of the next side; a sheet's shortest side is 0 but for rounding.
+// A part is a sheet if its shortest side is at most this share of the next one: 0 but for rounding.
 constexpr double sheet = 1e-4;
 
 double voxelSize(const Bounds& boundsWorld, int grid) {
@@ -39,7 +39,7 @@ std::string lengthText(double metres) {
 
 struct Narrow {
     double across = 0.0;  // metres
-    std::string name;     // of the mesh
+    std::string name;     // the mesh's
 
     std::string text(Voxels voxels) const {
         return "the narrowest 2 % of the surface are parts up to " + lengthText(across) +
@@ -47,7 +47,7 @@ struct Narrow {
     }
 };
 
-// The parts that are no wider than this make up shareOfSurface of the surface.
+// The width up to which parts make up shareOfSurface of the surface.
 Narrow narrowest(const Scene& scene, Voxels voxels) {
     std::vector<Part> parts = connectedParts(scene);
     const auto across = [&](const Part& part) {
@@ -93,7 +93,7 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
 
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
                       std::size_t bytes) {
-    const std::vector<int> ofDriver =
+    const std::vector<int> driverGrids =
         possibleGrids(settings, capabilities, std::numeric_limits<std::size_t>::max());
     const Narrow narrow = narrowest(scene, settings.voxels);
     const double needed = narrow.across / voxelsAcross;
@@ -106,7 +106,7 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
         if (enough(chosen)) break;
         if (grid <= chosen) continue;
         if (grid > settings.gridRange.finest) break;
-        if (std::find(ofDriver.begin(), ofDriver.end(), grid) == ofDriver.end()) {
+        if (std::find(driverGrids.begin(), driverGrids.end(), grid) == driverGrids.end()) {
             limit = ", the finest that the driver allows";
             break;
         }

@@ -1,4 +1,4 @@
-// How many voxels a scene needs, where that is not said as a number.
+// Chooses the grid for a scene if the user does not give one.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,29 @@ namespace vct {
 
 struct GridChoice {
     int grid = 0;
-    std::string reason;  // for people: "grid 128: voxels of 6.5 cm; ..."
+    std::string reason;  // for the user: "grid 128: voxels of 6.5 cm; ..."
 };
 
-// For people: "grid 64: voxels of 3.39 cm".
+// For the user: "grid 64: voxels of 3.39 cm".
 std::string gridText(const Bounds& boundsWorld, int grid);
-
-// For people: what narrow parts of the scene are lost in Settings::grid, and the remedy; else empty.
+// A warning for the user that names parts of the scene that are narrower than a voxel of Settings::grid, and
+// the remedy. Empty if there are none.
 std::string coarseGridWarning(const Scene& scene, const Settings& settings);
 
-// The smallest grid whose voxels around the scene are not larger than this. Throws vct::Error where the
-// finest grid's are.
+// The coarsest grid whose voxels are not larger than this. Throws vct::Error if the finest grid's are.
 int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 
-// The smallest grid within Settings::gridRange whose voxels are half as large as the narrowest parts of the
-// scene, up to the finest that the driver can do and for which there are `bytes` of memory. Where it can do
-// none, the coarsest of the range, of which Renderer says what the driver lacks. The narrowest parts: those
-// that make up 2 % of the surface; below that, one screw would decide.
+// The coarsest grid of Settings::gridRange with two voxels across the narrowest parts of the scene. If the
+// driver does not support it, or it needs more than `bytes`, a coarser one. If the driver supports none, the
+// coarsest one, for which the constructor of Renderer reports what the driver lacks. The narrowest parts
+// make up 2 % of the surface, because otherwise a single screw could decide.
 //
-// Two voxels across, so that in one of them at least a part has its voxel to itself. Across which side
-// follows from the kind of voxels (scene/parts.h measures the sides):
-// - Voxels::directional keep apart what looks in opposite directions, so a wall may be thinner than a voxel.
-//   What is narrow in two directions, a slat or a column, may not: the second side counts.
-// - Voxels::packed hold one colour, opaque once touched, so both sides of a wall shine into both rooms: the
-//   shortest side counts, but for sheets, which have none.
+// With two voxels across, a part fills at least one voxel alone. The width of a part depends on the kind of
+// voxels (scene/parts.h measures the sides):
+// - Voxels::directional: the second-shortest side. A wall may be thinner than a voxel, because voxels keep
+//   surfaces of opposite directions apart. A part that is narrow in two directions, such as a slat, may not.
+// - Voxels::packed: the shortest side, because a voxel has one colour for both sides of a wall and leaks it
+//   into both rooms. Sheets have no thickness, so their second-shortest side counts.
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
                       std::size_t bytes);
 

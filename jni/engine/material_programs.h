@@ -1,4 +1,4 @@
-// A pass over the triangles has a program for each combination of material features that it tells apart.
+// The programs of a pass that draws triangles: one for each combination of the material features it reads.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@ namespace vct {
 
 class GpuScene;
 
-// The programs of one pass, one for all material features that occur in the scene and that it does not tell
-// apart.
+// Compiles the programs for all combinations of features in the scene. Combinations for which `describe`
+// returns the same shaders and defines share a program.
 class MaterialPrograms {
   public:
     MaterialPrograms(const gl::ShaderLibrary& shaders, const GpuScene& scene,
@@ -21,7 +21,7 @@ class MaterialPrograms {
         gl::Program program;
         bool readsBaseColorTexture, readsEmissiveTexture, readsGlossTexture, readsNormalMap;
     };
-    // A uniform at the same location in all of them.
+    // Sets the uniform at this location in all programs.
     void setUniform(GLint location, GLuint value) const;
     const Variant& operator()(unsigned features) const { return variants_[indices_.at(features)]; }
 

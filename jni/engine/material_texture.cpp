@@ -24,14 +24,14 @@ GLenum glWrap(Texture::Wrap wrap) {
     return GL_REPEAT;
 }
 
-// Half a level, at least one texel: each the mean, of colours that of light and not of codes, of those that
-// it lies over. Alpha is linear.
+// The next mip level: half the size, at least one texel. A texel is the mean of the texels that it covers.
+// Colours are averaged as linear light, numbers and alpha as they are.
 std::vector<std::uint8_t> halved(const std::uint8_t* from, int fromWidth, int fromHeight, TextureOf of) {
     static const std::array<float, 256> lightOf = [] {
-        std::array<float, 256> ofCode{};
-        for (std::size_t code = 0; code < ofCode.size(); ++code)
-            ofCode[code] = srgbDecode(static_cast<float>(code) / 255.0F);
-        return ofCode;
+        std::array<float, 256> linearValues{};
+        for (std::size_t code = 0; code < linearValues.size(); ++code)
+            linearValues[code] = srgbDecode(static_cast<float>(code) / 255.0F);
+        return linearValues;
     }();
     const auto value = [of](std::uint8_t code) {
         return of == TextureOf::colors ? lightOf[code] : static_cast<float>(code) / 255.0F;
@@ -79,7 +79,8 @@ gl::Texture materialTexture(const Texture& source, TextureOf of) {
     if (source.height <= source.width) {
         gl::GenerateMipmap(GL_TEXTURE_2D);
     } else {
-        // A PowerVR Rogue makes none where the height is the greater: PPSSPP, PVR_GENMIPMAP_HEIGHT_GREATER.
+        // glGenerateMipmap fails on PowerVR Rogue for textures higher than wide (PPSSPP,
+        // PVR_GENMIPMAP_HEIGHT_GREATER).
         std::vector<std::uint8_t> mip;
         int width = source.width, height = source.height;
         for (int level = 1; level < levels; ++level) {

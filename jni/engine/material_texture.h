@@ -1,4 +1,4 @@
-// A scene's texture on its way to the GPU.
+// Uploads a scene's texture to the GPU.
 #pragma once
 
 #include "gl/objects.h"
@@ -8,7 +8,8 @@ namespace vct {
 
 enum class TextureOf { colors, numbers };
 
-// SRGB8_ALPHA8, or of numbers RGBA8, with all its mip levels, filtered and wrapped as `source` says.
+// Returns SRGB8_ALPHA8 for colours, RGBA8 for numbers, with all mip levels. Filter and wrap modes are those
+// that `source` names.
 gl::Texture materialTexture(const Texture& source, TextureOf of = TextureOf::colors);
 
 }  // namespace vct

@@ -1,3 +1,4 @@
+// Parses the modes that a user names.
 #include "engine/output.h"
 
 #include <algorithm>

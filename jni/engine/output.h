@@ -1,4 +1,4 @@
-// The outputs that a frame can produce, and what each of them reads.
+// The outputs that a frame can produce, and the inputs that each of them needs.
 #pragma once
 
 #include <array>
@@ -11,33 +11,33 @@
 namespace vct {
 
 enum class Output {
-    // The five modes, which are the thesis's scenes (5.1.2).
-    phong = VCT_MODE_PHONG,                  // Phong, diffuse and specular, no shadow
-    shadowMap = VCT_MODE_SHADOW_MAP,         // and the shadow map
-    ao = VCT_MODE_AO,                        // and cone-traced ambient occlusion
-    gi = VCT_MODE_GI,                        // and a diffuse bounce
-    giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // the shadow cone in place of the shadow map
+    // The five modes are the thesis's (5.1.2). Each adds to the one before, up to `gi`.
+    phong = VCT_MODE_PHONG,                  // Phong shading, diffuse and specular, no shadow
+    shadowMap = VCT_MODE_SHADOW_MAP,         // adds the shadow map
+    ao = VCT_MODE_AO,                        // adds ambient occlusion by cones
+    gi = VCT_MODE_GI,                        // adds a bounce of diffuse light
+    giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // `gi` with a soft shadow in place of the shadow map's
     // Parts of the light, each alone.
     ambientVisibility = VCT_VIEW_AO,
     indirectLight = VCT_VIEW_INDIRECT,
     sunVisibility = VCT_VIEW_CONE_SHADOW,
-    irradiance = VCT_VIEW_IRRADIANCE,  // of the indirect light, relative to the sun's
+    irradiance = VCT_VIEW_IRRADIANCE,  // irradiance by the indirect light, relative to the sun's
     specularLight = VCT_VIEW_SPECULAR,
 };
 
 struct OutputReads {
     Output output;
-    const char* name;  // also of its files
-    bool hardShadow;   // the shadow map, compared
+    const char* name;  // also names the output's files
+    bool hardShadow;   // the shadow map with hard edges
     bool softShadow;   // the visible share of the sun's disc
     bool voxels;
     bool ambientVisibility;
     bool indirectLight;
-    bool reflections;  // and the G-buffer's gloss
-    bool emission;     // of the G-buffer
+    bool reflections;  // the voxels along the mirror direction, and the G-buffer's gloss
+    bool emission;     // the G-buffer's emission
     bool punctualLights;
 
-    // Voxels are lit through it.
+    // Direct light reaches voxels through the shadow map, so every output that reads voxels needs it.
     constexpr bool shadowMap() const { return hardShadow || softShadow || voxels; }
 };
 
@@ -73,8 +73,8 @@ inline const char* outputName(Output output) {
 }
 
 const std::vector<Output>& allModes();
-// "all", or names and numbers of modes separated by commas, each mode once; throws vct::Error listing the
-// names.
+// Parses "all", or names and numbers of modes separated by commas; repeated modes are dropped. Throws
+// vct::Error that lists the names if `text` has another one, or none.
 std::vector<Output> modesFromText(const std::string& text);
 
 }  // namespace vct

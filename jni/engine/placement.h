@@ -1,4 +1,4 @@
-// An instance that can move, as it is placed at a moment.
+// The placement of a dynamic object in one pose.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@ namespace vct {
 
 struct Placement {
     glm::dmat4 worldFromObject{1.0};
-    Bounds box;                                              // around it, in volume space
-    std::shared_ptr<const DeformationState> form = nullptr;  // null where it keeps its form
+    Bounds box;                                              // bounds of the object, volume space
+    std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid
 
     bool operator==(const Placement& other) const {
         return worldFromObject == other.worldFromObject &&

@@ -66,7 +66,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
                                 gl::ReadShader read) {
     std::vector<std::string> defines;
     if (settings.countInvocations) defines.emplace_back("VCT_SHADER_COUNTERS");
-    // llvmpipe rounds mediump for real, in software, and the cones take up to twice as long.
+    // llvmpipe emulates the rounding of mediump, which makes the cones up to twice as slow.
     if (capabilities.softwareDriver) defines.emplace_back("mediump highp");
     return {std::move(read), capabilities.language(), std::move(defines)};
 }

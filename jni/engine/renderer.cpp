@@ -1,3 +1,5 @@
+// Sets up the renderer, creates its passes when they are first needed, and fills the frame uniforms.
+// frame.cpp has the frame itself.
 #include "engine/renderer.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ LightSize lightSize(const Settings& settings) {
     return {settings.lightRadius, settings.shadowConeAngleDeg};
 }
 
-// The largest radiance that a surface emits, scene's unit; 1 where none emits.
+// The largest radiance that a surface emits, in the scene's unit; 1 if none emits.
 float largestEmission(const Scene& scene) {
     float largest = 0.0F;
     for (const Material& material : scene.materials)
@@ -34,8 +36,7 @@ float largestEmission(const Scene& scene) {
     return largest > 0.0F ? largest : 1.0F;
 }
 
-// Returns the compact emitters, where the scene has some and directional voxels leave them to cones of their
-// own.
+// The scene's compact emitters; none for packed voxels, which have no cones for them.
 std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume, const Settings& settings,
                                         float radianceUnit) {
     if (settings.voxels != Voxels::directional) return {};
@@ -59,11 +60,11 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       emissionRange_(largestEmission(scene) / radianceUnit(light)),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
       emitters_(compactEmitters(scene, volume_, settings, radianceUnit(light))),
-      scene_(shaders_, scene, emitters_ ? emitters_->lamps() : std::vector<bool>(), volume_,
+      scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
              radianceUnit(light), capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
-      // A driver on the CPU has no other clock, and draws an empty picture for each query: .1 ms and more.
+      // A software driver has no GPU clock, and each query makes it draw an empty picture: 0.1 ms or more.
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
     if (!scene.punctualLights.empty())
@@ -122,7 +123,7 @@ void Renderer::applyPose(const Pose& pose) {
 }
 
 SceneState Renderer::state() const {
-    return {scene_.placements(), light_.towardsLight,
+    return {scene_.placements(), light_.directionToLight,
             punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>()};
 }
 

@@ -1,4 +1,4 @@
-// A scene on the GPU, and the passes that render frames of it. Read render() in frame.cpp first.
+// The renderer: a scene on the GPU and the passes that render frames of it. Start with render() in frame.cpp.
 #pragma once
 
 #include <memory>
@@ -24,62 +24,64 @@
 
 namespace vct {
 
-// Steps that face irradiance takes in a frame. It settles Settings::lightFrames steps after the last change,
-// and has converged when it is refined (GatherSettings::refinedDirections).
+// The number of steps that face irradiance takes in a frame. It takes Settings::lightFrames steps after a
+// change, and then those of the refinement (GatherSettings::refinedDirections), until it has converged.
 enum class LightSteps {
-    one,  // as an app does
-    all,  // those that are left: a still picture
+    one,  // for an app, which shows every frame
+    all,  // for a still picture: every step until face irradiance has converged
 };
 
 struct RenderRequest {
-    // At least one, each rendered into a texture of its own: Renderer::output(i) is that of outputs[i]. They
-    // should be the same ones in the same order from frame to frame.
+    // At least one. Each has a texture of its own: Renderer::output(i) holds outputs[i]. Keep their order
+    // from frame to frame, because programs and textures are kept by index.
     std::vector<Output> outputs;
     Camera camera;
     LightSteps lightSteps = LightSteps::one;
-    const GBuffer::Targets* surface = nullptr;  // of the pictures' size; null: the renderer draws it
-    bool allBounces = true;                     // in indirect light, or the first bounce alone
+    const GBuffer::Targets* surface = nullptr;  // G-buffer of Settings::size; null: the renderer draws it
+    bool allBounces = true;                     // false: indirect light has the first bounce only
 };
 
 class Renderer {
   public:
-    // Throws vct::Error where the settings are out of range or the driver has not the memory. Passes that no
-    // output asks for are never made.
+    // Throws vct::Error if a setting is out of range, or if the driver lacks a feature or memory. Passes are
+    // created when an output first needs them.
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
              const gl::Capabilities& capabilities, gl::ReadShader readShader);
 
-    // Renders one frame. While neither light nor pose changes, shadow map and voxels stay as they are; with
-    // Settings::revoxelize they are rebuilt. Throws vct::Error on any GL error; the next frame then rebuilds
+    // Renders one frame. Shadow maps and voxels are rebuilt only if a light or the pose has changed, or if
+    // Settings::revoxelize asks for it. Throws vct::Error on any GL error; the next frame then rebuilds
     // everything.
     void render(const RenderRequest& request);
 
-    // Gives outputs another size. Shadow map, voxels and light stay. Throws vct::Error where it is
-    // out of range.
+    // Changes the size of the outputs, in pixels. Shadow maps, voxels and their light are kept. Throws
+    // vct::Error if the size is out of range.
     void resize(glm::ivec2 size);
 
-    // Shifts outputs by parts of a pixel, to the right and up: their mean over the square of a pixel has
-    // smooth edges. Shadow map, voxels and light stay.
+    // Shifts the picture by fractions of a pixel, to the right and up. The mean of frames with shifts within
+    // one pixel is anti-aliased. Shadow maps, voxels and their light are kept.
     void setPictureShift(const glm::vec2& pixels) { pictureShift_ = pixels; }
 
-    // Takes a pose for frames to come. Cameras and the sun follow it by posed().
+    // Sets the pose of the next frames. The caller moves the camera and the sun accordingly (posed()).
     void setPose(const Pose& pose) { nextPose_ = pose; }
-    // Turns the sun, in frames to come. Its strength stays, as emission is stored relative to it.
-    void setLightDirection(const glm::dvec3& towardsLight) { light_.towardsLight = towardsLight; }
-    // Switches one of Scene::punctualLights on or off, in frames to come.
+    // Sets the unit vector towards the sun (world space) for the next frames. The sun's irradiance is fixed,
+    // because emission is stored relative to it.
+    void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
+    // Switches one of Scene::punctualLights on or off for the next frames.
     void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
-    // Gives the sun another size, in frames to come; full opening angle. Throws vct::Error where it is out of
+    // Sets the full opening angle of the sun's disc for the next frames. Throws vct::Error if it is out of
     // range.
     void setShadowConeAngle(float degrees);
 
-    // An output of the last frame: RGBA16F, relative to radianceScale(), row 0 at the bottom.
+    // An output of the last frame: RGBA16F, Settings::size, row 0 at the bottom. Multiply its values by
+    // radianceScale() to get the scene's radiance unit.
     const gl::Texture& output(std::size_t index = 0) const { return shades_.at(index).texture(); }
     float radianceScale() const;
     // The first output of the last frame, linear RGB in the scene's radiance unit, row 0 at the top. Waits
     // for the GPU.
     Image radiance() const;
 
-    // Active voxels per level, empty if no output needed voxels yet. Throws vct::Error where the list
-    // overflowed.
+    // Number of active voxels per level; empty if no output has needed voxels yet. Waits for the GPU. Throws
+    // vct::Error if the list overflowed.
     std::vector<std::uint32_t> activeVoxels() const;
     Resources resources() const;
 
@@ -87,13 +89,13 @@ class Renderer {
     const Settings& settings() const { return settings_; }
     const Volume& volume() const { return volume_; }
     const gl::ShaderLibrary& shaders() const { return shaders_; }
-    // The targets of the last frame, and its shadow map, which every output but `phong` reads.
+    // The renderer's own G-buffer and the sun's shadow map, as the last frame left them.
     GBuffer::Targets surface() { return gBuffer().targets(); }
     const gl::Texture& shadowMapTexture() { return shadowMap().texture(); }
 
-    // Says which voxels are occupied; makes the volume where no output needed it yet.
+    // The occupied voxels. Creates the volume if no output has needed it yet.
     const VoxelPyramid& occupancy() { return voxels().occupancy(); }
-    // Null until an output needed voxels, and where they are of the other kind.
+    // Null if no output has needed voxels yet, or if the voxels are of the other kind.
     const PackedVolume* packed() const { return dynamic_cast<const PackedVolume*>(voxels_.get()); }
     const DirectionalVolume* directional() const {
         return dynamic_cast<const DirectionalVolume*>(voxels_.get());
@@ -104,8 +106,8 @@ class Renderer {
     void uploadFrameUniforms(const Camera& camera);
     void invalidateCaches();
     void applyPose(const Pose& pose);
-    SceneState state() const;  // a copy, to compare later frames with
-    // These make the pass when it is asked for the first time.
+    SceneState state() const;  // a copy, which later frames are compared with
+    // Each returns its pass, and creates it in the first call.
     GBuffer& gBuffer();
     ShadowMap& shadowMap();
     VoxelVolume& voxels();
@@ -117,20 +119,19 @@ class Renderer {
     DirectionalLight light_;
     Bounds boundsWorld_;
     std::size_t triangles_;
-    std::optional<gl::Texture> environment_;  // of a sky that is not the same in all directions
+    std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
     float largestBounceShare_, emissionRange_;
     Volume volume_;
-    std::optional<Emitters>
-        emitters_;  // where the scene has some, and voxels are of the kind that needs them
+    std::optional<Emitters> emitters_;  // compact emitters; directional voxels only
     GpuScene scene_;
     std::optional<Pose> nextPose_;
     glm::vec2 pictureShift_{0.0F};
     gl::Buffer frameUniforms_;
     std::optional<GBuffer> gBuffer_;
     std::optional<ShadowMap> shadowMap_;
-    std::optional<PunctualLights> punctualLights_;  // the lights besides the sun, where the scene has any
+    std::optional<PunctualLights> punctualLights_;  // absent if the scene has none
     std::unique_ptr<VoxelVolume> voxels_;
-    std::vector<Shade> shades_;  // one for each output of a frame
+    std::vector<Shade> shades_;  // one per output of a frame
     StepTimer timer_;
     bool lastFrameFailed_ = false;
 };

@@ -1,4 +1,4 @@
-// What a pass keeps in the GPU's memory.
+// Names and sizes of GPU objects, for reports of memory use.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Resource {
 };
 using Resources = std::vector<Resource>;
 
-// `object`: a gl::Texture or gl::Buffer.
+// `object` is a gl::Texture or a gl::Buffer.
 template <typename Object>
 void add(Resources& resources, const Object& object) {
     resources.push_back({object.label(), object.bytes()});

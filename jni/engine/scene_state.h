@@ -1,4 +1,4 @@
-// What shadow maps and voxels follow from: where everything that can move is, and the lights.
+// The state that shadow maps and voxels depend on: placements of the dynamic objects, and the lights.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace vct {
 
-// A light besides the sun.
+// The changeable part of a punctual light.
 struct PunctualLightState {
     glm::dmat4 worldFromLight{1.0};
     bool on = true;
@@ -19,7 +19,7 @@ struct PunctualLightState {
 
 struct SceneState {
     std::vector<Placement> placements;
-    glm::dvec3 towardsLight{0.0};  // of the sun, world space
+    glm::dvec3 directionToLight{0.0};  // unit vector towards the sun, world space
     std::vector<PunctualLightState> lights;
 
     bool operator==(const SceneState& other) const {
@@ -27,7 +27,7 @@ struct SceneState {
     }
     bool operator!=(const SceneState& other) const { return !(*this == other); }
     bool sameLight(const SceneState& other) const {
-        return towardsLight == other.towardsLight && lights == other.lights;
+        return directionToLight == other.directionToLight && lights == other.lights;
     }
 };
 

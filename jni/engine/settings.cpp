@@ -1,3 +1,4 @@
+// The values of the presets, and the checks of settings.
 #include "engine/settings.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace vct {
 
 namespace {
-// Returns the one of two values that is called `text`.
+// Returns the one of two values whose name is `text`; throws vct::Error that lists both names.
 template <class Value>
 Value valueNamed(const std::string& text, Value first, Value second, const char* (*nameOf)(Value)) {
     for (Value value : {first, second})
@@ -45,7 +46,7 @@ const std::vector<std::string>& presetNames() {
 }
 
 Settings presetSettings(const std::string& name) {
-    // The thesis's settings are the defaults of every member: it is the yardstick.
+    // The defaults of all members are the thesis's values, the reference for everything that is measured.
     Settings settings;
     if (name == "thesis") return settings;
     settings.voxels = Voxels::directional;

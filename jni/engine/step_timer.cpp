@@ -37,13 +37,13 @@ std::string whyGpuTimesAreWrong(const StepTimes& times) {
                "not to be "
                "sound, or runs on the CPU";
     if (times.gpuDisjoint) return "the driver reported a disjoint operation";
-    // What submitting costs is in glFinish's times and not in the GPU's: short steps may differ widely.
+    // Only glFinish's times include the cost of submission, so the times of short steps may differ widely.
     constexpr double longStepMs = 5.0;
-    constexpr double leastShare = 0.2;
+    constexpr double minShare = 0.2;
     for (int i = 0; i < stepCount; ++i) {
         const double finishMs = median(times.stepMs[i]);
         const double gpuMs = median(times.gpuMs[i]);
-        if (gpuMs > 1.1 * finishMs + 0.2 || (finishMs > longStepMs && gpuMs < leastShare * finishMs))
+        if (gpuMs > 1.1 * finishMs + 0.2 || (finishMs > longStepMs && gpuMs < minShare * finishMs))
             return std::string("it says ") + numberText(gpuMs) + " ms for " + stepName(static_cast<Step>(i)) +
                    " and glFinish " + numberText(finishMs);
     }
@@ -55,7 +55,7 @@ void StepTimer::startRecording(Clocks clocks) {
     times_ = {};
     if (!hasGpuClock_ || clocks == Clocks::cpu) return;
     gpuTimer_.emplace();
-    gl::gpuTimerWasDisjoint();  // what happened before does not count
+    gl::gpuTimerWasDisjoint();  // clears the flag, which may be set from before the recording
 }
 
 StepTimes StepTimer::stopRecording() {
@@ -86,7 +86,7 @@ StepTimer::Scope::Scope(StepTimer& t, Step s)
 StepTimer::Scope::~Scope() {
     if (!timer.recording_) return;
     const auto i = static_cast<std::size_t>(step);
-    // Read after the clock: asking for the result waits as glFinish does, and takes time of its own.
+    // The GPU's result is read after the CPU's clock because reading it takes time.
     if (timer.gpuTimer_) timer.gpuTimer_->stop();
     timer.frameMs_[i] += finishedAtMs() - startMs;
     if (timer.gpuTimer_) timer.frameGpuMs_[i] += timer.gpuTimer_->resultMs();

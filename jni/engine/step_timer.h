@@ -1,5 +1,5 @@
-// Time per step of the frame by the thesis's method (5.1.2): glFinish, then the CPU's clock. Beside it, in
-// the same frames, by the GPU's own clock where it has one.
+// Measures the time of each step of a frame by the thesis's method (5.1.2): glFinish, then the CPU's clock.
+// If the GPU has a clock, the same frames are also timed by it.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace vct {
 
-// The columns of the thesis's table 5.3, CS, RT, V, M, Tr; and the injection of light and the irradiance, which it
-// does not have.
+// The columns CS, RT, V, M and Tr of the thesis's table 5.3, and two steps that the thesis does not have:
+// `inject` and `irradiance`.
 enum class Step { shadowMap, renderData, voxelize, inject, mipmap, irradiance, trace };
 constexpr int stepCount = 7;
 // "shadow_map", "render_data", "voxelize", "inject", "mipmap", "irradiance", "trace"
@@ -21,25 +21,25 @@ const char* stepName(Step step);
 // Milliseconds of every timed frame.
 struct StepTimes {
     std::array<std::vector<double>, stepCount> stepMs;
-    // By the GPU's clock; empty where it has none.
+    // Times by the GPU's clock; empty if it has none.
     std::array<std::vector<double>, stepCount> gpuMs;
-    bool gpuDisjoint = false;  // the GPU's clock jumped meanwhile
+    bool gpuDisjoint = false;  // the GPU's clock jumped while it was read
 };
 
-// "" where the GPU's times can be believed beside those of glFinish, or why not: drivers are known that count
-// nothing, or something else.
+// Returns why the GPU's times are not credible beside those of glFinish, or "" if they are. Some drivers
+// report no time or a wrong one.
 std::string whyGpuTimesAreWrong(const StepTimes& times);
 
-double median(std::vector<double> samples);  // 0 for none
+double median(std::vector<double> samples);  // 0 if there are none
 
-// Which clocks a recording reads. The GPU's is for those who read its times: queries are among what drivers
-// get wrong most (gl/driver_faults.h).
+// The clocks that a recording reads. The GPU's clock is optional because drivers often implement its queries
+// wrongly (gl/driver_faults.h).
 enum class Clocks { cpu, cpuAndGpu };
 
-// Does nothing (not even glFinish) unless recording.
+// Measures only between startRecording() and stopRecording(). Outside of them it does not call glFinish.
 class StepTimer {
   public:
-    // `gpuTimerBits`: of the context; 0 without a GPU clock that is sound.
+    // `gpuTimerBits`: bits of the context's GPU clock; 0 if there is none or it is known to be wrong.
     explicit StepTimer(int gpuTimerBits) : hasGpuClock_(gpuTimerBits > 0) {}
 
     void startRecording(Clocks clocks);
@@ -47,14 +47,14 @@ class StepTimer {
 
     void beginFrame();
     void endFrame();
-    // Runs `work` and, when recording, adds its time to the step of the current frame.
+    // Runs `work` and, when recording, adds its time to the step's time in the current frame.
     template <typename Work>
     auto time(Step step, Work&& work) {
         Scope scope(*this, step);
         return work();
     }
-    // Runs work that is the CPU's but for small uploads, and times it without waiting for the GPU, which
-    // takes time of its own.
+    // The same for work on the CPU with small uploads at most. It does not wait for the GPU, because the
+    // wait would take longer than the work.
     template <typename Work>
     void timeOnCpu(Step step, Work&& work) {
         if (!recording_) {

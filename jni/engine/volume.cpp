@@ -6,7 +6,7 @@
 namespace vct {
 
 namespace {
-constexpr double paddingVoxels = 2.5;  // on each side
+constexpr double paddingVoxels = 2.5;  // at each end
 }
 
 glm::dmat4 Volume::volumeFromWorld() const {

@@ -1,4 +1,5 @@
-// The cube of voxels in the world. Volume space is [0, 1]^3 with the world's axes.
+// The position and size of the voxel cube in the world. In volume space the cube is [0, 1]^3, with the
+// world's axes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,9 +17,9 @@ struct Volume {
     double voxelSize() const { return side / grid; }  // metres
 };
 
-// The cube around the bounds with 2.5 empty voxels on each side of the longest extent: no fragment falls
-// outside through rounding, and a wall on the bounds lies in the middle of its voxels, where no driver's
-// rounding can move it into the next ones.
+// The cube around the bounds, with 2.5 empty voxels at each end of the longest extent. The padding keeps
+// rounded fragments inside. The half voxel puts a wall on the bounds in the middle of its voxels, where
+// rounding cannot move it into the next ones.
 Volume volumeAround(const Bounds& boundsWorld, int grid);
 
 }  // namespace vct

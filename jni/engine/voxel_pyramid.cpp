@@ -16,7 +16,7 @@ int levelsOf(int grid) {
     return static_cast<int>(std::log2(grid)) + 1;
 }
 
-shared::CommandLists emptyCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
+shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
     const auto cube = [grid](int level) {
         const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
         return side * side * side;
@@ -58,18 +58,18 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
     : grid_(grid),
       levels_(levelsOf(grid)),
       texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, textureLevels(grid, kind))),
-      initialCommands_(emptyCommands(grid, baseCapacity, kind)),
+      initialCommands_(makeInitialCommands(grid, baseCapacity, kind)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
       activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
                     GL_DYNAMIC_COPY) {
     if (kind == Kind::packed) sparseClear_ = gl::Program(shaders, packedClearProgram());
-    zeroTexture();
+    clearTexture();
 }
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind) {
     return gl::textureBytes(GL_R32UI, grid, grid, grid, textureLevels(grid, kind)) +
-           listBytes(emptyCommands(grid, baseCapacity, kind));
+           listBytes(makeInitialCommands(grid, baseCapacity, kind));
 }
 
 Resources VoxelPyramid::resources() const {
@@ -82,7 +82,7 @@ Resources VoxelPyramid::resources() const {
 
 void VoxelPyramid::clear() {
     const gl::DebugGroup group("sparse clear");
-    // The last frame wrote the list and the commands in shaders; they are read as buffers and commands now.
+    // Shaders of the last frame wrote the lists and the commands that this dispatch reads.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     sparseClear_.use();
@@ -95,10 +95,9 @@ void VoxelPyramid::clear() {
     setCommands(initialCommands_);
 }
 
-// The CPU uploads them. A copy from a buffer that has them would be wrong on a PowerVR Rogue, where
-// dispatches that came before read what the copy brings (Skia, GrGLCaps.cpp,
-// fTransferFromBufferToBufferSupport, driver 1.13@5720833): the clear of this frame would find empty lists,
-// and leave the voxels of the last one.
+// Uploads from the CPU. A copy between buffers is unsafe on PowerVR Rogue, where earlier dispatches may read
+// the copied values (Skia, GrGLCaps.cpp, fTransferFromBufferToBufferSupport, driver 1.13@5720833): clear()
+// would find empty lists and leave the voxels of the last frame.
 void VoxelPyramid::setCommands(const shared::CommandLists& commands) const {
     commands_.bind(GL_COPY_WRITE_BUFFER);
     gl::BufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof commands, &commands);

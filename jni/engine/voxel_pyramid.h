@@ -1,4 +1,4 @@
-// The voxels that are not empty: an R32UI 3D texture, and the lists of them.
+// The occupied voxels: an R32UI 3D texture and the active-voxel lists. Both kinds of voxels use it.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,20 @@ gl::ProgramDescription packedClearProgram();
 class VoxelPyramid {
   public:
     enum class Kind {
-        packed,                 // the texture holds the packed voxels, with all mip levels
-        staticFaces,            // the texture holds the base level's index of faces:
-                                // shaders/directional/face_lists.glsl
-        staticAndDynamicFaces,  // likewise, of the static geometry, and dynamic objects have lists of their
-                                // own
+        // The texture holds the packed voxels with all mip levels.
+        packed,
+        // The texture holds the index of the base level's faces (shaders/directional/face_lists.glsl).
+        staticFaces,
+        // The same for the static geometry; dynamic objects have separate lists.
+        staticAndDynamicFaces,
     };
-    // `baseCapacity`: entries of the base level's list, or 0 for 16 grid^2 (a closed surface that fills the
-    // volume has about 6 grid^2). A parent has at least one active child, so no other level needs more.
+    // `baseCapacity`: entries of the base level's list; 0 means 16 grid^2, where a closed surface that fills
+    // the volume needs about 6 grid^2. A parent has at least one active child, so no level needs more.
     VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity,
                  Kind kind = Kind::packed);
 
     Resources resources() const;
-    // Bytes of the texture and the lists.
+    // Bytes of the texture and of the lists.
     static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed);
 
     int grid() const { return grid_; }
@@ -37,14 +38,15 @@ class VoxelPyramid {
     const gl::Buffer& commands() const { return commands_; }
     const gl::Buffer& activeVoxels() const { return activeVoxels_; }
 
-    // Empties packed voxels through the last frame's list and resets the commands. No barrier is needed
-    // before; afterwards the image and the buffers are ready for shaders.
+    // Clears the packed voxels that the previous frame listed, and resets the lists. Includes the barriers
+    // before and after.
     void clear();
-    // Empties the texture, whatever is in it.
-    void zeroTexture() const { gl::zeroTexture3d(texture_, grid_); }
+    // Clears the whole texture.
+    void clearTexture() const { gl::clearTexture3d(texture_, grid_); }
 
-    // The commands of empty lists; and the commands replaced.
+    // The commands of empty lists.
     const shared::CommandLists& initialCommands() const { return initialCommands_; }
+    // Replaces the commands of all lists.
     void setCommands(const shared::CommandLists& commands) const;
 
     // Binds one level for image access, and the lists and their commands for shaders.
@@ -53,14 +55,14 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a list.
     void dispatchOverLevel(std::uint32_t list) const;
-    // Dispatches it over a level's faces that are not empty.
+    // Dispatches it over a level's face list.
     void dispatchOverFaces(int level) const;
 
-    // The commands, and what is active in a level's list. Wait for the GPU.
+    // Read the commands, and a level's list of active voxels. Wait for the GPU.
     shared::CommandLists readCommands() const;
     std::vector<std::uint32_t> readList(int level) const;
-    // The active voxels of each level. Throws vct::Error where there were more than the list can hold, with
-    // the number that is needed. Waits for the GPU.
+    // The number of active voxels of each level. Throws vct::Error with the needed capacity if a list
+    // overflowed. Waits for the GPU.
     std::vector<std::uint32_t> readActiveCounts() const { return activeCounts(readCommands()); }
     std::vector<std::uint32_t> activeCounts(const shared::CommandLists& commands) const;
 

@@ -1,4 +1,4 @@
-// The lit voxels of a scene, of either kind: packed ones, which are the thesis's, or directional ones.
+// The interface of a scene's lit voxels, packed (the thesis's) or directional.
 #pragma once
 
 #include "engine/gpu_scene.h"
@@ -12,13 +12,14 @@
 
 namespace vct {
 
-// The textures and buffers of a volume that the last pass reads. One that an output does not need is null.
+// The textures and buffers that the last pass reads. Those that an output does not need are null.
 struct VoxelLight {
-    const gl::Texture* packed = nullptr;      // the thesis's voxels, for its cones
-    const gl::Texture* irradiance = nullptr;  // what surfaces receive: shaders/directional/irradiance.glsl
-    const gl::Texture* bricks = nullptr;      // where in `irradiance` a block's texels lie
-    const gl::Texture* faces = nullptr;       // the directional voxels, for cones of glossy surfaces
-    const gl::Buffer* faceRange = nullptr;    // shared::FaceRange of `faces`
+    const gl::Texture* packed = nullptr;  // packed voxels, for the thesis's cones
+    const gl::Texture* irradiance =
+        nullptr;                            // bricks of face irradiance: shaders/directional/irradiance.glsl
+    const gl::Texture* bricks = nullptr;    // location of each block's brick in `irradiance`
+    const gl::Texture* faces = nullptr;     // directional voxels, for the cones of glossy surfaces
+    const gl::Buffer* faceRange = nullptr;  // shared::FaceRange of `faces`
 };
 
 class VoxelVolume {
@@ -28,23 +29,23 @@ class VoxelVolume {
     struct Inputs {
         const GpuScene& scene;
         DirectLight light;
-        const GBuffer::Targets& surface;  // what pixels show
+        const GBuffer::Targets& surface;  // the visible surfaces
         SceneState now;
         Output output;      // decides which light is needed
-        int lightSteps;     // most that face irradiance may take towards its final value
-        bool allBounces;    // or the first one alone
-        bool forceRebuild;  // of the voxels, even where nothing has changed
+        int lightSteps;     // largest number of light steps to take
+        bool allBounces;    // false: the first bounce only
+        bool forceRebuild;  // rebuild the voxels even if nothing has changed
     };
-    // Makes what updates need room for, and waits for the GPU where that has to be found out. To be called
+    // Allocates the buffers that updates need, and waits for the GPU if their sizes are unknown. Call it
     // before the first pass of a frame.
     virtual void prepare(const GpuScene&) {}
-    // Brings the voxels, and of their light what the picture shows, up to date. Where nothing has changed
-    // since the last call, nothing is computed.
+    // Brings the voxels, and the part of their light that the output shows, up to date. Computes nothing if
+    // nothing has changed since the last call and the light has converged.
     virtual VoxelLight update(const Inputs& inputs, StepTimer& timer) = 0;
-    // Marks everything as out of date, as a frame failed.
+    // Marks everything as out of date. Call it after a frame that failed.
     virtual void invalidate() = 0;
 
-    // Says which voxels of each level are occupied.
+    // The occupied voxels of each level.
     virtual const VoxelPyramid& occupancy() const = 0;
     virtual Resources resources() const = 0;
 };

@@ -1,4 +1,4 @@
-// How each triangle is projected along the axis that it faces most (thesis algorithm 7).
+// Two ways to project each triangle along its dominant axis for voxelization (thesis algorithm 7).
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace vct {
 
-// Both give the same voxels, bit for bit.
+// Both ways give exactly the same voxels.
 enum class Voxelization {
-    geometryShader,  // finds the axis, as in the thesis
-    // Triangles are sorted by their axis when the scene is loaded, and again when they move. Some drivers
-    // have no geometry shaders; Mali GPUs have no hardware for them, and Arm's Mali GPU Best Practices advise
-    // against them (the thesis's voxelization took 301 ms of a frame of 856).
+    geometryShader,  // a geometry shader finds the axis, as in the thesis
+    // Triangles are sorted by axis when the scene is loaded, and again when they move. Some drivers have no
+    // geometry shaders. Mali GPUs have no hardware for them, and Arm's Mali GPU Best Practices advise against
+    // them: the thesis's voxelization took 301 ms of a frame of 856 ms.
     sortedAxes,
 };
 
@@ -21,14 +21,14 @@ inline const char* voxelizationName(Voxelization voxelization) {
     return voxelization == Voxelization::geometryShader ? "geometry-shader" : "sorted-axes";
 }
 
-// Packed voxels are the thesis's, so they use its geometry shader where the driver has it.
+// Packed voxels follow the thesis, so they use a geometry shader if the driver has it.
 inline Voxelization voxelizationFor(Voxels voxels, const gl::Capabilities& capabilities) {
     return voxels == Voxels::packed && capabilities.meets("GL_EXT_geometry_shader")
                ? Voxelization::geometryShader
                : Voxelization::sortedAxes;
 }
 
-// Tells the user that packed voxels are made in the other way; "" where there is nothing to tell.
+// A note for the user if packed voxels have to do without the geometry shader; else "".
 inline std::string voxelizationNote(Voxels voxels, const gl::Capabilities& capabilities) {
     if (voxels == Voxels::directional ||
         voxelizationFor(voxels, capabilities) == Voxelization::geometryShader)

@@ -13,7 +13,7 @@ VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
 PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
 
-std::string stringOf(GLenum name) {
+std::string glString(GLenum name) {
     const GLubyte* text = GetString(name);
     return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
@@ -44,9 +44,9 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
             "no GL context is current in this thread (glGetString(GL_VERSION) is null): make one current "
             "first, of OpenGL ES 3.1 or desktop OpenGL 4.5, and give the getProcAddress that belongs to it");
 
-    // Drivers hand out stubs for entry points that the context does not have, so whether KHR_debug is there
-    // is asked of the context and not read from a null pointer. In ES 3.1 it is an extension with a suffix.
-    const Version version = parseVersion(stringOf(GL_VERSION));
+    // Drivers return stubs for entry points that the context does not have, so a pointer that is not null
+    // does not mean that KHR_debug exists. In ES 3.1 it is an extension with a suffix.
+    const Version version = parseVersion(glString(GL_VERSION));
     const std::vector<std::string> extensions = extensionNames();
     const auto hasExtension = [&](const char* name) {
         return std::find(extensions.begin(), extensions.end(), name) != extensions.end();

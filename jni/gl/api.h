@@ -1,5 +1,5 @@
-// OpenGL ES entry points, resolved at run time from the platform: the same names serve EGL, OSMesa (whose
-// desktop context has all of them) and Android.
+// OpenGL ES entry points, resolved at run time. The same table serves EGL, Android, and OSMesa, whose desktop
+// context has all of them.
 #pragma once
 
 #include <GLES3/gl32.h>
@@ -11,8 +11,8 @@
 
 namespace vct::gl {
 
-// One list of what is used; the types are those of the prototypes in gl32.h, which nothing links to. Entry
-// points of KHR_debug may be absent and are null then.
+// The entry points that are used. Their types come from the prototypes in gl32.h, which nothing links to. The
+// optional ones belong to KHR_debug and are null without it.
 // clang-format off
 #define VCT_GL_FUNCTIONS(X)                                                                                \
     X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange)      \
@@ -42,19 +42,18 @@ namespace vct::gl {
 VCT_GL_FUNCTIONS(VCT_GL_DECLARE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DECLARE)
 #undef VCT_GL_DECLARE
-// Of GL_EXT_disjoint_timer_query; null without it.
+// Belongs to GL_EXT_disjoint_timer_query; null without it.
 extern PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v;
 
 using Proc = void (*)();
 
-// Resolves every entry point; throws vct::Error naming all required ones that the driver lacks, or where no
-// context is current.
-// Optional ones are also looked for under their KHR suffix.
+// Resolves every entry point. Throws vct::Error that names all required entry points that the driver lacks,
+// or if no context is current. Optional ones are also looked up with the suffix KHR.
 void load(Proc (*getProcAddress)(const char* name, const void* user), const void* user);
 
-// Of the current context: GL_RENDERER or another string, "unknown" where the driver has none, and
-// GL_EXTENSIONS.
-std::string stringOf(GLenum name);
+// A string of the current context, such as GL_RENDERER; "unknown" if the driver has none.
+std::string glString(GLenum name);
+// GL_EXTENSIONS of the current context.
 std::vector<std::string> extensionNames();
 
 }  // namespace vct::gl

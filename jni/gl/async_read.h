@@ -1,4 +1,4 @@
-// Brings a buffer's content to the CPU without waiting for the GPU: a copy, and a fence behind it.
+// Reads a buffer on the CPU without waiting for the GPU, through a copy and a fence.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ class AsyncRead {
     AsyncRead(const AsyncRead&) = delete;
     AsyncRead& operator=(const AsyncRead&) = delete;
 
-    // Copies the buffer's first bytes when the GPU comes to it. A copy that was not read is given up.
+    // Queues a copy of the buffer's first bytes. Drops an earlier copy that has not been read.
     void start(const Buffer& source);
-    // Whether the GPU has made the copy, which is read then, once.
+    // If the GPU has made the copy, writes it to `destination` and returns true, once per start().
     bool finish(void* destination);
 
   private:

@@ -27,7 +27,7 @@ void keep(Call& call, T argument) {
     if constexpr (std::is_same_v<T, const GLchar*>) {
         if (argument != nullptr) call.text = argument;
     }
-    // Of ShaderSource, one text without its length.
+    // ShaderSource is always called with one string and no length.
     if constexpr (std::is_same_v<T, const GLchar* const*>) call.text = argument[0];
     // The argument before such an array is its length.
     if constexpr (std::is_same_v<T, const GLuint*>) {
@@ -36,8 +36,8 @@ void keep(Call& call, T argument) {
     }
 }
 
-// The function that takes the place of an entry point, and the driver's own. Entry points that the driver
-// lacks are recorded too: what the program does must not look different for it.
+// The function that replaces an entry point, and the driver's own function. Entry points that the driver
+// lacks are recorded too, so that the log does not depend on the driver.
 template <auto* entry>
 struct Hook;
 template <typename Result, typename... Arguments, Result(GL_APIENTRY** entry)(Arguments...)>
@@ -92,7 +92,7 @@ CallLog::~CallLog() {
     current = nullptr;
 }
 
-CallSummary summaryOf(const std::vector<Call>& calls) {
+CallSummary summarize(const std::vector<Call>& calls) {
     CallSummary summary;
     std::vector<std::string> groups{""};
     const auto countOf = [&](const std::string& group) -> int& {

@@ -1,4 +1,4 @@
-// What is asked of GL: every call through the table of api.h, for tests and for `vct info`.
+// Records all GL calls through the table of api.h, for tests and for `vct info`.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,15 @@
 namespace vct::gl {
 
 struct Call {
-    const char* name;                     // as in api.h, "DrawElements"
-    std::vector<std::int64_t> arguments;  // numbers and names of objects; addresses for pointers
-    std::string text;                     // of the last argument that is text
-    // The objects that Delete... names, and the attachments that InvalidateFramebuffer names.
+    const char* name;                     // as in api.h: "DrawElements"
+    std::vector<std::int64_t> arguments;  // numbers, or addresses for pointers
+    std::string text;                     // the last text argument
+    // The object names passed to Delete..., or the attachments passed to InvalidateFramebuffer.
     std::vector<GLuint> names = {};
 };
 
-// Records all calls from its constructor to its destructor. One at a time; load() must have run.
+// Records all calls from its constructor to its destructor. Only one may exist at a time; load() must have
+// run.
 class CallLog {
   public:
     CallLog();
@@ -37,17 +38,17 @@ class CallLog {
 };
 
 struct CallSummary {
-    int calls = 0;  // debug groups are none: they are names for people
+    int calls = 0;  // without the calls for debug groups
     std::map<std::string, int> byName;
-    // By the innermost debug group that they are made in, in the order in which these begin; "" for none.
+    // Calls by innermost debug group, in the order in which the groups begin; "" for calls outside of groups.
     std::vector<std::pair<std::string, int>> byGroup;
-    std::set<std::string> passes;  // the groups that are in no other
+    std::set<std::string> passes;  // the outermost groups
     int draws = 0, dispatches = 0;
-    std::set<std::int64_t> programs;  // used for any of them
-    // What shaders are given: "texture 3: GL_TEXTURE_2D", "uniform buffer 1: 208 bytes", each once. Objects
-    // have no names here: they differ between two renderers that do the same.
+    std::set<std::int64_t> programs;  // programs of draws and dispatches
+    // Bindings, such as "texture 3: GL_TEXTURE_2D" or "uniform buffer 1: 208 bytes", each once. Object names
+    // are left out, because they differ between renderers that do the same.
     std::set<std::string> bindings;
 };
-CallSummary summaryOf(const std::vector<Call>& calls);
+CallSummary summarize(const std::vector<Call>& calls);
 
 }  // namespace vct::gl

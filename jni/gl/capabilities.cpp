@@ -13,13 +13,13 @@ namespace vct::gl {
 namespace {
 
 GLint getInteger(GLenum name) {
-    GLint value = 0;  // stays where the driver does not know the name
+    GLint value = 0;  // kept if the driver does not know the name
     GetIntegerv(name, &value);
     return value;
 }
 
-// Versions and extensions say what a driver ought to do. What counts is whether it compiles: OSMesa's desktop
-// context takes ES shaders, and which versions is not to be read from any number.
+// Tests by compilation which ES language versions a context accepts, because no version number says it for
+// OSMesa's desktop context.
 bool compiles(const char* version) {
     const std::string text =
         std::string("#version ") + version + "\nvoid main() { gl_Position = vec4(0.0); }\n";
@@ -56,10 +56,10 @@ bool Capabilities::meets(const std::string& name) const {
 
 Capabilities queryCapabilities() {
     Capabilities result;
-    result.vendor = stringOf(GL_VENDOR);
-    result.renderer = stringOf(GL_RENDERER);
-    result.version = stringOf(GL_VERSION);
-    result.shadingLanguage = stringOf(GL_SHADING_LANGUAGE_VERSION);
+    result.vendor = glString(GL_VENDOR);
+    result.renderer = glString(GL_RENDERER);
+    result.version = glString(GL_VERSION);
+    result.shadingLanguage = glString(GL_SHADING_LANGUAGE_VERSION);
     const Version version = parseVersion(result.version);
     result.desktopContext = version.desktop;
     result.debugOutput = DebugMessageCallback != nullptr;
@@ -70,7 +70,7 @@ Capabilities queryCapabilities() {
     result.gpuTimerBits = result.faults.timerQueries.empty() ? gpuTimerBits() : 0;
     result.uniformBufferOffsetAlignment = getInteger(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT);
 
-    // An ES 3.1 context that takes it all the same (Mesa's does) does not promise what 3.20 has in core.
+    // Some ES 3.1 contexts (Mesa's) compile version 3.20 but need not have all of its core features.
     result.essl320 = version.atLeast(3, 2, 0, 0) && compiles("320 es");
     result.requirements = evaluateRequirements(
         {result.version, extensionNames(), compiles("310 es"), result.essl320, getInteger});

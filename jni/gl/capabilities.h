@@ -1,4 +1,4 @@
-// What the current driver can do, asked once. A missing capability is reported together with all the others.
+// Capabilities of the current driver, queried once. All missing capabilities are reported together.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace vct::gl {
 
-// One row of what the pipeline needs.
+// A feature or limit that the engine needs.
 struct Requirement {
     std::string name;      // "GL_OES_shader_image_atomic" or "GL_MAX_FRAGMENT_IMAGE_UNIFORMS >= 1"
-    std::string found;     // what the driver reports
-    std::string neededBy;  // which pass, and what would be lost without it
-    bool required = true;  // false: the pipeline works without it, with the loss that neededBy names
+    std::string found;     // the driver's answer
+    std::string neededBy;  // the pass that needs it, and the loss without it
+    bool required = true;  // false: the engine works without it, with this loss
     bool met = false;
 };
 
-// What settings are held to (engine/driver_needs.h).
+// The driver's limits for settings (engine/driver_needs.h).
 struct Limits {
     int texture2d = 0, texture3d = 0, framebufferWidth = 0;  // texels
     int fragmentStorageBlocks = 0, combinedOutputs = 0;
@@ -28,23 +28,23 @@ struct Capabilities {
     std::string vendor, renderer, version, shadingLanguage;
     bool desktopContext = false;        // OSMesa: a desktop core context that compiles the ES sources
     bool essl320 = false;               // "#version 320 es" is accepted; otherwise 310 es plus extensions
-    bool debugOutput = false;           // KHR_debug entry points are there
-    bool softwareDriver = false;        // runs on the CPU: llvmpipe, softpipe, lavapipe
-    bool texturesInMainMemory = false;  // so how much there is can be asked before they are made
+    bool debugOutput = false;           // KHR_debug exists
+    bool softwareDriver = false;        // the driver runs on the CPU: llvmpipe, softpipe, lavapipe
+    bool texturesInMainMemory = false;  // free main memory then tells if textures fit
     Limits limits;
     DriverFaults faults;
-    int gpuTimerBits = 0;  // of the GPU's own clock; 0: GL_EXT_disjoint_timer_query is no use
+    int gpuTimerBits = 0;  // bits of the GPU's clock; 0: GL_EXT_disjoint_timer_query is unusable
     int uniformBufferOffsetAlignment = 256;
     std::vector<Requirement> requirements;
 
     Language language() const { return essl320 ? Language::essl320 : Language::essl310; }
-    // Throws one vct::Error that names every required thing that is missing and what it is needed for.
+    // Throws vct::Error that names all missing requirements and their purposes.
     void requireAll() const;
-    // False only for a row of the requirements that is not met.
+    // False if `name` is a requirement that is not met; else true.
     bool meets(const std::string& name) const;
 };
 
-// Queries the current context (gl::load must have run).
+// Queries the current context; gl::load() must have run.
 Capabilities queryCapabilities();
 
 // The table that `vct info` prints.

@@ -10,17 +10,17 @@
 namespace vct::gl {
 namespace {
 
-// A driver may call from a thread of its own even where synchronous output was asked for.
+// A driver may call from its own thread even if synchronous output is enabled.
 std::mutex keptMutex;
 std::vector<std::string> kept;
 
-// A shader in a loop can repeat one complaint without end; the first few say it all.
+// A shader in a loop can repeat a message without end; the first few suffice.
 constexpr size_t maxKept = 32;
 
 void keep(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* message) {
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
     if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
-    // A shader that does not compile is reported by whoever compiled it, with its file and line.
+    // Program reports shaders that do not compile, with file and line.
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     std::string text = length < 0 ? std::string(message) : std::string(message, static_cast<size_t>(length));
     while (!text.empty() && (text.back() == '\n' || text.back() == '\0'))
@@ -31,7 +31,7 @@ void keep(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length
 
 void GL_APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                            const GLchar* message, const void* /*user*/) {
-    // The caller is the driver's C code: nothing may be thrown through it.
+    // The caller is the driver's C code, so no exception may leave this function.
     try {
         keep(source, type, id, severity, length, message);
     } catch (...) {
@@ -39,7 +39,7 @@ void GL_APIENTRY onMessage(GLenum source, GLenum type, GLuint id, GLenum severit
 }
 
 std::string errorName(GLenum error) {
-    // In the order of their numbers, from GL_INVALID_ENUM on.
+    // The names are in the order of their values, from GL_INVALID_ENUM on.
     constexpr const char* names[] = {"GL_INVALID_ENUM",
                                      "GL_INVALID_VALUE",
                                      "GL_INVALID_OPERATION",
@@ -54,7 +54,7 @@ std::string errorName(GLenum error) {
 
 std::vector<std::string> drainErrors() {
     std::vector<std::string> errors;
-    // Bounded: after the loss of a context, or without one, some drivers return an error for ever.
+    // The limit is needed because some drivers return errors for ever without a valid context.
     for (GLenum error = GetError(); error != GL_NO_ERROR && errors.size() < 8; error = GetError())
         errors.push_back(errorName(error));
     return errors;
@@ -64,7 +64,7 @@ std::vector<std::string> drainErrors() {
 
 void installDebugCallback() {
     {
-        // What an earlier context left behind is not this one's fault.
+        // Drop messages of an earlier context.
         const std::lock_guard<std::mutex> lock(keptMutex);
         kept.clear();
     }
@@ -73,7 +73,7 @@ void installDebugCallback() {
     Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
     DebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
-    // Messages of low severity are off at first, and an error may be one.
+    // Errors may have low severity, and messages of low severity are disabled by default.
     DebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
     DebugMessageCallback(onMessage, nullptr);
 }
@@ -84,8 +84,8 @@ void checkErrors(const std::string& where) {
         const std::lock_guard<std::mutex> lock(keptMutex);
         messages.swap(kept);
     }
-    // Drained even when there are messages, or the next pass would be blamed for this one's error; reported
-    // only when there are none, because a message says the same and more.
+    // Errors are drained even if there are messages, because otherwise the next pass would report them. They
+    // are reported only without messages, which say the same and more.
     const std::vector<std::string> errors = drainErrors();
     if (std::count(errors.begin(), errors.end(), errorName(GL_CONTEXT_LOST)) > 0)
         throw ContextLost(where + ": the GL context was lost");
@@ -106,8 +106,8 @@ DebugGroup::~DebugGroup() {
 }
 
 void label(unsigned identifier, unsigned name, const std::string& text) {
-    // GL_BUFFER, GL_PROGRAM, ... are namespaces here; a texture's is GL_TEXTURE, whatever its target.
-    // A driver need take no more than 256 bytes, and the names of a scene may be longer.
+    // `identifier` is a namespace such as GL_BUFFER; for textures it is GL_TEXTURE, whatever the target. A
+    // driver may limit labels to 256 bytes, and names in a scene may be longer.
     constexpr std::size_t most = 255;
     if (ObjectLabel)
         ObjectLabel(identifier, name, static_cast<GLsizei>(std::min(text.size(), most)), text.c_str());

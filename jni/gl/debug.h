@@ -1,4 +1,5 @@
-// KHR_debug: errors become exceptions, and passes become named groups in RenderDoc, AGI and apitrace.
+// Error reports and names for debuggers through KHR_debug. Errors become exceptions, and passes become named
+// groups in RenderDoc, AGI and apitrace.
 #pragma once
 
 #include <string>
@@ -8,21 +9,22 @@
 
 namespace vct::gl {
 
-// Installs the debug callback on the current context (a no-op without KHR_debug). Errors and high-severity
-// messages are kept until checkErrors(); the rest is dropped.
+// Installs the debug callback on the current context, if it has KHR_debug. Errors and messages of high
+// severity are kept until checkErrors(); others are dropped.
 void installDebugCallback();
 
-// The context is gone with everything in it, as on a phone whose GPU was reset: it must be made anew.
+// The context is lost with all its objects, for example by a GPU reset on a phone. The caller has to create
+// another context and renderer.
 class ContextLost : public Error {
   public:
     using Error::Error;
 };
 
-// Throws ContextLost where the driver says so. Throws vct::Error with every message kept since the last call,
-// or with glGetError's where there is no KHR_debug. `where` names the pass.
+// Throws ContextLost if the context is lost. Throws vct::Error with all messages kept by the debug callback,
+// or with the errors of glGetError() if there are no messages. `where` names the pass.
 void checkErrors(const std::string& where);
 
-// A named group for as long as it lives, also on the timeline of core/trace.h.
+// A named debug group for the lifetime of the object. It is also a section on the timeline of core/trace.h.
 class DebugGroup {
   public:
     explicit DebugGroup(const char* name);

@@ -1,18 +1,19 @@
-// Faults of real drivers that a program can only go around by knowing whose driver it runs on. Those that
-// have a cheap way around for every driver are dealt with where they occur, each with its source at the line.
+// Known driver faults that can only be avoided by identifying the driver. Faults with a cheap workaround for
+// all drivers are handled at the affected line, with their source.
 #pragma once
 
 #include <string>
 
 namespace vct::gl {
 
-// What is wrong, and who says so; "" where nothing is known.
+// Each member describes a fault with its source, or is "" if no fault is known.
 struct DriverFaults {
-    std::string timerQueries;  // GL_EXT_disjoint_timer_query is not to be used
-    std::string derivatives;   // dFdx, dFdy and fwidth are not to be believed
+    std::string timerQueries;  // GL_EXT_disjoint_timer_query must not be used
+    std::string derivatives;   // dFdx, dFdy and fwidth are wrong
 };
 
-// By GL_RENDERER and GL_VERSION. ANGLE has its own ways around the faults of what is below it.
+// The faults of a driver, by GL_RENDERER and GL_VERSION. ANGLE has none here, because it works around the
+// faults of the driver below it.
 DriverFaults faultsOf(const std::string& renderer, const std::string& version);
 
 }  // namespace vct::gl

@@ -39,7 +39,7 @@ bool isInteger(GLenum format) {
     return format == GL_R32UI || format == GL_RG16UI || format == GL_RGBA16UI;
 }
 
-// The driver itself would only say that a value is invalid.
+// Checked here because the driver's error says only that a value is invalid.
 void throwIfTooLarge(const std::string& label, GLenum target, int width, int height, int depth) {
     GLint most = 0;
     GetIntegerv(target == GL_TEXTURE_3D         ? GL_MAX_3D_TEXTURE_SIZE
@@ -53,7 +53,7 @@ void throwIfTooLarge(const std::string& label, GLenum target, int width, int hei
                 " along a side; use a coarser grid, a smaller picture or smaller textures");
 }
 
-// Storage buffers are bound as one block each, whose size phones limit to 128 MiB and more.
+// Storage buffers are bound as one block. Phones limit the size of a block to 128 MiB or more.
 void throwIfTooLarge(const std::string& label, GLenum target, std::size_t bytes) {
     if (target != GL_SHADER_STORAGE_BUFFER) return;
     GLint most = 0;
@@ -64,7 +64,7 @@ void throwIfTooLarge(const std::string& label, GLenum target, std::size_t bytes)
                     " in a storage block (GL_MAX_SHADER_STORAGE_BLOCK_SIZE); use a coarser grid");
 }
 
-// Storage calls report these two and nothing else here: everything before is checked per pass.
+// Storage calls can only give these two errors, because earlier errors are reported by their own pass.
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     const GLenum error = GetError();
     if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
@@ -133,9 +133,9 @@ Texture Texture::makeCube(const std::string& label, GLenum format, int side, int
     return texture;
 }
 
-Texture Texture::ownedElsewhere(GLuint name) {
+Texture Texture::wrapExternal(GLuint name) {
     Texture texture;
-    texture.ownedElsewhere_ = name;
+    texture.isExternal_ = name;
     return texture;
 }
 
@@ -223,13 +223,12 @@ Framebuffer::Framebuffer(const std::string& label, const std::vector<const Textu
     width_ = std::max(any.width() >> level, 1);
     height_ = std::max(any.height() >> level, 1);
     check(label);
-    // On Mali-T before driver r26, as of the Galaxy S7, what is attached is lost to later work once the
-    // status has been asked for: Skia, skbug 12640.
+    // Mali-T drivers before r26, as on the Galaxy S7, lose the attachments when the status is queried (Skia,
+    // skbug 12640).
     if (!colors.empty()) attach();
 }
 
-// An Adreno 4xx loses what was drawn where the framebuffer that is deleted is the bound one: Chromium,
-// gpu_driver_bug_list #102.
+// Adreno 4xx loses drawn content if the bound framebuffer is deleted (Chromium, gpu_driver_bug_list #102).
 Framebuffer::~Framebuffer() {
     if (handle_.get() == 0) return;
     GLint bound = 0;
@@ -257,7 +256,7 @@ Framebuffer::Framebuffer(const std::string& label, const Texture& depths, GLint 
     check(label);
 }
 
-Framebuffer Framebuffer::ofWindow(int width, int height) {
+Framebuffer Framebuffer::window(int width, int height) {
     using Kind = Attachment::Kind;
     Framebuffer window;
     window.attachments_ = {{GL_COLOR, Kind::color}, {GL_DEPTH, Kind::unused}, {GL_STENCIL, Kind::unused}};
@@ -271,8 +270,8 @@ void Framebuffer::bind() const {
     Viewport(0, 0, width_, height_);
 }
 
-// ES has no clear for textures, but each slice can be a colour target.
-void zeroTexture3d(const Texture& texture, int depth) {
+// OpenGL ES cannot clear a 3D texture, so each slice is cleared as a colour target.
+void clearTexture3d(const Texture& texture, int depth) {
     {
         const Framebuffer framebuffer(texture.label() + ", to be emptied", 1, 1);
         framebuffer.bind();
@@ -290,9 +289,9 @@ void zeroTexture3d(const Texture& texture, int depth) {
                     ClearBufferfv(GL_COLOR, 0, floats);
             }
     }
-    // GL asks for no barrier here. An Adreno 640 reads the texels of before in compute: ANGLE,
-    // angle_end2end_tests_expectations.txt, ClearThenSampleWithCompute and DrawDispatchImageReadDraw
-    // (42264513).
+    // GL needs no barrier here, but on Adreno 640 compute shaders read the old texels without one (ANGLE,
+    // angle_end2end_tests_expectations.txt, ClearThenSampleWithCompute and DrawDispatchImageReadDraw,
+    // 42264513).
     MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

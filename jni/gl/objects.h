@@ -1,4 +1,4 @@
-// Small owners of GL objects: the constructor acquires or throws, the destructor releases, move-only.
+// Owners of GL objects. Constructors acquire or throw, destructors release; the types are move-only.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace vct::gl {
 
-// An object's name. `remove` is the entry point that deletes it: DeleteTextures or DeleteProgram, for
-// example.
+// Owns an object's name. `remove` is the entry point that deletes it, for example DeleteTextures or
+// DeleteProgram.
 template <auto* remove>
 class Handle {
   public:
@@ -36,33 +36,34 @@ class Handle {
     GLuint name_ = 0;
 };
 
-// A new name of GenTextures and its like.
+// Returns a new name. `entryPoint` is GenTextures or a similar function.
 inline GLuint generate(decltype(GenTextures) entryPoint) {
     GLuint name = 0;
     entryPoint(1, &name);
     return name;
 }
 
-// Textures are made and changed on this unit, so that no pass loses what it has bound. ES 3.0 has 32 units.
+// Textures are created and changed on this unit, so that no pass loses its bindings. ES 3.0 guarantees 32
+// units.
 constexpr int scratchTextureUnit = 31;
 
-// An immutable-storage texture. Throws vct::Error naming `label`, the size and the remedy where there is no
-// memory for it, or where it is larger than the driver allows.
+// A texture with immutable storage. Creation throws vct::Error with `label`, size and remedy if there is not
+// enough memory, or if the texture is larger than the driver allows.
 class Texture {
   public:
     Texture() = default;
-    // `format` is sized (GL_RGBA16F); filter NEAREST, wrap CLAMP_TO_EDGE.
+    // `format` is a sized format such as GL_RGBA16F. The filter is NEAREST, the wrap mode CLAMP_TO_EDGE.
     static Texture make2d(const std::string& label, GLenum format, int width, int height, int levels = 1);
     static Texture make3d(const std::string& label, GLenum format, int width, int height, int depth,
                           int levels);
     static Texture make2dArray(const std::string& label, GLenum format, int width, int height, int layers);
-    // Six squares.
+    // A cube map; `side` is the side of its faces in texels.
     static Texture makeCube(const std::string& label, GLenum format, int side, int levels);
 
-    // A 2D texture that somebody else owns: it is read, and neither changed nor deleted.
-    static Texture ownedElsewhere(GLuint name);
+    // A 2D texture with another owner. It is neither changed nor deleted.
+    static Texture wrapExternal(GLuint name);
 
-    GLuint name() const { return ownedElsewhere_ != 0 ? ownedElsewhere_ : handle_.get(); }
+    GLuint name() const { return isExternal_ != 0 ? isExternal_ : handle_.get(); }
     GLenum target() const { return target_; }
     GLenum format() const { return format_; }
     int width() const { return width_; }
@@ -72,7 +73,7 @@ class Texture {
     std::size_t bytes() const { return bytes_; }
 
     void bind(int unit) const;
-    // One level with all its layers, for shaders' image functions.
+    // Binds one level with all its layers for image access by shaders.
     void bindImage(int unit, int level, GLenum access) const;
     void setFilter(GLenum minFilter, GLenum magFilter) const;
     void setParameter(GLenum parameter, GLenum value) const;
@@ -81,7 +82,7 @@ class Texture {
     static Texture create(const std::string& label, GLenum target, GLenum format, int width, int height,
                           int depth, int levels);
     Handle<&DeleteTextures> handle_;
-    GLuint ownedElsewhere_ = 0;
+    GLuint isExternal_ = 0;
     GLenum target_ = GL_TEXTURE_2D;
     GLenum format_ = 0;
     int width_ = 0, height_ = 0, levels_ = 0;
@@ -89,25 +90,25 @@ class Texture {
     std::string label_;
 };
 
-// A second way to read a texture, beside the texture's own parameters. Reads single texels of single levels,
-// not compared: NEAREST, CLAMP_TO_EDGE, no comparison.
+// A sampler that reads a texture's texels without filter and comparison, whatever the texture's own
+// parameters: NEAREST, CLAMP_TO_EDGE, no comparison.
 class PlainSampler {
   public:
     PlainSampler();
-    // For whatever texture is bound to `unit`, until another sampler is.
+    // Applies to any texture on `unit` until another sampler is bound.
     void bind(int unit) const { BindSampler(static_cast<GLuint>(unit), handle_.get()); }
 
   private:
     Handle<&DeleteSamplers> handle_{generate(GenSamplers)};
 };
 
-// Bytes of a texture's levels; `depth` is halved with each level too where it is not 1.
+// Bytes of all levels of a texture. A `depth` above 1 is halved from level to level like width and height.
 std::size_t textureBytes(GLenum format, int width, int height, int depth, int levels);
 
-// Zeroes all levels of a 3D texture whose texels can be rendered to.
-void zeroTexture3d(const Texture& texture, int depth);
+// Clears all levels of a 3D texture to 0. Its format must be renderable.
+void clearTexture3d(const Texture& texture, int depth);
 
-// Throws as Texture does; a storage buffer also where it is larger than a block may be.
+// A buffer. Creation throws as Texture's does, and also if a storage buffer exceeds the driver's block size.
 class Buffer {
   public:
     Buffer() = default;
@@ -118,7 +119,7 @@ class Buffer {
     const std::string& label() const { return label_; }
     void bind(GLenum target) const { BindBuffer(target, name()); }
     void bindBase(GLenum target, GLuint index) const { BindBufferBase(target, index, name()); }
-    // Reads `size` bytes from `offset` on, after everything before has finished.
+    // Reads `size` bytes from `offset` on. Waits for the GPU.
     void read(void* destination, std::size_t size, std::size_t offset = 0) const;
 
   private:
@@ -135,14 +136,14 @@ class VertexArray {
     Handle<&DeleteVertexArrays> handle_{generate(GenVertexArrays)};
 };
 
-// A framebuffer with the colour targets in order and a depth target (or null), one level of each.
-// Without targets, `width` and `height` give its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH).
-// RenderPass (gl/render_pass.h) draws into it.
+// A framebuffer: one level of each colour target, in order, and of a depth target, which may be null. Without
+// targets, `width` and `height` are its default size (GL_FRAMEBUFFER_DEFAULT_WIDTH). Draw into it through
+// RenderPass (gl/render_pass.h).
 class Framebuffer {
   public:
     struct Attachment {
         GLenum name;  // as in glInvalidateFramebuffer
-        // A window may have depth and stencil: nothing is drawn with them.
+        // `unused`: depth and stencil of a window, which no pass uses.
         enum class Kind { color, integers, depth, unused } kind;
     };
 
@@ -150,15 +151,15 @@ class Framebuffer {
     Framebuffer(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth,
                 int level = 0);
     Framebuffer(const std::string& label, int width, int height);
-    // Depth alone, in one layer of an array.
+    // One layer of an array texture as the depth target, without colour targets.
     Framebuffer(const std::string& label, const Texture& depths, GLint layer);
     // The default framebuffer of the current context.
-    static Framebuffer ofWindow(int width, int height);
+    static Framebuffer window(int width, int height);
     ~Framebuffer();
     Framebuffer(Framebuffer&&) = default;
     Framebuffer& operator=(Framebuffer&&) = default;
 
-    // Binds it for drawing and reading and sets the viewport to all of it.
+    // Binds it for drawing and reading, and sets the viewport to its size.
     void bind() const;
     // Colours come first, in the order of the draw buffers.
     const std::vector<Attachment>& attachments() const { return attachments_; }

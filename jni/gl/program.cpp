@@ -31,7 +31,7 @@ Shader compile(const ShaderLibrary& library, const ProgramDescription& descripti
     GetShaderiv(shader.get(), GL_COMPILE_STATUS, &ok);
     if (ok != GL_TRUE)
         throw Error("shaders/" + path + " does not compile for '" + description.name + "':\n" +
-                    pointHome(infoLog(shader.get(), GetShaderiv, GetShaderInfoLog), source.files));
+                    locateInFiles(infoLog(shader.get(), GetShaderiv, GetShaderInfoLog), source.files));
     return shader;
 }
 
@@ -40,7 +40,7 @@ Shader compile(const ShaderLibrary& library, const ProgramDescription& descripti
 Program::Program(const ShaderLibrary& library, const ProgramDescription& description)
     : handle_(CreateProgram()) {
     for (const std::string& path : description.shaders) {
-        // Attached shaders live on until the program is deleted.
+        // GL keeps attached shaders until the program is deleted.
         const Shader shader = compile(library, description, path);
         AttachShader(handle_.get(), shader.get());
     }

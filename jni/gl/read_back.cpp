@@ -27,7 +27,7 @@ std::vector<std::uint32_t> readVoxels(const gl::Texture& voxels, int level) {
     framebuffer.bind();
     gl::ReadBuffer(GL_COLOR_ATTACHMENT0);
     gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-    // RGBA_INTEGER is the one layout that every ES driver reads unsigned integers in.
+    // RGBA_INTEGER is the only layout of unsigned integers that every ES driver can read.
     std::vector<std::uint32_t> rgba(slice * 4);
     std::vector<std::uint32_t> words(slice * side);
     for (int z = 0; z < side; ++z) {

@@ -1,4 +1,4 @@
-// Reads pictures and voxels back from GL, for files and tests; each call waits for the GPU.
+// Reads pictures and voxels back from GL, for files and tests. Each call waits for the GPU.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace vct {
 
-// rgb of an RGBA16F or RGBA32F texture, row 0 at the top, times `scale`.
+// Reads the rgb of an RGBA16F or RGBA32F texture, multiplied by `scale`. Row 0 of the result is at the top.
 Image readImage(const gl::Texture& texture, float scale = 1.0F);
 
-// All words of one level of an R32UI 3D texture, x fastest, then y, then z.
+// Reads all words of one level of an R32UI 3D texture: x varies fastest, then y, then z.
 std::vector<std::uint32_t> readVoxels(const gl::Texture& voxels, int level);
 
 }  // namespace vct

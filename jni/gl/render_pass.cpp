@@ -23,7 +23,7 @@ RenderPass::RenderPass(const Framebuffer& framebuffer, Load load, Store store,
     (hasDepth ? Enable : Disable)(GL_DEPTH_TEST);
     if (hasDepth) {
         DepthFunc(GL_LESS);
-        DepthMask(GL_TRUE);  // clears obey it too
+        DepthMask(GL_TRUE);  // also applies to clears
     }
 
     std::vector<GLenum> invalid;
@@ -47,9 +47,9 @@ RenderPass::RenderPass(const Framebuffer& framebuffer, Load load, Store store,
     invalidate(invalid);
 }
 
-// Some drivers for Adreno invalidate for the whole pass what is invalidated at its end: Filament,
-// OpenGLContext.h, invalidate_end_only_if_invalidate_start. That does no harm to attachments that no pass
-// reads at its start.
+// Some Adreno drivers apply the invalidation at the end of a pass to the whole pass (Filament,
+// OpenGLContext.h, invalidate_end_only_if_invalidate_start). This is harmless, because no pass reads its
+// attachments at the start.
 RenderPass::~RenderPass() {
     invalidate(unread_);
 }

@@ -1,6 +1,6 @@
-// A render pass: all that is drawn into a framebuffer before another one is bound. A tile-based GPU reads
-// every attachment from memory at the start of a pass and writes it back at the end, unless it is told that
-// nobody needs the texels.
+// A render pass: all draws into a framebuffer until another one is bound. A tile-based GPU reads every
+// attachment from memory at the start of a pass and writes it back at the end, unless the attachment is
+// cleared or invalidated.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace vct::gl {
 
-// The start of a pass. Every attachment is cleared or invalidated as a whole, so none is read from memory.
+// The treatment of all attachments at the start of a pass, so that none is read from memory.
 enum class Load {
-    clear,       // colours to a given one (integers to 0), depth to 1
-    invalidate,  // the pass draws every pixel
+    clear,       // clears colours to a given one, integers to 0 and depth to 1
+    invalidate,  // for a pass that draws every pixel
 };
 
-// The attachments that somebody reads after the pass. The end of the pass invalidates the others.
+// The attachments that are read after the pass. The others are invalidated at its end.
 enum class Store { all, colors };
 
 class RenderPass {
   public:
-    // Binds the framebuffer, sets the viewport to all of it and turns culling off. With a depth attachment
-    // the depth test is GL_LESS and depth is written; without one the test is off. The scissor test must be
-    // off.
+    // Binds the framebuffer, sets the viewport to its size and disables culling. With a depth attachment,
+    // sets the depth test to GL_LESS and enables depth writes; without one, disables the test. The scissor
+    // test must be disabled.
     explicit RenderPass(const Framebuffer& framebuffer, Load load = Load::clear, Store store = Store::all,
                         const std::array<GLfloat, 4>& color = {});
     // The framebuffer must still be bound.
@@ -32,7 +32,7 @@ class RenderPass {
     RenderPass& operator=(const RenderPass&) = delete;
 
   private:
-    std::vector<GLenum> unread_;  // after the pass
+    std::vector<GLenum> unread_;  // attachments to invalidate at the end
 };
 
 }  // namespace vct::gl

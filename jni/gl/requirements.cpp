@@ -8,12 +8,12 @@
 namespace vct::gl {
 namespace {
 
-// The versions that have a feature in core: OpenGL ES and desktop OpenGL.
+// The first versions of OpenGL ES and of desktop OpenGL that include a feature.
 struct Core {
     int esMajor, esMinor, desktopMajor, desktopMinor;
 };
 
-// A feature that later versions have in core and earlier ones as one of several extensions.
+// A feature of later versions, which earlier ones may have as one of several extensions.
 struct Feature {
     std::vector<const char*> extensions;
     Core core;
@@ -27,8 +27,8 @@ const Feature features[] = {
      true,
      "voxelization and mipmap: fragments that meet in a voxel are merged with image atomics; no global "
      "illumination without them"},
-    // GL_OES_geometry_shader alone does not do: the shaders enable the EXT one, which the Android Extension
-    // Pack asks for.
+    // GL_OES_geometry_shader alone is not enough, because the shaders enable the EXT extension, which the
+    // Android Extension Pack requires.
     {{"GL_EXT_geometry_shader"},
      {3, 2, 3, 2},
      false,
@@ -53,7 +53,7 @@ struct Limit {
     const char* neededBy;
 };
 
-// Minima are what the passes use, not what a driver could give.
+// The minima are the numbers that the passes use.
 constexpr Limit limits[] = {
     {GL_MAX_FRAGMENT_IMAGE_UNIFORMS, "GL_MAX_FRAGMENT_IMAGE_UNIFORMS", 1, true,
      "voxelization: the fragment shader writes the voxel image; no global illumination without it"},
@@ -100,7 +100,7 @@ Requirement evaluate(const Feature& feature, const Version& version, const Drive
             row.found = extension;
         }
     }
-    // Core wins: a driver of that version need not list the extension.
+    // A driver of a version with the feature need not list the extension.
     const Core& core = feature.core;
     if (version.atLeast(core.esMajor, core.esMinor, core.desktopMajor, core.desktopMinor)) {
         row.met = true;
@@ -126,8 +126,8 @@ Requirement evaluateVersion(const Version& version, const DriverReport& driver) 
             "every pass: compute shaders, images, storage buffers", true, version.atLeast(3, 1, 4, 5)};
 }
 
-// The extensions that ESSL 3.10 leans on are those of an ES driver. A desktop context has them in its own
-// language only, so there it takes ESSL 3.20, where they are core.
+// ESSL 3.10 needs extensions that a desktop context has in its own language only. So a desktop context needs
+// ESSL 3.20, which includes them.
 Requirement evaluateLanguage(const Version& version, const DriverReport& driver) {
     const char* found = driver.essl320   ? "#version 320 es"
                         : driver.essl310 ? "#version 310 es"

@@ -1,5 +1,5 @@
-// What the pipeline needs of a driver, decided from what the driver reports and from nothing else, so that a
-// driver which lacks things can be made up in a test.
+// Decides if a driver meets the engine's requirements. The only input is the driver's report, so that tests
+// can invent drivers.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ struct DriverReport {
 Limits limitsOf(const std::function<GLint(GLenum limit)>& limit);
 std::vector<Requirement> evaluateRequirements(const DriverReport& driver);
 
-// True for the renderers that run on the CPU, also below another driver: "zink (llvmpipe ...)".
+// True for renderers that run on the CPU, also through another driver: "zink (llvmpipe ...)".
 bool isSoftwareRenderer(const std::string& renderer);
 
 }  // namespace vct::gl

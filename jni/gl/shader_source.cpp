@@ -19,15 +19,15 @@ std::string extensionOf(const std::string& path) {
     return dot == std::string::npos ? "" : path.substr(dot);
 }
 
-// The one place for #version and extension lines. highp is asked for throughout: image and 3D sampler types
-// have no useful default precision, and mediump is 16 bit on Mali.
+// The only place with #version and extension lines. The default precision is highp: image and 3D sampler
+// types have no default, and mediump has 16 bits on Mali.
 std::string header(const std::string& stage, Language language) {
     if (language == Language::essl300)
         return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
     std::string text = language == Language::essl320 ? "#version 320 es\n" : "#version 310 es\n";
     if (language == Language::essl310) {
         if (stage == ".geom") text += "#extension GL_EXT_geometry_shader : require\n";
-        // For `precise`, where there is it (shared/dominant_axis.h).
+        // Enables `precise` if the driver has it (shared/dominant_axis.h).
         if (stage != ".frag") text += "#extension GL_EXT_gpu_shader5 : enable\n";
         if (stage == ".frag" || stage == ".comp") text += "#extension GL_OES_shader_image_atomic : require\n";
     }
@@ -56,7 +56,7 @@ class Assembler {
             if (number == 1) setLine(1, fileNumber);
             if (std::regex_match(line, match, include)) {
                 const std::string included = match[1];
-                // Each file once: headers hold declarations only.
+                // Each file is included once.
                 if (std::find(source_.files.begin(), source_.files.end(), included) == source_.files.end())
                     appendNested(included, path, number, depth);
                 setLine(number + 1, fileNumber);
@@ -85,7 +85,7 @@ class Assembler {
 
 ReadShader shadersFromFolder(const std::string& folder) {
     return [folder](const std::string& path) {
-        // Of a pipe reading might never end.
+        // Only regular files are read, because reading a pipe might never end.
         std::error_code ignored;
         std::ifstream file;
         if (std::filesystem::is_regular_file(folder + "/" + path, ignored))
@@ -118,8 +118,8 @@ GLenum shaderStage(const std::string& path) {
     throw Error("shaders/" + path + ": the extension names no stage (.vert .geom .frag .comp)");
 }
 
-std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files) {
-    // Mesa: "0:35(12): error", NVIDIA: "0(35) : error", Arm and glslang: "0:35: ..." after an optional
+std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files) {
+    // Formats: Mesa "0:35(12): error", NVIDIA "0(35) : error", Arm and glslang "0:35: ..." after an optional
     // "ERROR: ".
     static const std::regex place(R"((^|\s)(\d+)(?:\((\d+)\)|:(\d+)(?:\(\d+\))?)\s*:)");
     std::istringstream lines(driverLog);

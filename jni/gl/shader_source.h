@@ -1,5 +1,5 @@
-// Shader files into what the driver compiles: `#include` resolved, the #version and extension lines written
-// here and nowhere else, and driver messages pointed back to the file and line that a person edits.
+// Assembles the source that the driver compiles from shader files: resolves `#include`, and adds the
+// #version and extension lines. Translates positions in driver messages back to files and lines.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,14 @@
 
 namespace vct::gl {
 
-// Reads a shader by its path below shaders/ ("shared/frame.glsl"); throws vct::Error where there is none.
+// Reads a shader by its path below shaders/ ("shared/frame.glsl"). Throws vct::Error if it does not exist.
 using ReadShader = std::function<std::string(const std::string& path)>;
 
-// From a folder on disk.
+// Reads shaders from a folder on disk.
 ReadShader shadersFromFolder(const std::string& folder);
 
-// What the sources are compiled as. 3.00 is for what is drawn on a driver that lacks all the rest.
+// The language of the assembled sources. Version 3.00 is for the app's head-up display, which also has to
+// work on drivers that cannot run the engine.
 enum class Language {
     essl300,  // "#version 300 es"
     essl310,  // "#version 310 es" with the extensions that the stage needs
@@ -25,16 +26,17 @@ enum class Language {
 
 struct AssembledShader {
     std::string text;
-    std::vector<std::string> files;  // index: the source-string number in #line and in driver messages
+    std::vector<std::string> files;  // by source-string number, as in #line and in driver messages
 };
 
-// `path`'s extension names the stage: .vert .geom .frag .comp. `defines` are "NAME" or "NAME VALUE".
+// The extension of `path` is the stage: .vert .geom .frag .comp. `defines` are "NAME" or "NAME VALUE".
 AssembledShader assembleShader(const ReadShader& read, const std::string& path,
                                const std::vector<std::string>& defines, Language language);
 
 GLenum shaderStage(const std::string& path);
 
-// "2:35(12): error: x" or "2(35) : error x" or "ERROR: 2:35: x" -> "shared/frame.glsl:35: ..."
-std::string pointHome(const std::string& driverLog, const std::vector<std::string>& files);
+// Replaces positions in a driver's log, such as "2:35(12): error: x", "2(35) : error x" or "ERROR: 2:35: x",
+// by "shared/frame.glsl:35: ...".
+std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files);
 
 }  // namespace vct::gl

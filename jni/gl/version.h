@@ -1,4 +1,4 @@
-// GL_VERSION taken apart: extensions are asked for only where the version does not already settle it.
+// Parses GL_VERSION.
 #pragma once
 
 #include <cstdio>
@@ -11,7 +11,7 @@ struct Version {
     int major = 0;
     int minor = 0;
 
-    // OpenGL ES and desktop OpenGL count separately, so a question names both numbers.
+    // Compares with a version of OpenGL ES or of desktop OpenGL, which have separate numbers.
     bool atLeast(int esMajor, int esMinor, int desktopMajor, int desktopMinor) const {
         const int wantedMajor = desktop ? desktopMajor : esMajor;
         const int wantedMinor = desktop ? desktopMinor : esMinor;
@@ -19,7 +19,7 @@ struct Version {
     }
 };
 
-// Understands "OpenGL ES 3.2 Mesa 22.3.6" and "4.5 (Core Profile) Mesa 22.3.6"; 0.0 for anything else.
+// Parses "OpenGL ES 3.2 Mesa 22.3.6" or "4.5 (Core Profile) Mesa 22.3.6"; returns 0.0 for anything else.
 inline Version parseVersion(const std::string& text) {
     const std::string prefix = "OpenGL ES ";
     Version version;

@@ -113,14 +113,14 @@ struct Shared {
 // In a process of its own: libktx (4.4) does not look at what decoding a damaged file's tables returned, and
 // then reads where nothing is.
 std::vector<std::uint8_t> Ktx2Picture::decode() const {
-    constexpr unsigned mostSeconds = 60;
+    constexpr unsigned maxSeconds = 60;
     const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     const Shared shared(4 * pixels);
     std::uint8_t* const rgba = shared.memory + Shared::messageBytes;
     const pid_t decoder = fork();
     if (decoder < 0) throw PictureError("the system starts no process to decode it in");
     if (decoder == 0) {
-        alarm(mostSeconds);
+        alarm(maxSeconds);
         try {
             decodeTo(rgba, pixels, bytes_, size_);
         } catch (const std::exception& error) {

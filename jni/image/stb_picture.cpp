@@ -21,7 +21,7 @@ std::size_t bigEndian32(const unsigned char* p) {
 
 // What stb says of nothing at all. It keeps its last reason until it has another, and some failures have
 // none, so a reason of an earlier picture must not be there.
-std::string reasonOfNothing() {
+std::string stbiFailureReason() {
     int unused = 0;
     const unsigned char nothing = 0;
     stbi_info_from_memory(&nothing, 1, &unused, &unused, &unused);
@@ -31,8 +31,7 @@ std::string reasonOfNothing() {
 // It quotes a damaged chunk's name, which may be any four bytes; a message is one line of text.
 std::string failureReason() {
     std::string reason = stbi_failure_reason();
-    std::replace_if(
-        reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+    std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
     return reason;
 }
 
@@ -119,7 +118,7 @@ std::vector<std::uint8_t> StbPicture::decode(int channels) const {
         throw PictureError("it says that it has " + extent + " but holds only " + std::to_string(size_) +
                            " bytes");
     if (isPng_) checkDeflatedSize();
-    const std::string noReason = reasonOfNothing();
+    const std::string noReason = stbiFailureReason();
     int width = 0, height = 0, channelsOfFile = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),

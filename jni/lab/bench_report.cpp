@@ -40,10 +40,10 @@ double voxelsMs(const ordered_json& steps) {
 }
 
 ordered_json modeJson(const BenchRuns& runs, const std::string& mode) {
-    const auto spread = [&](const auto& ofSteps) {
+    const auto spread = [&](const auto& stepTime) {
         std::vector<double> runsMs;
         for (const ordered_json& timings : runs.timings)
-            runsMs.push_back(ofSteps(timings.at("modes").at(mode).at("steps")));
+            runsMs.push_back(stepTime(timings.at("modes").at(mode).at("steps")));
         return spreadJson("median", median(runsMs), "processes", runsMs);
     };
     ordered_json json;

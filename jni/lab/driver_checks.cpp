@@ -90,7 +90,7 @@ class Checks {
         if (!stores.empty()) return stores;
         // Framebuffers write what compute wrote before.
         gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
-        gl::zeroTexture3d(texture, checkSide);
+        gl::clearTexture3d(texture, checkSide);
         return check([&] { sample(texture, true); }, checkLevels,
                      wrongLevels("clears of the slices of a 3D texture (" + name + ")"));
     }

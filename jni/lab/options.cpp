@@ -96,7 +96,7 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
     const auto setDirection = [&](const std::string& value) {
         const glm::dvec3 direction = threeFromText("--light: direction", value);
         if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");
-        light.towardsLight = -glm::normalize(direction);
+        light.directionToLight = -glm::normalize(direction);
         light.node = -1;  // stays there
     };
     setFromParts("--light", text,

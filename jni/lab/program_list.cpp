@@ -91,9 +91,9 @@ std::vector<gl::ProgramDescription> everyProgram() {
         if (settings.voxels != Voxels::directional) continue;
         for (const auto& [emission, emitters] : emissionAndEmitters) {
             const LightFeatures lights{false, settings.environment != nullptr, emitters, emission};
-            programs.push_back(gatherProgram(settings.gather, GatherOf::light, lights));
-            programs.push_back(gatherProgram(settings.occlusion, GatherOf::occlusion,
-                                             featuresFor(GatherOf::occlusion, lights)));
+            programs.push_back(gatherProgram(settings.gather, GatherPurpose::light, lights));
+            programs.push_back(gatherProgram(settings.occlusion, GatherPurpose::occlusion,
+                                             featuresFor(GatherPurpose::occlusion, lights)));
             if (emitters) programs.push_back(emittersProgram(settings.gather, lights));
         }
     }
@@ -142,16 +142,16 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
             add(Step::voxelize, accumulateProgram(f, emission));
         }
         add(Step::voxelize, listFacesProgram());
-        const GatherOf of = read.ambientVisibility ? GatherOf::occlusion : GatherOf::light;
+        const GatherPurpose of = read.ambientVisibility ? GatherPurpose::occlusion : GatherPurpose::light;
         const LightFeatures gathered = featuresFor(of, lights);
         for (const char* name : lightPrograms)
             add(Step::irradiance, lightProgram(name, gathered));
         if (gathered.emitters) add(Step::irradiance, emittersProgram(settings.gather, gathered));
         add(Step::inject, chooseRangeProgram());
-        add(Step::inject, injectProgram(lights, of == GatherOf::light));
+        add(Step::inject, injectProgram(lights, of == GatherPurpose::light));
         add(Step::mipmap, directionalMipmapperProgram());
         add(Step::irradiance,
-            gatherProgram(of == GatherOf::light ? settings.gather : settings.occlusion, of, gathered));
+            gatherProgram(of == GatherPurpose::light ? settings.gather : settings.occlusion, of, gathered));
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)

@@ -52,7 +52,7 @@ const std::vector<Sheet>& sheets() {
 
 DirectionalLight light() {
     DirectionalLight result;
-    result.towardsLight = glm::normalize(glm::dvec3(2.0, 3.0, 1.0));
+    result.directionToLight = glm::normalize(glm::dvec3(2.0, 3.0, 1.0));
     return result;
 }
 
@@ -88,7 +88,7 @@ Scene testScene() {
 Words expectedBase() {
     Words words(static_cast<std::size_t>(testGrid) * testGrid * testGrid, 0U);
     for (const Sheet& sheet : sheets()) {
-        const auto cosTheta = static_cast<float>(light().towardsLight[sheet.axis]);
+        const auto cosTheta = static_cast<float>(light().directionToLight[sheet.axis]);
         const glm::uvec3 color(
             cosTheta * sheet.albedo * static_cast<float>(VCT_BASE_COUNT * VCT_COLOR_STEPS) + 0.5F);
         const std::uint32_t word = shared::packVoxel(VCT_BASE_COUNT, VCT_BASE_COUNT, color);
@@ -205,7 +205,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
         const gl::ShaderLibrary library{shaders, capabilities.language()};
         if (const std::string failure = failedAssumption(library); !failure.empty())
             return {false, failure + ". The presets mobile and quality need it; use the preset thesis"};
-        std::size_t voxels = 0, ofThesis = 0;
+        std::size_t voxels = 0, thesisVoxels = 0;
         std::string left;
         for (const std::string& preset : presetNames()) {
             at = "preset " + preset;
@@ -216,9 +216,9 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
             }
             if (const std::string wrong = wrongIn(preset, capabilities, shaders, voxels); !wrong.empty())
                 return {false, at + ": " + wrong + remedyFor(preset)};
-            if (preset == "thesis") ofThesis = voxels;
+            if (preset == "thesis") thesisVoxels = voxels;
         }
-        return {true, std::to_string(ofThesis) + " voxels of " + std::to_string(testLevels) +
+        return {true, std::to_string(thesisVoxels) + " voxels of " + std::to_string(testLevels) +
                           " levels and their lists are those of the CPU; all presets run, and the driver "
                           "does what they assume" +
                           left};

@@ -76,7 +76,7 @@ struct Cell {
 const std::vector<Step> wholeFrame{Step::shadowMap, Step::renderData, Step::voxelize, Step::inject,
                                    Step::mipmap,    Step::irradiance, Step::trace};
 // The thesis's (*): the frame of a static scene, which is voxelized once.
-const std::vector<Step> withoutVoxelizing{Step::shadowMap, Step::renderData, Step::trace};
+const std::vector<Step> stepsAtRest{Step::shadowMap, Step::renderData, Step::trace};
 
 double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -121,7 +121,7 @@ std::vector<TableRow> measuredRows(const std::string& table, const std::vector<B
         std::vector<Cell> still;
         for (const Output mode : allModes()) {
             cells.push_back({256, 5.0, {mode}, wholeFrame});
-            still.push_back({256, 5.0, {mode}, withoutVoxelizing});
+            still.push_back({256, 5.0, {mode}, stepsAtRest});
         }
         return {measuredRow("Here", cells, all), measuredRow("Here(*)", still, all)};
     }
@@ -131,7 +131,7 @@ std::vector<TableRow> measuredRows(const std::string& table, const std::vector<B
         cells.push_back({256, 5.0, last, wholeFrame});
     } else if (table == "5.4") {
         for (const double angle : {10.0, 7.5, 5.0, 2.5})
-            cells.push_back({256, angle, last, withoutVoxelizing});
+            cells.push_back({256, angle, last, stepsAtRest});
     } else {
         for (const int grid : {128, 256}) {
             for (const Step step : {Step::voxelize, Step::mipmap})

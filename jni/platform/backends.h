@@ -1,4 +1,4 @@
-// The back ends behind createPlatform(). Internal to this folder.
+// The back ends of createPlatform(). Internal to this folder.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace vct::detail {
 
-// `remedy` ends the message of the error where nothing works.
+// `remedy` is appended to the error message if no display works.
 std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::string& remedy);
 std::unique_ptr<Platform> createOsmesa(const PlatformOptions& options);
 std::unique_ptr<Platform> createZink(const PlatformOptions& options);
 
-// EGL gives the same display to everyone who asks, and its driver is chosen when the first one does.
+// True if an EGL platform exists. All of them share a display, whose driver is chosen by the first one.
 bool eglInUse();
 
 }  // namespace vct::detail

@@ -1,5 +1,5 @@
-// EGL without a window system: Mesa's surfaceless platform, else a device (NVIDIA's way), else the default
-// display.
+// GL contexts by EGL without a window system. Displays are tried in this order: Mesa's surfaceless platform,
+// a device (as NVIDIA's driver has it), the default display.
 #include "platform/egl_error.h"
 
 #include <EGL/eglext.h>
@@ -14,7 +14,7 @@
 namespace vct::detail {
 namespace {
 
-// The last error's name; clears it.
+// Returns the name of the last error, and clears it.
 std::string eglError() {
     return eglErrorName(eglGetError());
 }
@@ -28,7 +28,7 @@ bool containsWord(const std::string& words, const std::string& word) {
     return (" " + words + " ").find(" " + word + " ") != std::string::npos;
 }
 
-// Where the extension is missing, EGL 1.4 answers with a null string and an error that must not linger.
+// Without client extensions EGL 1.4 returns a null string and sets an error, which is cleared here.
 std::string clientExtensions() {
     const std::string extensions = eglString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     eglGetError();
@@ -73,14 +73,14 @@ std::string deviceName(EGLDeviceEXT device) {
     return name.empty() ? "unnamed (" + extensions + ")" : name;
 }
 
-// One place where a display can come from.
+// A way to get a display.
 struct EglSource {
     std::string name;
-    EGLenum platform = EGL_NONE;  // none: eglGetDisplay
+    EGLenum platform = EGL_NONE;  // EGL_NONE: by eglGetDisplay()
     void* native = nullptr;
 };
 
-// In the order in which they are to be tried; only the one device where an index is given.
+// The sources in the order in which to try them; only the device with this index if it is not -1.
 std::vector<EglSource> eglSources(int device) {
     const std::vector<EGLDeviceEXT> found = devices();
     std::vector<EglSource> result;
@@ -102,7 +102,7 @@ std::vector<EglSource> eglSources(int device) {
     return result;
 }
 
-// Throws vct::Error where the source has none.
+// Throws vct::Error if the source has no display.
 EGLDisplay openEglDisplay(const EglSource& source) {
     EGLDisplay display = EGL_NO_DISPLAY;
     if (source.platform == EGL_NONE) {
@@ -116,7 +116,8 @@ EGLDisplay openEglDisplay(const EglSource& source) {
     return display;
 }
 
-// A display is one per process and native platform, so whoever leaves last terminates it.
+// The number of users of each display. A process has one display per native platform, and the last user
+// terminates it.
 std::map<EGLDisplay, int>& displayUsers() {
     static std::map<EGLDisplay, int> users;
     return users;
@@ -161,7 +162,8 @@ class EglPlatform : public Platform {
             surface_ = eglCreatePbufferSurface(display_, config, pbufferAttribs.data());
             if (surface_ == EGL_NO_SURFACE) throw Error("no 1x1 pbuffer, " + eglError());
         }
-        // Some drivers give the version that is asked for and no more, and some have no debug contexts.
+        // Some drivers return exactly the requested version, so 3.2 is tried before 3.1. Some have no debug
+        // contexts.
         for (const EGLint minor : {2, 1}) {
             for (const bool askDebug : {debug, false}) {
                 if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, minor, askDebug);
@@ -173,7 +175,7 @@ class EglPlatform : public Platform {
     }
 
     EGLConfig chooseConfig(bool surfaceless) const {
-        // The default asks for a window; without a surface any configuration will do.
+        // The default of EGL_SURFACE_TYPE is a window. Without a surface any configuration works.
         const std::array<EGLint, 5> attribs = {EGL_SURFACE_TYPE, surfaceless ? 0 : EGL_PBUFFER_BIT,
                                                EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
         EGLConfig config = nullptr;
@@ -199,8 +201,8 @@ class EglPlatform : public Platform {
 
     void release() {
         if (context_ != EGL_NO_CONTEXT) {
-            // Nothing may be under way in the driver when the context goes: zink on lavapipe of Mesa 25 has
-            // been seen to crash there.
+            // The GPU must be idle when the context is destroyed, because zink on lavapipe of Mesa 25 can
+            // crash otherwise.
             if (eglGetCurrentContext() == context_) {
                 if (const auto finish = eglGetProcAddress("glFinish")) finish();
                 eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

@@ -1,7 +1,7 @@
-// The words for what EGL says, for the command line's contexts and the app's.
+// Names of EGL errors, for the contexts of the command line and of the app.
 #pragma once
 
-// No window system: without these EGL/eglplatform.h would include X11's headers.
+// These keep EGL/eglplatform.h from including X11's headers.
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
@@ -12,7 +12,7 @@
 namespace vct {
 
 inline std::string eglErrorName(EGLint error) {
-    // In the order of their numbers, from EGL_SUCCESS on.
+    // The names are in the order of their values, from EGL_SUCCESS on.
     constexpr const char* names[] = {"EGL_SUCCESS",       "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
                                      "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",
                                      "EGL_BAD_CONTEXT",   "EGL_BAD_CURRENT_SURFACE", "EGL_BAD_DISPLAY",

@@ -1,5 +1,5 @@
-// OSMesa renders into main memory and knows neither displays nor devices. It was removed in Mesa 25.1, so it
-// is looked for at run time and nothing links to it.
+// GL contexts by OSMesa, which renders into main memory and has no displays and devices. Mesa 25.1 and later
+// do not include it, so it is loaded at run time and nothing links to it.
 #include <dlfcn.h>
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace vct::detail {
 namespace {
 
-// From GL/osmesa.h, which is not installed everywhere and would pull in desktop GL headers.
+// Copied from GL/osmesa.h, which is not installed everywhere and includes desktop GL headers.
 using OsmesaContext = struct osmesa_context*;
 enum : int {
     osmesaProfile = 0x33,
@@ -38,8 +38,9 @@ void resolve(void* handle, const char* name, const std::string& library, Functio
                     "; install libosmesa6 of Mesa 17 or later, or use --backend egl");
 }
 
-// RTLD_LOCAL: its GL symbols must not stand in for those of libEGL. Never closed: LLVM and glapi, which it
-// brings along, register thread-local destructors that would run after the code is gone.
+// Loads the library. RTLD_LOCAL keeps its GL symbols from replacing those of libEGL. The library is never
+// closed, because its dependencies LLVM and glapi register thread-local destructors, which must not be
+// unloaded.
 Library openLibrary() {
     constexpr std::array names = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     std::string reasons;
@@ -65,7 +66,7 @@ Library openLibrary() {
 class OsmesaPlatform : public Platform {
   public:
     OsmesaPlatform() : library_(openLibrary()) {
-        // The rest stays as it is by default: RGBA, and no depth, stencil and accumulation buffers.
+        // Other attributes have their defaults: RGBA, no depth, stencil and accumulation buffers.
         const int attribs[] = {
             osmesaProfile, osmesaCoreProfile, osmesaContextMajorVersion, 4, osmesaContextMinorVersion, 5, 0};
         context_ = library_.createContextAttribs(attribs, nullptr);
@@ -93,7 +94,7 @@ class OsmesaPlatform : public Platform {
     }
 
   private:
-    // OSMesa wants a default framebuffer even though every pass draws into its own.
+    // OSMesa needs a default framebuffer, although every pass draws into its own.
     static constexpr int width = 16, height = 16;
 
     Library library_;

@@ -12,7 +12,7 @@
 namespace vct {
 namespace {
 
-constexpr const char* backendNames[] = {"egl", "osmesa", "zink"};  // by their number
+constexpr const char* backendNames[] = {"egl", "osmesa", "zink"};  // by value of Backend
 
 }  // namespace
 
@@ -32,7 +32,7 @@ Backend backendFromName(const std::string& name) {
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
     switch (options.backend) {
         case Backend::egl:
-            // Without memory no driver can be loaded, and what it says then hardly tells.
+            // Without free memory no driver can be loaded, and the driver's own message does not tell why.
             return detail::createEgl(options,
                                      availableMemory() == 0
                                          ? "; there is too little memory for a driver, free some"

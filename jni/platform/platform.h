@@ -1,4 +1,4 @@
-// Where a GL context comes from. One small interface; EGL surfaceless, OSMesa and zink stand behind it.
+// Creates GL contexts without a window. One interface for three back ends: EGL, OSMesa and zink.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 namespace vct {
 
 enum class Backend {
-    egl,     // EGL without a surface, ES 3.1 or later, on whatever driver EGL finds
+    egl,     // EGL without a surface, ES 3.1 or later, on the driver that EGL finds
     osmesa,  // Mesa's off-screen library, desktop 4.5 core context (it has no ES), loaded at run time
-    zink,    // EGL as above, on Mesa's GL over Vulkan (lavapipe where there is no GPU)
+    zink,    // EGL as above, on Mesa's GL over Vulkan (lavapipe without a GPU)
 };
 
-Backend backendFromName(const std::string& name);  // throws vct::Error listing the names
+Backend backendFromName(const std::string& name);  // throws vct::Error that lists the names
 const char* backendName(Backend backend);
 
 // A current GL context. Destruction releases it.
@@ -34,20 +34,20 @@ struct PlatformOptions {
     bool debug = false;  // ask for a debug context
 };
 
-// Creates a context and makes it current on the calling thread; throws vct::Error with cause and remedy.
+// Creates a context and makes it current on the calling thread. Throws vct::Error with cause and remedy.
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options);
 
-// A context that is ready to be rendered with: created, entry points loaded, debug callback on, capabilities
-// asked.
+// A context that is ready for rendering: entry points are loaded, the debug callback is installed, and the
+// capabilities are queried.
 struct Context {
     std::unique_ptr<Platform> platform;
     gl::Capabilities capabilities;
 };
 
-// Throws vct::Error where there is no context; what the driver lacks is in the capabilities.
+// Throws vct::Error if there is no context. Missing features of the driver are listed in the capabilities.
 Context openContext(Backend backend, int device = -1);
 
-// Names of the EGL devices, in the order of their indices; empty where EGL cannot enumerate.
+// Names of the EGL devices by index; empty if EGL cannot enumerate them.
 std::vector<std::string> eglDevices();
 
 }  // namespace vct

@@ -1,5 +1,5 @@
-// Zink is Mesa's OpenGL over Vulkan. EGL has no name for it: which driver Mesa loads is decided by
-// environment variables that it reads when the display is initialised.
+// GL contexts by zink, Mesa's OpenGL over Vulkan. EGL cannot select it: Mesa chooses the driver by
+// environment variables, which it reads when the display is initialised.
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Sets variables for as long as it lives, so that an EGL context created later in this process is not zink
-// too. Like setenv itself, not for use while other threads read the environment.
+// Sets environment variables during its lifetime, so that EGL contexts created later do not use zink. As with
+// setenv(), no other thread may read the environment meanwhile.
 class ScopedEnvironment {
   public:
     ScopedEnvironment() = default;
@@ -43,7 +43,7 @@ class ScopedEnvironment {
     std::vector<std::pair<std::string, std::optional<std::string>>> saved_;
 };
 
-// A file of the folder whose name begins so; empty where there is none.
+// The path of a file in the folder whose name begins with `start`; empty if there is none.
 std::string fileThatBegins(const char* folder, const std::string& start) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error))
@@ -51,7 +51,7 @@ std::string fileThatBegins(const char* folder, const std::string& start) {
     return "";
 }
 
-// The Vulkan loader's description of lavapipe, Mesa's Vulkan on the CPU; empty where it is not installed.
+// The Vulkan loader's file for lavapipe, Mesa's Vulkan on the CPU; empty if it is not installed.
 std::string lavapipeIcd() {
     for (const char* folder :
          {"/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d"})
@@ -59,7 +59,7 @@ std::string lavapipeIcd() {
     return "";
 }
 
-// GL_RENDERER of the current context, whose entry points are not loaded yet.
+// GL_RENDERER of the current context, before its entry points are loaded.
 std::string rendererOf(const Platform& platform) {
     constexpr unsigned glRenderer = 0x1F01;
     using GetString = const unsigned char* (*)(unsigned);
@@ -68,17 +68,17 @@ std::string rendererOf(const Platform& platform) {
     return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
-// Returns null, and adds why to `failures`, where what comes is not zink.
+// Returns null and adds the reason to `failures` if the context is not zink's.
 std::unique_ptr<Platform> tryZink(const PlatformOptions& options, bool software, std::string& failures) {
     ScopedEnvironment environment;
     environment.set("GALLIUM_DRIVER", "zink");
     environment.set("MESA_LOADER_DRIVER_OVERRIDE", "zink");
-    // lavapipe asks libwayland for a compositor, which complains on stderr when this is unset. A folder that
-    // does not exist gives the same answer (there is none) in silence.
+    // lavapipe asks libwayland for a compositor, which prints a warning if this is unset. With a folder that
+    // does not exist there is no compositor either, but no warning.
     environment.setIfUnset("XDG_RUNTIME_DIR", "/nonexistent");
     if (software) {
         environment.set("LIBGL_ALWAYS_SOFTWARE", "1");
-        // Without this the loader also opens the drivers of GPUs that are not there, and may put one first.
+        // Without this the loader also opens drivers of absent GPUs, and may prefer one of them.
         const bool chosenByUser = std::getenv("VK_ICD_FILENAMES") || std::getenv("VK_DRIVER_FILES");
         const std::string icd = chosenByUser ? "" : lavapipeIcd();
         if (!icd.empty()) {

@@ -156,7 +156,7 @@ DirectionalLight posed(DirectionalLight light, const Pose& pose) {
     if (light.node < 0) return light;
     const glm::dvec3 back(pose.worldFromNode.at(static_cast<std::size_t>(light.node))[2]);
     const double length = glm::length(back);
-    if (length > 0.0) light.towardsLight = back / length;
+    if (length > 0.0) light.directionToLight = back / length;
     return light;
 }
 

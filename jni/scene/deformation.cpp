@@ -50,13 +50,13 @@ DeformedVertex deformedVertex(const Deformation& deformation, const DeformationS
             length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0)};
 }
 
-DeformationBoxes::DeformationBoxes(const Deformation& deformation) : ofJoints_(deformation.joints.size()) {
+DeformationBoxes::DeformationBoxes(const Deformation& deformation) : jointBoxes_(deformation.joints.size()) {
     for (std::size_t vertex = 0; vertex < deformation.positions.size(); ++vertex) {
         const Influences influences =
             deformation.influences.empty() ? Influences() : deformation.influences[vertex];
         for (std::size_t i = 0; i < 4; ++i) {
             if (influences.weights[i] == 0.0F) continue;
-            std::optional<Bounds>& box = ofJoints_[influences.joints[i]];
+            std::optional<Bounds>& box = jointBoxes_[influences.joints[i]];
             if (!box) box = noBounds;
             box->include(deformation.centre + glm::dvec3(deformation.positions[vertex]));
         }
@@ -65,22 +65,22 @@ DeformationBoxes::DeformationBoxes(const Deformation& deformation) : ofJoints_(d
         Bounds box{glm::dvec3(0.0), glm::dvec3(0.0)};
         for (const glm::vec3& displacement : target.positions)
             box.include(glm::dvec3(displacement));
-        ofTargets_.push_back(box);
+        targetBoxes_.push_back(box);
     }
 }
 
 Bounds DeformationBoxes::around(const DeformationState& state, const glm::dmat4& fromWorld) const {
     Bounds displaced{glm::dvec3(0.0), glm::dvec3(0.0)};
-    for (std::size_t i = 0; i < ofTargets_.size(); ++i) {
-        const glm::dvec3 a = double{state.weights[i]} * ofTargets_[i].min;
-        const glm::dvec3 b = double{state.weights[i]} * ofTargets_[i].max;
+    for (std::size_t i = 0; i < targetBoxes_.size(); ++i) {
+        const glm::dvec3 a = double{state.weights[i]} * targetBoxes_[i].min;
+        const glm::dvec3 b = double{state.weights[i]} * targetBoxes_[i].max;
         displaced.min += glm::min(a, b);
         displaced.max += glm::max(a, b);
     }
     Bounds bounds = noBounds;
-    for (std::size_t joint = 0; joint < ofJoints_.size(); ++joint) {
-        if (!ofJoints_[joint]) continue;
-        const Bounds box{ofJoints_[joint]->min + displaced.min, ofJoints_[joint]->max + displaced.max};
+    for (std::size_t joint = 0; joint < jointBoxes_.size(); ++joint) {
+        if (!jointBoxes_[joint]) continue;
+        const Bounds box{jointBoxes_[joint]->min + displaced.min, jointBoxes_[joint]->max + displaced.max};
         bounds = united(bounds, boundsOf(cornersOf(box), fromWorld * state.worldFromObject[joint]));
     }
     return bounds;

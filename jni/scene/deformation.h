@@ -74,8 +74,8 @@ class DeformationBoxes {
     Bounds around(const DeformationState& state, const glm::dmat4& fromWorld) const;
 
   private:
-    std::vector<std::optional<Bounds>> ofJoints_;  // around the vertices that follow each, object space
-    std::vector<Bounds> ofTargets_;                // around the displacements
+    std::vector<std::optional<Bounds>> jointBoxes_;  // around the vertices that follow each, object space
+    std::vector<Bounds> targetBoxes_;                // around the displacements
 };
 
 // A negative determinant of most joints turns the triangles' front faces around.

@@ -6,13 +6,13 @@
 namespace vct {
 
 FirstSurfaces::FirstSurfaces(const glm::dvec3& eyeWorld, const glm::dmat3& axes, double tanWidth,
-                             double tanHeight, int directionsAlongASide)
+                             double tanHeight, int directionsPerSide)
     : eye(eyeWorld),
       worldFromView(axes),
       tanHalfWidth(tanWidth),
       tanHalfHeight(tanHeight),
-      resolution(directionsAlongASide),
-      samples(static_cast<std::size_t>(directionsAlongASide) * directionsAlongASide) {}
+      resolution(directionsPerSide),
+      samples(static_cast<std::size_t>(directionsPerSide) * directionsPerSide) {}
 
 glm::dvec3 FirstSurfaces::direction(std::size_t sample) const {
     const double x = static_cast<double>(sample % resolution), y = static_cast<double>(sample / resolution);
@@ -98,12 +98,12 @@ void drawFirstSurfaces(const Scene& scene, std::vector<FirstSurfaces>& views) {
     }
 }
 
-std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsAlongASide) {
+std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsPerSide) {
     const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     std::vector<FirstSurfaces> views;
     for (const glm::dmat3& axes : {glm::dmat3(x, y, z), glm::dmat3(-x, y, -z), glm::dmat3(-z, y, x),
                                    glm::dmat3(z, y, -x), glm::dmat3(x, -z, y), glm::dmat3(x, z, -y)})
-        views.emplace_back(eyeWorld, axes, 1.0, 1.0, directionsAlongASide);
+        views.emplace_back(eyeWorld, axes, 1.0, 1.0, directionsPerSide);
     return views;
 }
 

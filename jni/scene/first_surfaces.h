@@ -26,7 +26,7 @@ struct FirstSurfaces {
     std::vector<Sample> samples;  // row by row, the lowest first
 
     FirstSurfaces(const glm::dvec3& eyeWorld, const glm::dmat3& axes, double tanWidth, double tanHeight,
-                  int directionsAlongASide);
+                  int directionsPerSide);
 
     // World space, its component along the view axis 1: `eye` + depth times it is on the surface.
     glm::dvec3 direction(std::size_t sample) const;
@@ -43,6 +43,6 @@ struct FirstSurfaces {
 void drawFirstSurfaces(const Scene& scene, std::vector<FirstSurfaces>& views);
 
 // Six views of a right angle each, that together see every direction.
-std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsAlongASide);
+std::vector<FirstSurfaces> viewsAround(const glm::dvec3& eyeWorld, int directionsPerSide);
 
 }  // namespace vct

@@ -41,15 +41,15 @@ double diagonalOf(const Scene& scene) {
 }
 
 // In tenths of a degree, so that the option that repeats it is short.
-double fovFor(double tanHalfOfASquare, double aspect) {
-    const double tanHalf = std::min(tanHalfOfASquare / std::sqrt(aspect), widestFramedTanHalf);
+double fovFor(double tanHalfSquare, double aspect) {
+    const double tanHalf = std::min(tanHalfSquare / std::sqrt(aspect), widestFramedTanHalf);
     return std::max(std::round(10.0 * glm::degrees(2.0 * std::atan(tanHalf))), 1.0) / 10.0;
 }
 
 // Columns: right, up and back of a camera that is turned towards the eye from the target by these angles.
-glm::dmat3 axesFrom(const glm::dvec3& towardsEye) {
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towardsEye));
-    return {right, glm::cross(towardsEye, right), towardsEye};
+glm::dmat3 axesFrom(const glm::dvec3& directionToEye) {
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), directionToEye));
+    return {right, glm::cross(directionToEye, right), directionToEye};
 }
 
 glm::dvec3 towards(double azimuthRad, double heightOverWidth) {
@@ -210,7 +210,7 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
 }
 
 // Whether the scene is a room, closed in so many of all directions, whose inside is what there is to see.
-bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double leastClosed) {
+bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double minClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     // The very middle may be inside a column; a place with a column before an opening may look closed.
     const std::vector<Around> places = placesAround(
@@ -220,7 +220,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     for (const Around& around : places) {
         const Enclosure enclosure = enclosureOf(around);
         if (enclosure.volume < roomShare * size.x * size.y * size.z) continue;
-        if (enclosure.closed < leastClosed) return false;
+        if (enclosure.closed < minClosed) return false;
         if (enclosure.volume < most) continue;
         most = enclosure.volume;
         widest = &around;

@@ -94,7 +94,7 @@ class ChannelLoader {
         channel.path = *path;
         setInterpolation(samplers_[*sampler], channel);
         setTimes(samplers_[*sampler], channel);
-        if (weights) return ofWeights(samplers_[*sampler], channel, targetsOf(channel.node));
+        if (weights) return weightChannels(samplers_[*sampler], channel, targetsOf(channel.node));
         setValues(samplers_[*sampler], channel);
         return {channel};
     }
@@ -182,8 +182,8 @@ class ChannelLoader {
     }
 
     // Of each key, and each of its tangents, the file has one value for each target.
-    std::vector<AnimationChannel> ofWeights(const json& sampler, const AnimationChannel& timed,
-                                            std::size_t targets) const {
+    std::vector<AnimationChannel> weightChannels(const json& sampler, const AnimationChannel& timed,
+                                                 std::size_t targets) const {
         if (targets == 0) {
             file_.warn("animated weights of a mesh without morph targets are ignored");
             return {};
@@ -239,7 +239,7 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
     };
     std::set<std::pair<int, Path>> targets;
     std::vector<bool> isMoved(file.model.nodes.size());
-    std::vector<AnimationChannel> channels, ofWeights;
+    std::vector<AnimationChannel> channels, weightChannels;
     std::size_t count = 0;
     for (const json& element : takeObjects(file, source, "channels", name + ": its")) {
         const std::string which = name + ", channel " + std::to_string(count++);
@@ -249,7 +249,7 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
                           std::to_string(channel.node) + ", which another channel moves already");
             const bool weights = channel.path == Path::morphWeight;
             if (!weights) isMoved[channel.node] = true;
-            (weights ? ofWeights : channels).push_back(std::move(channel));
+            (weights ? weightChannels : channels).push_back(std::move(channel));
         }
     }
 
@@ -269,7 +269,7 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
         animation.durationS = std::max(animation.durationS, static_cast<double>(channel.times.back()));
         animation.channels.push_back(std::move(channel));
     }
-    for (AnimationChannel& channel : ofWeights) {
+    for (AnimationChannel& channel : weightChannels) {
         PlacedNode& node = *placedOf.at(channel.node);
         if (node.morph < 0) {
             node.morph = static_cast<int>(animation.morphWeights.size());

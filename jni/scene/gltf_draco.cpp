@@ -36,10 +36,10 @@ tinygltf::Primitive withIndices(const tinygltf::Primitive& primitive, const tiny
 class DracoStream {
   public:
     DracoStream(GltfFile& file, const tinygltf::Value& extension, const std::string& mesh)
-        : file_(file), what_(mesh + ": its Draco stream") {
+        : file_(file), context_(mesh + ": its Draco stream") {
         const int view = indexAt(extension, "bufferView");
         bytes_ = viewBytes(file, view);
-        what_ += " (buffer view " + std::to_string(view) + ")";
+        context_ += " (buffer view " + std::to_string(view) + ")";
         checkMemory();
         draco::DecoderBuffer buffer;
         buffer.Init(chars(), bytes_.size);
@@ -96,7 +96,7 @@ class DracoStream {
     }
 
   private:
-    [[noreturn]] void fail(const std::string& cause) const { file_.fail(what_ + " " + cause); }
+    [[noreturn]] void fail(const std::string& cause) const { file_.fail(context_ + " " + cause); }
 
     const char* chars() const { return reinterpret_cast<const char*>(bytes_.data); }
 
@@ -171,7 +171,7 @@ class DracoStream {
     static draco::DataType typeOf(float) { return draco::DT_FLOAT32; }
 
     GltfFile& file_;
-    std::string what_;
+    std::string context_;
     ByteRange bytes_;
     std::unique_ptr<draco::Mesh> mesh_;
 };

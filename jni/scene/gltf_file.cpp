@@ -157,7 +157,7 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
 
 // For tinygltf a skin without inverse bind matrices is an error, for the specification (section 5.28) they
 // are then the identity. The index -1 is none.
-void allowSkinsWithoutMatrices(json& document) {
+void allowMissingInverseBindMatrices(json& document) {
     const auto skins = document.find("skins");
     if (skins == document.end() || !skins->is_array()) return;
     for (json& skin : *skins)
@@ -309,7 +309,7 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
     hideDracoIndices(document);
-    allowSkinsWithoutMatrices(document);
+    allowMissingInverseBindMatrices(document);
     // What is taken here, tinygltf does not see.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");

@@ -76,15 +76,15 @@ const glm::vec3 degenerateNormal{0.0F, 1.0F, 0.0F};  // of a triangle without ar
 // glTF 2.0 section 3.7.2.1: without normals, flat ones; each triangle gets vertices of its own.
 // Those of a mesh that changes its form turn with its joints, and not with its targets.
 void makeFlat(GltfFile& file, Mesh& mesh, Deformation* deformation) {
-    const auto split = [&](auto& ofVertices) {
-        if (ofVertices.empty()) return;
-        using Element = typename std::decay_t<decltype(ofVertices)>::value_type;
+    const auto split = [&](auto& vertexValues) {
+        if (vertexValues.empty()) return;
+        using Element = typename std::decay_t<decltype(vertexValues)>::value_type;
         file.reserveGeometry(mesh.indices.size(), sizeof(Element));
-        std::vector<Element> ofCorners;
-        ofCorners.reserve(mesh.indices.size());
+        std::vector<Element> cornerValues;
+        cornerValues.reserve(mesh.indices.size());
         for (const std::uint32_t index : mesh.indices)
-            ofCorners.push_back(ofVertices[index]);
-        ofVertices = std::move(ofCorners);
+            cornerValues.push_back(vertexValues[index]);
+        vertexValues = std::move(cornerValues);
     };
     if (deformation != nullptr) {
         split(deformation->influences);
@@ -152,7 +152,7 @@ std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Com
 
 template <class Holder>
 void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource& source,
-           std::vector<Holder>& holders, glm::vec2 Holder::*member) {
+           std::vector<Holder>& holders, glm::vec2 Holder::* member) {
     const std::string name = "TEXCOORD_" + std::to_string(source.texCoord);
     const int accessor = attribute(primitive, name);
     if (accessor == -1) {

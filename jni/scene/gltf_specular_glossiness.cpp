@@ -35,11 +35,11 @@ MetallicRoughness converted(const glm::vec3& diffuse, const glm::vec3& specular)
         metallic = std::clamp((std::sqrt(discriminant) - b) / (2.0F * dielectricSpecular), 0.0F, 1.0F);
     }
     constexpr float least = 1e-6F;
-    const glm::vec3 ofDiffuse =
+    const glm::vec3 diffuseColor =
         diffuse * (lost / ((1.0F - dielectricSpecular) * std::max(1.0F - metallic, least)));
-    const glm::vec3 ofSpecular =
+    const glm::vec3 specularColor =
         (specular - dielectricSpecular * (1.0F - metallic)) / std::max(metallic, least);
-    return {glm::clamp(glm::mix(ofDiffuse, ofSpecular, metallic * metallic), 0.0F, 1.0F), metallic};
+    return {glm::clamp(glm::mix(diffuseColor, specularColor, metallic * metallic), 0.0F, 1.0F), metallic};
 }
 
 glm::vec4 factors(const tinygltf::Value& object, const char* key, int count) {
@@ -126,15 +126,15 @@ void MaterialLoader::loadSpecularGlossiness(const tinygltf::Value& extension, Ma
     glossCodes.reserve(bytes);
     for (int y = 0; y < color.height; ++y)
         for (int x = 0; x < color.width; ++x) {
-            const glm::vec4 ofDiffuse = diffuseFactor * texelAt(diffuse, x, y, color.width, color.height);
-            const glm::vec4 ofSpecular = glm::vec4(glm::vec3(specularFactor), glossiness) *
-                                         texelAt(specular, x, y, color.width, color.height);
-            const MetallicRoughness result = converted(glm::vec3(ofDiffuse), glm::vec3(ofSpecular));
+            const glm::vec4 diffuseColor = diffuseFactor * texelAt(diffuse, x, y, color.width, color.height);
+            const glm::vec4 specularColor = glm::vec4(glm::vec3(specularFactor), glossiness) *
+                                            texelAt(specular, x, y, color.width, color.height);
+            const MetallicRoughness result = converted(glm::vec3(diffuseColor), glm::vec3(specularColor));
             for (int c = 0; c < 3; ++c)
                 colorCodes.push_back(codeOf(srgbEncode(result.baseColor[c])));
-            colorCodes.push_back(codeOf(ofDiffuse.a));
+            colorCodes.push_back(codeOf(diffuseColor.a));
             glossCodes.insert(glossCodes.end(),
-                              {0, codeOf(1.0F - ofSpecular.a), codeOf(result.metallic), 255});
+                              {0, codeOf(1.0F - specularColor.a), codeOf(result.metallic), 255});
         }
     color.rgba = std::move(colorCodes);
     Texture gloss = color;

@@ -82,10 +82,10 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     const auto known = pixels_.find(identity);
     if (known != pixels_.end()) return known->second;
 
-    std::vector<unsigned char> ofItsOwn;
-    if (!inView) ofItsOwn = readResolved(file_, place, what);
+    std::vector<unsigned char> fileBytes;
+    if (!inView) fileBytes = readResolved(file_, place, what);
     const ByteRange bytes =
-        inView ? viewBytes(file_, image.bufferView) : ByteRange{ofItsOwn.data(), ofItsOwn.size()};
+        inView ? viewBytes(file_, image.bufferView) : ByteRange{fileBytes.data(), fileBytes.size()};
     Pixels result;
     const auto checkSize = [&](const auto& picture) {
         result.width = picture.width();
@@ -118,7 +118,7 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     } catch (const PictureError& error) {
         file_.fail(what + " cannot be decoded: " + asClause(error.what()), "save it again as PNG or JPEG");
     }
-    file_.usedBytes -= ofItsOwn.size();  // they go here, and the pixels stay
+    file_.usedBytes -= fileBytes.size();  // they go here, and the pixels stay
     return pixels_.emplace(identity, std::move(result)).first->second;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 // Whether what glows lights the scene.
-bool glowsAsALamp(const Scene& scene) {
+bool hasLightingEmission(const Scene& scene) {
     const std::vector<unsigned> materials = featuresOf(scene).materialFeatures;
     return std::any_of(materials.begin(), materials.end(),
                        [](unsigned features) {
@@ -27,7 +27,7 @@ DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light = defaultLight();
     if (scene.punctualLights.empty()) {
-        if (glowsAsALamp(scene)) light.intensity = 0.0F;
+        if (hasLightingEmission(scene)) light.intensity = 0.0F;
         return light;
     }
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
@@ -44,13 +44,13 @@ DirectionalLight chooseLight(const Scene& scene) {
 
 DirectionalLight defaultLight() {
     DirectionalLight light;
-    light.towardsLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
+    light.directionToLight = glm::normalize(glm::dvec3(0.5, 1.0, 0.75));
     light.intensity = static_cast<float>(pi);
     return light;
 }
 
 glm::vec3 chooseSky(const Scene& scene) {
-    const bool shines = !scene.lights.empty() || !scene.punctualLights.empty() || glowsAsALamp(scene);
+    const bool shines = !scene.lights.empty() || !scene.punctualLights.empty() || hasLightingEmission(scene);
     return shines ? glm::vec3(0.0F) : plainSky(defaultLight());
 }
 

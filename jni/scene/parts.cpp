@@ -88,9 +88,9 @@ Part partOf(const std::vector<glm::dvec3>& corners, const glm::dmat3& objectAxes
         triangleAxes = axesAlong(edges[1], edges[0]);
     }
     const auto surface = [](const glm::dvec3& s) { return s[0] * s[1] + s[1] * s[2] + s[2] * s[0]; };
-    const glm::dvec3 ofObject = sortedSides(corners, objectAxes);
-    const glm::dvec3 ofTriangle = sortedSides(corners, triangleAxes);
-    part.sides = surface(ofObject) <= surface(ofTriangle) ? ofObject : ofTriangle;
+    const glm::dvec3 objectSides = sortedSides(corners, objectAxes);
+    const glm::dvec3 triangleSides = sortedSides(corners, triangleAxes);
+    part.sides = surface(objectSides) <= surface(triangleSides) ? objectSides : triangleSides;
     return part;
 }
 

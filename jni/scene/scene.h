@@ -123,10 +123,10 @@ struct Camera {
 
 // The sun: the scene's first directional light.
 struct DirectionalLight {
-    glm::dvec3 towardsLight{0.0, 1.0, 0.0};  // world, unit length
-    glm::vec3 color{1.0F};                   // linear RGB, largest component 1 (0 when the light is off)
-    float intensity = 3.14159265F;           // E in lux: irradiance of a surface that faces the light
-    int node = -1;                           // as Instance::node
+    glm::dvec3 directionToLight{0.0, 1.0, 0.0};  // world, unit length
+    glm::vec3 color{1.0F};                       // linear RGB, largest component 1 (0 when the light is off)
+    float intensity = 3.14159265F;               // E in lux: irradiance of a surface that faces the light
+    int node = -1;                               // as Instance::node
 };
 
 // A light besides the sun, of glTF's extension KHR_lights_punctual. It shines along its -Z.

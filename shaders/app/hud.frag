@@ -1,4 +1,4 @@
-// The head-up display's triangles: vertex colour times the font's coverage. Also compiled in ESSL 3.00.
+// Fragments of the head-up display: vertex colour times the font's coverage. Also compiled as ESSL 3.00.
 uniform sampler2D font;  // unit 0
 in vec2 fragmentUv;
 in vec4 fragmentColor;

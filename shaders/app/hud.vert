@@ -1,8 +1,8 @@
-// The head-up display's triangles, in pixels from the top left. Also compiled in ESSL 3.00.
+// Vertices of the head-up display, in pixels from the top left. Also compiled as ESSL 3.00.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 color;
-uniform vec4 window;  // xy: 2 / its size in pixels
+uniform vec4 window;  // xy: 2 / size of the window in pixels
 out vec2 fragmentUv;
 out vec4 fragmentColor;
 

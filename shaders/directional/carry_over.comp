@@ -1,5 +1,5 @@
-// After dynamic objects were voxelized in a new pose: their faces take over the history of the same faces in the last
-// pose, or of their neighbours there, or of the static geometry beside them.
+// Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
+// the mean of a neighbouring voxel's faces, dynamic in the last pose or static.
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -9,7 +9,7 @@ layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex
 
 struct History {
     FaceIrradiance mean;
-    vec3 ofEmitters;
+    vec3 emitterLight;
     float weight;
 };
 
@@ -20,10 +20,10 @@ void add(inout History history, uint cell, int face, uint firstId, uint endId) {
     FaceIrradiance mean = faceIrradianceAt(id);
     if (mean.steps == 0.0) return;
     history.mean.light += mean.light;
-    history.mean.atStart += mean.atStart;
+    history.mean.roundStart += mean.roundStart;
     history.mean.nearness += mean.nearness;
-    history.mean.steps += min(mean.steps, lightStep.inherited);
-    history.ofEmitters += emitterIrradiance(id);
+    history.mean.steps += min(mean.steps, lightStep.maxInheritedHistory);
+    history.emitterLight += emitterIrradiance(id);
     history.weight += 1.0;
 }
 
@@ -47,8 +47,8 @@ void main() {
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;
         uint id = commands[dynamicList].firstId + i;
-        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share, mean.atStart * share,
-                                               mean.nearness * share));
-        storeEmitterIrradiance(id, history.ofEmitters * share);
+        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share,
+                                               mean.roundStart * share, mean.nearness * share));
+        storeEmitterIrradiance(id, history.emitterLight * share);
     }
 }

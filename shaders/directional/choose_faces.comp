@@ -1,4 +1,5 @@
-// Lists the faces that gather in this step: those whose turn it is, and those without a history (directional/gather_turns.glsl).
+// Lists the faces that gather in this step: faces that have a turn (directional/gather_turns.glsl), and faces
+// without a history.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 #include "directional/gather_turns.glsl"
@@ -7,7 +8,7 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-shared uint groupCones[2];  // of one turn: of the faces that pixels have looked up lately, and of the others
+shared uint groupCones[2];  // cones of one turn: of the faces that pixels look up, and of the others
 
 void main() {
     COUNT(VCT_COUNTER_CHOOSE_FACES);
@@ -25,9 +26,10 @@ void main() {
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
-        bool lookedUp = isLookedUp(faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
+        bool lookedUp = isLookedUp(
+            faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
         FaceIrradiance mean = faceIrradianceAt(id);
-        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_CONES_OF_CREASES) : 1u);
+        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_CONES) : 1u);
         if (mean.steps > 0.0 && !turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow) continue;
         uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);
         faceIrradianceData[lightStep.chosenFaces + chosen] = id | (lookedUp ? lookedUpFlag : 0u);

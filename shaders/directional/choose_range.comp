@@ -1,6 +1,6 @@
-// Chooses the ranges of a light step before its light is injected, by what the last injection measured. The faces have 8 bits,
-// so their range is little above the largest radiance: a fourth of a power of two, which stays while it fits. Thus noise in
-// the radiance does not change it, and a static scene converges to one range.
+// Chooses the ranges of a light step from what the last injection measured. Faces store radiance in 8 bits,
+// so the range is little more than the largest radiance. It is a power of 2^(1/4) and is kept while it fits,
+// so that noise does not change it and a static scene converges to one range.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "shared/frame.glsl"
@@ -11,8 +11,8 @@ layout(std430, binding = VCT_SSBO_FACE_RANGE) buffer FaceRangeBlock {
 };
 
 const float headroom = 1.0625;
-// A range is replaced by a smaller one that is more than two steps of a fourth of a power of two below it.
-const float mostAbove = 1.5;
+// A range shrinks if it is more than this factor too large: more than two steps of 2^(1/4).
+const float maxExcess = 1.5;
 const float smallest = 1e-7;
 
 void main() {
@@ -20,9 +20,10 @@ void main() {
     float largest = uintBitsToFloat(largestRadiance);
     if (largest > 0.0) {
         float fitting = exp2(ceil(4.0 * log2(headroom * max(largest, smallest))) / 4.0);
-        if (faceRange.radiance < fitting || faceRange.radiance > mostAbove * fitting) faceRange.radiance = fitting;
+        if (faceRange.radiance < fitting || faceRange.radiance > maxExcess * fitting)
+            faceRange.radiance = fitting;
     } else if (faceRange.radiance == 0.0) {
-        // Nothing sends light yet. What the sky lights is at most as bright as the sky.
+        // Nothing has been measured yet. A surface that the sky lights is at most as bright as the sky.
         faceRange.radiance = max(frame.largestSky, smallest);
     }
     faceRange.sums = max(max(faceRange.radiance, frame.largestSky), uintBitsToFloat(largestIrradiance));

@@ -1,4 +1,5 @@
-// Before dynamic objects are voxelized in a new pose: empties a level above the base level where only they were.
+// Clears the faces that only dynamic objects cover at a level above the base level, before a new pose is
+// voxelized.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 
@@ -16,6 +17,7 @@ void main() {
         imageStore(faces, faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, int(side)), vec4(0.0));
         uvec3 voxel = uvec3(listed.voxel);
         uint place = voxel.x + side * (voxel.y + side * voxel.z);
-        atomicAnd(faceData[commands[level].firstMask + place / 4u], ~(1u << (8u * (place & 3u) + uint(listed.face))));
+        atomicAnd(faceData[commands[level].firstMask + place / 4u],
+                  ~(1u << (8u * (place & 3u) + uint(listed.face))));
     }
 }

@@ -1,9 +1,10 @@
-// Empties the bricks of face irradiance, and the texture of where they are. A column of texels for each invocation.
+// Clears the bricks of face irradiance and the texture of their locations. Each invocation clears a column of
+// texels.
 #include "shared/counters.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
-layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
+layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 
 void main() {
     COUNT(VCT_COUNTER_BRICKS_CLEAR);
@@ -14,10 +15,10 @@ void main() {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }
-    size = imageSize(brickPlaces);
+    size = imageSize(brickSlots);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < size.z; ++z) {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_PLACE);
-            imageStore(brickPlaces, ivec3(column, z), uvec4(0u));
+            imageStore(brickSlots, ivec3(column, z), uvec4(0u));
         }
 }

@@ -1,11 +1,11 @@
-// Before dynamic objects are voxelized in a new pose: empties the base level's faces that only they filled in the last
-// pose, and the words and the index of the pose before that, whose place the new pose takes.
+// Removes dynamic objects from the base level, before a new pose is voxelized: clears the faces that only
+// they cover in the last pose, and the sums and the index of the pose before it, which the new pose will use.
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // of the pose before the last
+layout(r32ui, binding = VCT_IMAGE_VOXELS) writeonly uniform highp uimage3D index;  // index of the older pose
 
 void main() {
     COUNT(VCT_COUNTER_CLEAR_DYNAMIC);

@@ -1,5 +1,5 @@
-// Cones through the directional coverage voxels. Lengths in voxels of the finest level. The constants come from
-// the settings (jni/engine/settings.h: GatherSettings), as VCT_GATHER_*.
+// Cones through the directional voxels. Lengths are in voxels of the finest level. The constants VCT_GATHER_*
+// are the settings of jni/engine/settings.h (GatherSettings).
 #include "shared/frame.glsl"
 #include "directional/face_range.glsl"
 #include "directional/voxels.glsl"
@@ -8,16 +8,18 @@
 
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 
-// Of the volume in the texture: each block of faces is one.
+// Size of a block of faces relative to the texture. Each block covers the whole volume.
 const vec3 blockSize = vec3(1.0 / 3.0, 0.5, 1.0);
 
-// Radiance (premultiplied) and coverage that a ray meets around a position (volume space) at a whole mip level: of the
-// faces that look against its direction; `share`: that of each axis in it. Coverage up to 1.73, where it meets three faces
-// of a corner. Each face covers its projection, the ray's share of its axis; but shines by the square of that, as an ambient
-// cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"): what a ray meets at a slant may be the far side of something
-// round, lit where the ray cannot see.
+// Premultiplied radiance and coverage of the faces that a ray meets around a position (volume space) at a
+// whole mip level. These are the faces opposite to the ray's direction, one per axis. `share`: component of
+// the direction along each axis; 0 excludes the axis.
+//
+// A face covers the ray by its component, so that three faces of a corner cover it by up to 1.73. Radiance is
+// weighted by the square, as in an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading"). A
+// face that the ray meets at a slant may be lit on a side of a round object that the ray does not see.
 mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, float level) {
-    // No texel of the next block may leak in.
+    // The filter must not read texels of the next block.
     float margin = 0.5 * exp2(level) / float(frame.gridSide);
     vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
     vec3 side = mix(vec3(0.0), vec3(blockSize.y), greaterThan(direction, vec3(0.0)));
@@ -34,11 +36,11 @@ mediump vec4 sampleFaces(vec3 position, vec3 direction, mediump vec3 share, floa
 struct Cone {
     vec3 start;
     vec3 direction;  // unit length
-    vec3 normal;     // of the surface
+    vec3 normal;     // the surface's
     vec3 ownBelow;   // ownFaces()
     float rise;      // height above the surface's plane per distance
-    // The border's texels fade into the nothing behind them, over half a texel on both sides of the volume's border.
-    // A cone that is cut off at the border loses up to half of a wall that stands there.
+    // Samples fade out over one texel across the volume's border. Otherwise the cone ends at the border, and
+    // loses up to half of a wall that lies on it.
     bool fades;
 };
 
@@ -50,59 +52,62 @@ float heightAt(Cone cone, float distance) {
     return VCT_GATHER_START + distance * cone.rise;
 }
 
-// The position in volume space at a distance.
+// The position at a distance, in volume space.
 vec3 positionAt(Cone cone, float distance) {
     return (cone.start + cone.direction * distance) / float(frame.gridSide);
 }
 
 struct ConeResult {
-    float distance;               // of the next sample
-    mediump vec3 radiance;        // relative to E/pi, over faceRange.radiance while the cone is traced
+    float distance;         // to the next sample
+    mediump vec3 radiance;  // relative to E/pi; divided by faceRange.radiance until coneEnd()
     mediump float transmittance;
-    mediump float nearness;       // the sum of 1 / distance over what the cone met
+    mediump float nearness;  // sum of 1 / distance over the samples, weighted by opacity
 };
 
 const ConeResult coneBegin = ConeResult(VCT_GATHER_FIRST_SAMPLE, vec3(0.0), 1.0, 0.0);
 
-// Opacity of a gather's sample that is covered: samples of neighbours are a step apart, and overlap or gap by as much.
+// Opacity of a fully covered sample. Samples are VCT_GATHER_STEP footprints apart, so one sample stands for
+// that length.
 const mediump float sampleOpacity = VCT_GATHER_EXTINCTION * VCT_GATHER_STEP;
 
-// A ray near a surface does not meet the surface's own faces: those of an axis along which its direction times the normal is
-// less than this. The faces of the surface look to its normal's side; those of its back, if it is a sheet seen from both sides
-// or a thin plate, to the other, and any direction is less than 2.
+// For each axis: a ray near its surface ignores the axis if its direction times the normal is less than this.
+// The faces of the surface itself look towards its normal, so 0 excludes them. If the surface has a back, as
+// a sheet or a thin plate has, faces of both sides are excluded: no direction reaches 2.
 vec3 ownFaces(vec3 normal, bool hasBack) {
     return hasBack ? 2.0 * step(0.3, abs(normal)) : vec3(0.0);
 }
 
-// The share of a texel of that level around a position (volume space) that is inside of the volume; from 1 on all of it.
+// The share of a texel around a position (volume space) that is inside of the volume. Not limited to 0..1.
 float shareInside(vec3 position, float level) {
     vec3 fromCentre = abs(position - 0.5);
-    return float(frame.gridSide) * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) + 0.5;
+    return float(frame.gridSide) * exp2(-level) * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z))) +
+           0.5;
 }
 
-// Radiance (premultiplied) and coverage that a cone meets at a distance, in texels of one level.
+// Premultiplied radiance and coverage that a cone meets at a distance, at one level.
 mediump vec4 sampleLevel(Cone cone, float distance, vec3 position, float level) {
-    // Faces are one-sided along the axes only: near its surface the ray would meet those that are the surface's own.
+    // A slanted surface has faces along several axes, and a ray that leaves it would meet some of them.
     bool isNear = heightAt(cone, distance) < VCT_GATHER_OWN_SURFACE * exp2(level);
     bvec3 own = lessThan(cone.direction * cone.normal, isNear ? cone.ownBelow : vec3(-1.0));
     mediump vec4 met = sampleFaces(position, cone.direction, mix(abs(cone.direction), vec3(0.0), own), level);
     return cone.fades ? met * clamp(shareInside(position, level), 0.0, 1.0) : met;
 }
 
-// Adds the cone's next sample and advances by one step; true where the cone ends. `blend`: the sample's place between the
-// level and the next, which makes the footprint (1 + blend) texels wide. `opacity`: of a covered sample that is a texel wide.
-bool takeSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
+// Adds the cone's next sample and advances by one step. Returns true if the cone ends. `blend`: position of
+// the sample between `level` and the next one; the footprint is (1 + blend) texels of `level` wide.
+// `opacity`: opacity of a fully covered sample that is one texel wide.
+bool addSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
     float distance = result.distance;
     vec3 position = positionAt(cone, distance);
     result.distance += VCT_GATHER_STEP * exp2(level) * (1.0 + blend);
     mediump vec4 met = sampleLevel(cone, distance, position, level);
     if (blend > 0.0) {
-        // Each level is weighed by its own texel: then a wall's coverage sums to 1 over the samples that pass it.
+        // Each level is weighted by its texel size, so that a wall's coverage adds up to 1 over the samples.
         mediump vec4 wider = sampleLevel(cone, distance, position, level + 1.0);
         met = mix(met / max(met.a, 1.0), wider * (0.5 / max(wider.a, 1.0)), blend);
     }
-    // Opacity is added, and cut off at the transmittance: multiplied transmittances let too much through. A cone that meets
-    // the faces of a corner is covered once.
+    // Opacities are added up to the transmittance, because multiplied transmittances let too much light
+    // through. A cone that meets several faces of a corner is covered once.
     mediump float taken = min(opacity * (1.0 + blend) * min(met.a, 1.0), result.transmittance);
     result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
     result.transmittance = result.transmittance - taken;
@@ -110,7 +115,7 @@ bool takeSample(inout ConeResult result, Cone cone, float level, mediump float b
     return result.transmittance < VCT_GATHER_THRESHOLD;
 }
 
-// The result of all samples. A cone that ended early met, in the rest, what it met before.
+// The result of all samples. If the cone ended early, the rest of it is assumed to meet the same radiance.
 ConeResult coneEnd(ConeResult result) {
     mediump float met = 1.0 - result.transmittance;
     bool ended = result.transmittance < VCT_GATHER_THRESHOLD;
@@ -119,29 +124,31 @@ ConeResult coneEnd(ConeResult result) {
     return result;
 }
 
-// Level whose texels are as wide as a gather's cone at that height above the plane of the surface that it starts from, in
-// voxels: a wider sample would contain that surface. Whole levels: a wall's coverage sums to 1 over samples that are a texel
-// apart, only if the texel's size is the footprint.
+// The level for a gather's sample at a height above the plane of its surface, in voxels. The footprint grows
+// with the height because a wider sample would contain the surface. Levels are whole, because a wall's
+// coverage adds up to 1 over the samples only if the footprint is one texel.
 float levelAt(float height, float spread) {
     return max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
 }
 
-// One cone of a gather. Samples beyond `reach` are not taken. `spread`: scales its width.
+// Traces one cone of a gather up to the distance `reach`. `spread` scales its width.
 ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
     Cone cone = coneFrom(start, normal, ownBelow, direction, VCT_GATHER_FADES);
     ConeResult result = coneBegin;
     float level = levelAt(heightAt(cone, result.distance), spread);
     if (!VCT_GATHER_FADES) {
-        // The cone leaves the volume through a plane of its far corner or its near one.
+        // The cone ends where it leaves the volume.
         vec3 away = (step(0.0, direction) * float(frame.gridSide) - start) / direction;
         reach = min(reach, min(away.x, min(away.y, away.z)));
     }
     while (result.distance < reach) {
         COUNT(VCT_COUNTER_IRRADIANCE_STEP);
         if (cone.fades && shareInside(positionAt(cone, result.distance), level) <= 0.0) break;
-        float next = levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
-        // The next sample is wider than it is far away where the level rises: the two share the space between them.
-        if (takeSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity)) break;
+        float next =
+            levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
+        // Before the level rises, this sample and the next, wider one overlap.
+        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity))
+            break;
         level = next;
     }
     return coneEnd(result);

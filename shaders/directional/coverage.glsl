@@ -1,13 +1,13 @@
-// What a fragment covers of the faces of its voxel. Both passes over the triangles include this, so that they agree on
-// which faces a fragment is in.
+// The coverage of a voxel's faces by a fragment. Both passes over the triangles include this file, so that
+// they agree on the faces that a fragment covers.
 #include "shared/material.glsl"
 #include "directional/face_sums.glsl"
 
 in vec3 fragmentPosition;
 
-// What the surface covers of each of the voxel's cross-sections: of the faces towards +x, +y, +z where positive, -x, -y, -z
-// where negative. It is the face's normal over its component along the projection, times a pixel's area in voxels.
-// Derivatives need the whole quad: call this before any discard.
+// Coverage of the voxel's cross-section along each axis: positive for the face towards +x, +y, +z, negative
+// for the face towards -x, -y, -z. It is the normal divided by its component along the projection, times the
+// area of a pixel in voxels. Call it before any discard, because derivatives need the whole quad.
 vec3 fragmentCoverage() {
     vec3 positionVoxels = fragmentPosition * float(frame.gridSide);
     vec3 coverage = clamp(cross(dFdx(positionVoxels), dFdy(positionVoxels)), -1.0, 1.0);
@@ -18,7 +18,7 @@ ivec3 fragmentVoxel() {
     return clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 }
 
-// A bit for each face of which the fragment covers something.
+// One bit for each face that the fragment covers.
 uint coveredFaces(vec3 coverage) {
     uint faces = 0u;
     if (fixedCoverage(abs(coverage.x)) > 0u) faces |= coverage.x > 0.0 ? 1u : 2u;

@@ -1,7 +1,7 @@
-// What each face of the base level receives of the compact emitters: a cone towards each of their parts. What share of the
-// hemisphere the part fills has a closed form, and the cone finds how much of that is hidden ("next event estimation"). The
-// result depends only on where things are; it is renewed for a quarter of the faces in each step after something moved,
-// and for new faces at once.
+// Irradiance of the base level's faces by the compact emitters. A closed form gives the share of the
+// hemisphere that a part of an emitter fills, and a cone towards the part gives its visibility (next event
+// estimation). The result depends on geometry only. After something has moved, a quarter of the faces is
+// updated in each step, and new faces at once.
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/face_irradiance.glsl"
@@ -9,51 +9,53 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-// A cone's width over the part's own: a cone as wide as the part would meet what is beside it.
+// Width of a cone relative to its part. A cone as wide as the part would meet surfaces beside it.
 const float coneWidth = 0.25;
-// Halves hold nothing below it.
-const float smallestLight = 6e-8;
+// The smallest positive half float.
+const float minStoredLight = 6e-8;
 
-// A cone's transmittance at `reach`; `tangent` is that of its half angle. Lengths in voxels.
+// A cone's transmittance at the distance `reach`, in voxels. `tangent`: tangent of its half angle.
 mediump float transmittanceTo(Cone cone, float reach, float tangent) {
     ConeResult result = coneBegin;
     while (result.distance < reach) {
         COUNT(VCT_COUNTER_EMITTERS_STEP);
-        // No wider than the rest of the way either: else it would meet the emitter.
-        float widest = min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
+        // Samples narrow again towards the emitter, so that they do not meet it.
+        float widest =
+            min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
         float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
-        // The last sample reaches beyond the end.
+        // The last sample counts in proportion to its part before the end.
         mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
-        if (takeSample(result, cone, level, 0.0, within * sampleOpacity)) break;
+        if (addSample(result, cone, level, 0.0, within * sampleOpacity)) break;
     }
     return coneEnd(result).transmittance;
 }
 
-// Relative to E/pi.
+// Irradiance by all emitters, relative to E.
 vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
     float grid = float(frame.gridSide);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        vec3 offset = part.place.xyz - start / grid;
+        vec3 offset = part.position.xyz - start / grid;
         float distance = max(length(offset), 1e-6);
         vec3 towards = offset / distance;
-        float area = seenArea(part, towards);
-        // Form factor of a small disc (near to it, of one that faces the surface).
+        float area = projectedArea(part, towards);
+        // Form factor of a small disc. Close to it, the area in the denominator keeps the factor below 1, as
+        // for a disc that faces the surface.
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
         vec3 light = part.radiance.rgb * share;
-        if (max(light.r, max(light.g, light.b)) < smallestLight) continue;
+        if (max(light.r, max(light.g, light.b)) < minStoredLight) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
-        // Along a flat part its own voxels, and those of what it hangs on, are near for longer.
+        // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
         float reach = (distance - part.radiance.w / rising) * grid;
         Cone cone = coneFrom(start, plane.normal, ownBelow, towards, false);
-        sum += light * transmittanceTo(cone, reach, coneWidth * part.place.w / distance);
+        sum += light * transmittanceTo(cone, reach, coneWidth * part.position.w / distance);
     }
     return sum;
 }
 
-// Whether a face's turn has come: new faces at once, and a quarter of the others in each step, whole work groups of them.
+// True if a face is to be updated: a new face, or one in the quarter of the work groups that have their turn.
 bool isDue(uint id, uint i) {
     return historyLength(id) == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % 4u == 0u;
 }

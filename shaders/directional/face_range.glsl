@@ -1,4 +1,4 @@
-// The ranges of the directional voxels in this light step, as directional/choose_range.comp chose them.
+// The ranges of the directional voxels in this light step, chosen by directional/choose_range.comp.
 #include "shared/layout.h"
 
 layout(std140, binding = VCT_UBO_FACE_RANGE) uniform FaceRangeBlock {

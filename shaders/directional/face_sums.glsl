@@ -1,13 +1,13 @@
-// What each face of the base level consists of: sums over the fragments in its voxel that look to its side, of geometry
-// and material alone, in fixed point. One unit is 1 / frame.faceSumUnits, chosen so that the sum over all triangles of the
-// scene fits 32 bits: the fragments of a triangle in a voxel are one face at most together. VCT_EMISSION: the scene emits
-// light, and faces have sums of it too.
+// The sums of each base-level face: geometry and material of the fragments that cover it, in fixed point. One
+// unit is 1 / frame.faceSumUnits, chosen so that a sum over all triangles of the scene fits into 32 bits, as
+// a triangle covers a face at most once. VCT_EMISSION: surfaces emit light, so faces also have sums of
+// emission.
 #include "shared/frame.glsl"
 #include "shared/octahedral.glsl"
 #include "directional/face_lists.glsl"
 
-#define VCT_FACE_SURFACE 0u   // packSurface(), which the injection of light writes
-#define VCT_FACE_PLANE 1u     // no sum: packPlane() of the fragment that covers most
+#define VCT_FACE_SURFACE 0u  // packSurface(), written by the injection of light
+#define VCT_FACE_PLANE 1u    // packPlane() of the fragment that covers most; not a sum
 #define VCT_FACE_COVERAGE 2u
 #define VCT_FACE_ALBEDO 3u    // three words, weighted by coverage
 #define VCT_FACE_EMISSION 6u  // three words, weighted by coverage, relative to frame.emissionRange
@@ -18,16 +18,17 @@ const uint faceWords = VCT_EMISSIVE_FACE_WORDS;
 const uint faceWords = VCT_FACE_WORDS;
 #endif
 
-// The plane of the surface in a voxel: its normal, and how far in front of the voxel's middle it lies, along the normal in
-// voxels, at most half the diagonal. Bits are masked one component at a time, here and everywhere: of a vector and a
-// constant some drivers for Mali give the constant (Dolphin, DriverDetails.h, BUG_BROKEN_VECTOR_BITWISE_AND).
+// The plane of the surface in a voxel: its normal, and its distance from the voxel's middle along the normal,
+// in voxels, at most half the diagonal. Here and everywhere bits are masked one component at a time, because
+// some Mali drivers compute "vector & constant" wrongly (Dolphin, DriverDetails.h,
+// BUG_BROKEN_VECTOR_BITWISE_AND).
 struct SurfacePlane {
     vec3 normal;
     float offset;
 };
 
-// The coverage is above the plane, so that the maximum is the plane of the fragment that covers most. Between them is whether
-// the surface is curved: drawn flat, but with the normals of a round one.
+// The coverage is in the highest bits, so that atomicMax() keeps the plane of the fragment that covers most.
+// `isCurved`: the normals differ from the triangle's, as on a round surface made of flat triangles.
 uint packPlane(float coverage, bool isCurved, vec3 normal, float offset) {
     uvec2 steps = uvec2(vec2(coverage, clamp(offset, -1.0, 1.0) * 0.5 + 0.5) * vec2(127.0, 255.0) + 0.5);
     uvec2 code = (encodeNormal(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
@@ -41,7 +42,7 @@ SurfacePlane unpackPlane(uint word) {
     return SurfacePlane(decodeNormal(steps.yz * 32767u / 127u), float(steps.x) / 127.5 - 1.0);
 }
 
-// A face's share of its voxel's cross-section, in 0..1, in fixed point. Where it is 0 nothing may be added.
+// Converts coverage in 0..1 to fixed point. If the result is 0, the fragment must not add to the face.
 uint fixedCoverage(float weight) {
     return uint(weight * frame.faceSumUnits + 0.5);
 }
@@ -53,7 +54,8 @@ void addToWords(uint at, vec3 value) {
     if (units.z != 0u) atomicAdd(faceData[at + 2u], units.z);
 }
 
-// `weight`: the fragment's coverage of the face, 0..1. `emission`: relative to frame.emissionRange.
+// Adds a fragment to a face's sums. `weight`: its coverage, 0..1. `emission`: relative to
+// frame.emissionRange.
 void addToFace(uint id, float weight, vec3 albedo, vec3 emission, bool curved, vec3 normal, float offset) {
     uint at = id * faceWords;
     atomicMax(faceData[at + VCT_FACE_PLANE], packPlane(weight, curved, normal, offset));
@@ -65,9 +67,9 @@ void addToFace(uint id, float weight, vec3 albedo, vec3 emission, bool curved, v
 }
 
 struct FaceSums {
-    float coverage;  // may exceed 1, where a voxel has several layers of surface
+    float coverage;  // more than 1 if the voxel has several layers of surface
     vec3 albedo;     // weighted by coverage
-    vec3 emission;   // likewise, relative to E/pi
+    vec3 emission;   // weighted by coverage, relative to E/pi
     uint plane;
 };
 
@@ -85,15 +87,16 @@ FaceSums faceSums(uint id) {
     return FaceSums(coverage, threeWords(at + VCT_FACE_ALBEDO), emission, faceData[at + VCT_FACE_PLANE]);
 }
 
-FaceSums together(FaceSums a, FaceSums b) {
-    return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission, max(a.plane, b.plane));
+FaceSums combine(FaceSums a, FaceSums b) {
+    return FaceSums(a.coverage + b.coverage, a.albedo + b.albedo, a.emission + b.emission,
+                    max(a.plane, b.plane));
 }
 
-// A face as the gather and look-ups need it, static and dynamic geometry together.
+// The data of a face that the gather and the look-ups need, for static and dynamic geometry together.
 struct FaceSurface {
     SurfacePlane plane;
     float coverage;  // 0..1
-    bool hasBack;    // it is one side of a sheet or a thin plate
+    bool hasBack;    // the surface is one side of a sheet or a thin plate
 };
 
 uint packSurface(uint plane, float coverage, bool hasBack) {

@@ -7,12 +7,12 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 
-// Into the face's own brick, and those of neighbours which hold it for their filter.
+// Stores a texel in the brick of the face's block, and in the borders of neighbouring bricks.
 void storeInBricks(ListedFace listed, vec4 texel) {
     ivec3 block = listed.voxel >> VCT_BRICK_LEVEL;
     ivec3 place = listed.voxel - block * VCT_BRICK_SIDE;
     ivec3 aside = ivec3(equal(place, ivec3(VCT_BRICK_SIDE - 1))) - ivec3(equal(place, ivec3(0)));
-    // A bit of i for each axis along which a neighbour holds it.
+    // Each bit of i selects the neighbour along one axis.
     ivec3 edge = abs(aside);
     ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
     for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
@@ -27,13 +27,14 @@ void storeInBricks(ListedFace listed, vec4 texel) {
     }
 }
 
-// A face's history holds few cones while things change, but far from all a face takes the mean of its block's faces and of
-// those around, which have looked into many directions together.
+// While something changes, a face's history holds few cones and is noisy. Far from other surfaces irradiance
+// varies little, so the face takes the mean of its block and the blocks around, which hold many cones
+// together.
 vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
     float weight = lightStep.smoothing * (1.0 - closeness(mean.nearness));
     if (weight == 0.0) return mean.light;
     vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-    // No texel of another direction's faces may leak in.
+    // The filter must not read texels of faces of another direction.
     float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
     vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
     vec3 block = (position + vec3(listed.face >> 1, listed.face & 1, 0)) / vec3(3.0, 2.0, 1.0);
@@ -51,7 +52,8 @@ void main() {
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceSurface surface = faceSurface(id);
-        vec3 light = min(smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id), largestLight);
+        vec3 light = min(smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id),
+                         maxStoredLight);
         storeInBricks(listed, vec4(light, 1.0) * surface.coverage);
     }
 }

@@ -1,5 +1,5 @@
-// One step of the gather: the faces that choose_faces.comp has listed trace a few cones from the middle of their surface, and
-// add what they meet to their history. VCT_GATHER_OCCLUSION (true or false): they gather ambient visibility in place of light.
+// One step of the gather. The faces that choose_faces.comp listed trace a few cones and add the result to
+// their history. VCT_GATHER_OCCLUSION (true or false): gather ambient visibility in place of light.
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
@@ -15,46 +15,48 @@ shared uint groupSums[sums];
 
 struct Gathered {
     vec3 light;
-    SkySeen sky;
-    float nearness;  // mean of 1 / distance of what the cones meet, in voxels
+    VisibleSky sky;
+    float nearness;  // mean of 1 / distance to the surfaces that the cones meet, in voxels
 };
 
-// Direction `i` of VCT_GATHER_DIRECTIONS, a power of two, around a normal along +y, with its cosine in y: a Hammersley set of
-// the hemisphere weighted by the cosine.
+// Direction `i` of VCT_GATHER_DIRECTIONS (a power of two) around a normal along +y: a Hammersley set,
+// distributed by the cosine.
 vec3 gatherDirection(int i) {
     float height = float(bitfieldReverse(uint(i))) / 4294967296.0 + 0.5 / float(VCT_GATHER_DIRECTIONS);
     float azimuth = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(i);
     return vec3(sqrt(height) * cos(azimuth), sqrt(1.0 - height), sqrt(height) * sin(azimuth));
 }
 
-// The cones of a step are the next of the set of directions; the 16 faces of a flat block look into 16 in a row. From one to
-// the next it is the golden section of a turn, nearly: any few in a row are spread over the hemisphere.
+// Traces `cones` cones of a face. Consecutive steps use consecutive directions of the set, and the 4 x 4
+// faces of a block's layer start at 16 consecutive ones. From one direction to the next the azimuth turns by
+// about the golden angle, so that any few consecutive directions are spread over the hemisphere.
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    int place = placeInBlock(voxel, axis);
+    int place = indexInBlock(voxel, axis);
     int first = int(firstDirection) + place;
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
-    Gathered gathered = Gathered(vec3(0.0), SkySeen(0.0), 0.0);
+    Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
-        // From half a level less to half a level more, evenly; the same for a direction of a face in each round.
-        int chance = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
-        float spread = exp2(float(chance & 65535) / 65536.0 - 0.5);
+        // The width varies by half a level up and down. It depends only on face and direction, so that every
+        // round has the same cones.
+        int noise = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
+        float spread = exp2(float(noise & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;
-        // The directions share the hemisphere, weighted by the cosine.
+        // The solid angle of one direction in a distribution by the cosine.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
-        gathered.sky += skySeen(direction, solidAngle, cone.transmittance);
+        gathered.sky += visibleSky(direction, solidAngle, cone.transmittance);
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);
     return Gathered(gathered.light * share, gathered.sky * share, gathered.nearness * share);
 }
 
-// Of all faces of its block that look the same way: directional/light_blocks.comp.
+// Adds to the sums over the block's faces of the same direction (directional/light_blocks.comp).
 void addToBlock(ListedFace listed, vec3 light, float coverage) {
     uint brick = brickAt(listed.voxel >> VCT_BRICK_LEVEL, listed.face >> 1, listed.face & 1);
     if (brick == 0u) return;
@@ -64,16 +66,18 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
         atomicAdd(faceIrradianceData[at + c], units[c]);
 }
 
-// Towards the final value in two ways. At first later steps weigh more, as they know more bounces: the first ones fade with
-// a power of the number of steps. Then, in rounds, all directions weigh the same: by and by the mean of a round takes the
-// place of what was there when it began.
+// Adds a step to a face's history. Outside of rounds, recent steps have more weight, because they include
+// more bounces. In a round all directions have the same weight: at its end, the mean of the round has
+// replaced the value at its beginning.
 FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
-    float steps = max(known + stepsNow, lightStep.leastHistory), share = VCT_FORGETTING / (known + VCT_FORGETTING);
+    float steps = max(known + stepsNow, lightStep.minHistory),
+          share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
     nearness = mix(before.nearness, nearness, share);
-    if (lightStep.shareInRound == 0.0 || known == 0.0)
-        return FaceIrradiance(mix(before.light, light, share), steps, before.atStart, nearness);
-    vec3 atStart = lightStep.beginsRound != 0u ? before.light : before.atStart;
-    return FaceIrradiance(max(before.light + (light - atStart) * lightStep.shareInRound, 0.0), steps, atStart, nearness);
+    if (lightStep.roundShare == 0.0 || known == 0.0)
+        return FaceIrradiance(mix(before.light, light, share), steps, before.roundStart, nearness);
+    vec3 roundStart = lightStep.beginsRound != 0u ? before.light : before.roundStart;
+    return FaceIrradiance(max(before.light + (light - roundStart) * lightStep.roundShare, 0.0), steps,
+                          roundStart, nearness);
 }
 
 void main() {
@@ -93,33 +97,38 @@ void main() {
         bool lookedUp = (chosen & lookedUpFlag) != 0u;
         float rate = turnRate(lookedUp);
         uint direction = lightStep.direction;
-        // Odd, so that each face comes to all directions.
-        if (lightStep.coneBudget > 0u) direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
-        // Nothing smooths a face along a crease: while things change it would differ from the next one by chance, and that
-        // crawls. It traces more cones, and its history is longer.
+        // 17 is odd, so a face visits all directions.
+        if (lightStep.coneBudget > 0u)
+            direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
+        // Faces along creases are not smoothed (fill_bricks.comp), so their noise would flicker while
+        // something changes. They trace more cones and have a longer history.
         float close = closeness(before.nearness);
-        float memory = lightStep.memory * sqrt(rate);
+        float memory = lightStep.maxHistory * sqrt(rate);
         float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
-        uint cones = isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_CONES_OF_CREASES)) : lightStep.cones;
-        // A face without a history traces more cones, unless there is hardly anything of it.
+        uint cones =
+            isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
+        // A face without a history traces more cones, unless its coverage is tiny.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction, int(isNew ? lightStep.conesOfNew : cones));
+        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction,
+                              int(isNew ? lightStep.initialCones : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
-            // A face stands for those whose turn it is not.
+            // A face that gathers in this step also represents faces that do not.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
-            uvec3 fromFaces = inSumUnits(now.light * weight), sky = inSumUnits(skyLight(now.sky) * weight);
+            uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {
                 atomicAdd(groupSums[c], fromFaces[c]);
                 atomicAdd(groupSums[3u + c], sky[c]);
             }
         }
         addToBlock(listed, light, surface.coverage);
-        storeFaceIrradiance(id, nextMean(before, known, light, now.nearness, isNew ? VCT_STEPS_OF_NEW : 1.0));
+        storeFaceIrradiance(id,
+                            nextMean(before, known, light, now.nearness, isNew ? VCT_INITIAL_HISTORY : 1.0));
     }
     barrier();
     if (!occlusion && gl_LocalInvocationIndex < sums)
-        atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_RECEIVED + gl_LocalInvocationIndex],
-                  groupSums[gl_LocalInvocationIndex]);
+        atomicAdd(
+            faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_FROM_FACES + gl_LocalInvocationIndex],
+            groupSums[gl_LocalInvocationIndex]);
 }

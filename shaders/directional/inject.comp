@@ -1,9 +1,10 @@
-// Injects light: every face of the base level gets the radiance that it emits and reflects,
+// Injects light: writes the radiance that each face of the base level emits and reflects,
 //
-//     emission + albedo (direct light, with its shadow, at the face's plane + face irradiance),
+//     emission + albedo * (shadowed direct light at the face's plane + face irradiance).
 //
-// and the surface that the gather and look-ups read, of static and dynamic geometry together. VCT_BOUNCES: face irradiance
-// is known. Without it faces send what they emit and their direct light alone.
+// Also writes the surface of each face for the gather and the look-ups (packSurface()), for static and
+// dynamic geometry together. VCT_BOUNCES: face irradiance is included; without it, faces reflect direct light
+// only.
 #include "directional/face_range.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
@@ -23,14 +24,14 @@ layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
 layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 
-// Irradiance by the sun and the punctual lights, relative to E, at four points of the face's plane, a quarter of a voxel from
-// its middle. The plane may go on beyond the surface's border, as where the walls of a room meet: there the shadow map shows
-// what is farther away, or what crosses the plane. So a point counts only where all four texels around it are the surface
-// itself, or all of them block the light. Where there is no such point, as on a thin bar, most of the texels decide.
-// `slackShare`: of the surface, flatSlack to curvedSlack. `middle`: in voxels.
+// Irradiance by the sun and the punctual lights, relative to E: the mean at four points of the face's plane,
+// about 0.4 voxels from its middle. The plane can extend beyond the surface, for example where the walls of a
+// room meet, and there the shadow map shows other surfaces. So a point counts only if all four texels around
+// it show the surface itself, or if all of them block the light. If there is no such point, as on a thin bar,
+// the majority of the texels decides. `slackShare`: flatSlack to curvedSlack. `middle`: in voxels.
 vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     mat3 axes = frameAround(plane.normal);
-    float cosTheta = dot(plane.normal, frame.towardsLight.xyz);
+    float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
     vec2 slope = shadowSlope(plane.normal);
     float slack = sunSlack(slope, slackShare);
     vec2 points = vec2(0.0), texels = vec2(0.0);
@@ -41,7 +42,8 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
         if ((i & 1) == 1) aside = -aside;
         vec3 position = (middle + axes[0] * aside.x + axes[2] * aside.y) / float(frame.gridSide);
         if (cosTheta > 0.0) {
-            vec2 around = shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
+            vec2 around =
+                shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
             texels += around;
             points += vec2(equal(around, vec2(4.0)));
         }
@@ -51,25 +53,26 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     return sum + max(cosTheta, 0.0) * (known.x / max(known.x + known.y, 1.0)) * frame.lightColor.rgb;
 }
 
-// A face's sums, from the texels of its voxel in both indices.
+// The sums of a face in the static and the dynamic index, added together.
 FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
     if (!hasFace(dynamicCell, face)) return sums;
     uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
-    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? together(sums, faceSums(id)) : sums;
+    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? combine(sums, faceSums(id)) : sums;
 }
 
-// Whether the face's surface is one side of a sheet or a thin plate. Two walls of an edge look to opposite sides too, but
-// not against each other.
+// True if the face's surface is one side of a sheet or a thin plate: the opposite face is covered too, and by
+// a surface of the opposite normal. Where two walls meet at an edge, opposite faces have other normals.
 bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 normal) {
     int opposite = face ^ 1;
     if (!hasFace(staticCell | dynamicCell, opposite)) return false;
     FaceSums back = combinedSums(staticCell, dynamicCell, opposite);
-    return back.coverage > 0.5 * min(sums.coverage, 1.0) && dot(unpackPlane(back.plane).normal, normal) < -0.8;
+    return back.coverage > 0.5 * min(sums.coverage, 1.0) &&
+           dot(unpackPlane(back.plane).normal, normal) < -0.8;
 }
 
-// The larger one of a number and a colour's largest component. NaN never passes the comparison.
+// The larger of a number and a colour's largest component. NaN is ignored, because it fails the comparison.
 float largerOf(float before, vec3 color) {
     float largest = max(color.r, max(color.g, color.b));
     return largest > before ? min(largest, 6e4) : before;
@@ -79,13 +82,14 @@ float largerOf(float before, vec3 color) {
 #include "directional/light_balance.glsl"
 #endif
 
-// What a face reflects and emits, premultiplied by its coverage. More than one layer of surface in a voxel: the face is
-// covered and reflects with their mean, but emits their sum, as a lamp that hangs right under a ceiling is in front of it.
+// The albedo and emission of a face, premultiplied by its coverage. If a voxel has several layers of surface,
+// the albedo is their mean, but the emission is their sum, because a lamp directly below a ceiling is in
+// front of it.
 //
-// A slanted surface stands in up to three faces. Together they cover what it covers to rays against its normal, but to rays
-// from other sides, and from behind, more: they would send up to 1.7 times its light. Scaled by the normal's component they
-// would send as much as it does, but be too dark from the front, as in a closed slanted room. The cube root lies between
-// the two errors (docs/levers.md, "Slanted surfaces").
+// A slanted surface covers up to three faces. Seen along its normal they have the right coverage
+// together, but seen from other directions too much, and they would send up to 1.7 times its light. Scaled by
+// the normal's component, they would send the right total but be too dark from the front, as in a closed
+// slanted room. The cube root of the component is a compromise (docs/history/cones.md, "Slanted surfaces").
 struct FaceMaterial {
     vec3 albedo;
     vec3 emission;  // relative to E/pi
@@ -95,7 +99,7 @@ FaceMaterial materialOf(FaceSums sums, float normalComponent) {
     return FaceMaterial(sums.albedo * (aspect / max(sums.coverage, 1.0)), sums.emission * aspect);
 }
 
-// The largest radiance before it is stored and cut off, for the next step's range (directional/choose_range.comp).
+// The largest radiance before it is clamped, for the range of the next step (directional/choose_range.comp).
 shared uint groupLargestRadiance;
 
 void main() {
@@ -119,15 +123,16 @@ void main() {
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         SurfacePlane plane = unpackPlane(sums.plane);
         float coverage = min(sums.coverage, 1.0);
-        faceData[id * faceWords + VCT_FACE_SURFACE] =
-            packSurface(sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
+        faceData[id * faceWords + VCT_FACE_SURFACE] = packSurface(
+            sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
         FaceMaterial material = materialOf(sums, plane.normal[listed.face >> 1]);
         vec3 middle = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
         float slackShare = isCurved(sums.plane) ? curvedSlack : flatSlack;
         vec3 radiance = material.emission;
-        if (material.albedo != vec3(0.0)) radiance += material.albedo * directIrradiance(plane, slackShare, middle);
+        if (material.albedo != vec3(0.0))
+            radiance += material.albedo * directIrradiance(plane, slackShare, middle);
 #ifdef VCT_BOUNCES
-        radiance = withBounces(id, coverage, radiance, material.albedo);
+        radiance = addBounces(id, coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);

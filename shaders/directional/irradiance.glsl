@@ -1,80 +1,84 @@
-// The light that the voxels' faces received, where a surface looks it up. It lies in bricks: of each face that is not empty
-// of the level whose voxels are blocks of 4^3, the 4^3 faces of the base level that look the same way, and one more on each
-// side, so that the texture unit can filter between them. A texel holds the face's coverage in alpha, and in rgb the mean
-// over the hemisphere, weighted by the cosine, relative to E/pi, times alpha: in halves, as in 8 bits the filter itself would
-// make stairs of it, which swim as the camera moves.
+// Look-up of face irradiance for a surface. Irradiance is stored in bricks. A brick belongs to one face of a
+// block of 4^3 voxels. It holds the block's 4^3 base-level faces of that direction, and a border of one texel
+// so that the texture unit can filter across blocks. A texel holds irradiance, relative to E and
+// premultiplied by coverage, in rgb, and coverage in alpha. It has half floats, because filtering of 8 bits
+// would show steps that move with the camera.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
-layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(), 0 where there is none
+layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(); 0: no brick
 
-// Of a block in the volume.
+// The brick of a block's face.
 uint brickAt(ivec3 block, int axis, int side) {
     return texelFetch(bricks, faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL), 0).r;
 }
 
-// From a brick's first texel to a position in a block (both in voxels), which may lie half a voxel beside it.
-vec3 inBrickOf(vec3 position, ivec3 block) {
+// The offset from a brick's first texel to a position in the block, or up to half a voxel beside it. In
+// voxels.
+vec3 positionInBrick(vec3 position, ivec3 block) {
     return position - vec3(block * VCT_BRICK_SIDE - 1);
 }
 
-// What a brick holds at a place in it, between its texels; nothing if it is none.
-mediump vec4 receivedInBrick(uint brick, vec3 inBrick) {
-    // packBrick()'s numbers where they stand: a float holds them as exactly there, and one product shifts and scales them.
+// The filtered content of a brick at an offset from its first texel; 0 if there is no brick.
+mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
+    // The fields of packBrick() are not shifted: a float holds them exactly, and one product shifts and
+    // scales.
     const vec3 texelsOfUnit = float(VCT_BRICK_TEXELS) / vec3(1 << 20, 1 << 10, 1);
     vec3 texel = inBrick + vec3(brick & 0x3FF00000u, brick & 0xFFC00u, brick & 0x3FFu) * texelsOfUnit;
     mediump vec4 received = textureLod(irradiance, texel * (1.0 / vec3(textureSize(irradiance, 0))), 0.0);
-    // Not a branch: nearly all are one.
+    // A selection is cheaper than a branch, because nearly all bricks exist.
     return brick != 0u ? received : vec4(0.0);
 }
 
-// The irradiance around a position (in voxels) of the faces towards one side of an axis, premultiplied by their coverage, and
-// that coverage. `block`: the position's, or one that is no more than half a voxel away.
-mediump vec4 receivedByFaces(vec3 position, ivec3 block, int axis, int side) {
-    return receivedInBrick(brickAt(block, axis, side), inBrickOf(position, block));
+// Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
+// side of an axis. `block`: the block of the position, or one at most half a voxel away.
+mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
+    return irradianceInBrick(brickAt(block, axis, side), positionInBrick(position, block));
 }
 
-// From the middle of a cube to one of its corners, by the last three bits.
-vec3 towardsCorner(uint i) {
+// The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
+vec3 cornerOffset(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
-// The irradiance of a surface at a position (volume space), relative to E/pi: of the faces on the normal's side of each axis,
-// by the square of the normal, as from an ambient cube (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
+// Irradiance of a surface at a position (volume space), relative to E. It is the mean over the
+// faces on the normal's side of each axis, weighted by the square of the normal, as in an ambient cube
+// (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
-// Where the voxel of a surface has no face of it, other places are tried. On the border of two blocks it may have been
-// rounded into the other, whose brick reaches as far: eight tries at that. And a surface so thin that voxels missed it takes
-// the mean of what its block's faces received that look the same way, or else the other way: six faces with eight fetches
-// each, between eight texels; and if there are none, those of the blocks around it. All of them go through the one fetch
-// below, as a second would hold its registers in every pixel for the few that need it.
-mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
-    // What looks this little along an axis has received nearly the same along the others.
-    const float leastWeight = 0.02;
-    // Of less coverage than this nothing is known.
-    const mediump float leastCoverage = 0.03;
+// If the voxels around the position have no such faces, other positions are tried. Rounding may have moved a
+// surface on the border of two blocks into the other block: the first eight tries use the bricks of the
+// blocks at most half a voxel away. A surface so thin that the voxels missed it takes the mean of its
+// block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
+// faces, the blocks around it follow. All tries share the fetch in the loop, because a second fetch would
+// cost registers in every pixel.
+mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
+    // An axis with a smaller weight is skipped, because the others give nearly the same result.
+    const float minWeight = 0.02;
+    // With less coverage the result is unknown.
+    const mediump float minCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 9u * 48u;
 
     vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
-    vec3 inBrick = inBrickOf(position, block);
-    int axes = int(dot(step(leastWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // a bit each; never none
-    float instead = 0.0;  // of the normal along the axis, but where 0
+    vec3 inBrick = positionInBrick(position, block);
+    int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
+    float instead = 0.0;  // replaces the normal's component along the axis, if not 0
     mediump vec4 sum = vec4(0.0);
     for (uint i = 0u;; ++i) {
         do {
-            COUNT(VCT_COUNTER_RECEIVED_AXIS);
+            COUNT(VCT_COUNTER_IRRADIANCE_AXIS);
             int axis = min(axes >> 1, 2);
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * receivedInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
+            sum += weight * irradianceInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
         } while (axes > 0);
-        // A face of a block has all its eight fetches or none.
+        // The eight fetches of a block's face belong together.
         bool whole = i <= borderTries || (i & 7u) == 0u;
-        if (i == tries || whole && sum.a >= leastCoverage) break;
-        COUNT(VCT_COUNTER_RECEIVED_NEARBY);
+        if (i == tries || whole && sum.a >= minCoverage) break;
+        COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
         uint face = (i >> 3) % 6u, around = (i - borderTries) / 48u;
@@ -84,14 +88,15 @@ mediump vec3 receivedAt(vec3 positionVolume, vec3 normal) {
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * towardsCorner(onBorder ? i : around)) >> VCT_BRICK_LEVEL, ivec3(0), last);
-        inBrick = onBorder ? inBrickOf(position, block) : 2.0 * towardsCorner(i) + 3.0;
+        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL,
+                      ivec3(0), last);
+        inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);
 }
 
-// 1 - ambient occlusion, where that is what the faces have gathered.
+// Ambient visibility (1 - ambient occlusion), if the faces have gathered it in place of light.
 mediump float ambientVisibilityAt(vec3 position, vec3 normal) {
-    return receivedAt(position, normal).r;
+    return sampleIrradiance(position, normal).r;
 }

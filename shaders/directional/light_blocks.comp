@@ -1,5 +1,5 @@
-// What the faces of each block of 4^3 voxels that look the same way receive together: a mean over a few steps, times the
-// coverage of those that gathered, in alpha. The sums of a step are emptied for the next one.
+// The irradiance of each block of 4^3 voxels, per face direction: a mean over the faces and over a few steps,
+// premultiplied by the coverage of the faces that gathered, which is in alpha. Resets the sums of the step.
 #include "shared/counters.glsl"
 #include "directional/irradiance.glsl"
 #include "directional/gather_turns.glsl"
@@ -9,8 +9,8 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 layout(rgba16f, binding = VCT_IMAGE_BLOCK_LIGHT) writeonly uniform mediump image3D blockLightTexels;
 
-// The weight of one step in the mean: the noise of a block's faces, a cone each, is small, and the lag is short. Where faces
-// take turns, noise and lag both grow.
+// The weight of one step in the mean. It can be large, because a block's faces have many cones together. If
+// faces take turns, it is smaller, which divides the error between more noise and a longer lag.
 float shareOfStep(ivec3 block) {
     return 0.3 * sqrt(turnRate(isLookedUp(block)));
 }
@@ -23,11 +23,13 @@ void main() {
     uint brick = texelFetch(bricks, texel, 0).r;
     if (brick != 0u) {
         uint at = blockSums(brick);
-        vec4 sum = vec4(uvec4(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u], faceIrradianceData[at + 3u])) / VCT_BLOCK_UNITS;
+        vec4 sum = vec4(uvec4(faceIrradianceData[at], faceIrradianceData[at + 1u],
+                              faceIrradianceData[at + 2u], faceIrradianceData[at + 3u])) /
+                   VCT_BLOCK_UNITS;
         for (uint c = 0u; c < 4u; ++c)
             faceIrradianceData[at + c] = 0u;
-        // Before the first step there is nothing in the texture.
-        vec4 before = lightStep.inherited > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
+        // The texture is uninitialized before the first step.
+        vec4 before = lightStep.maxInheritedHistory > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
         light = vec4(sum.rgb * faceRange.sums, sum.a) / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);
         if (before.a > 0.0) light = sum.a > 0.0 ? mix(before, light, shareOfStep(texel)) : before;
     }

@@ -1,18 +1,21 @@
-// Gives every face of the listed voxels an id and lists it, and does the same for its parents at all levels above: a face
-// whose bit in the parent is new is the one that lists the parent's face.
+// Lists the faces of the listed voxels, which gives them their ids, and lists their parents at all levels
+// above. The first child face that sets the bit of a parent's face lists it.
 #include "directional/face_lists.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;  // of the list's geometry
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;      // empty while the static geometry is listed
+layout(r32ui,
+       binding = VCT_IMAGE_VOXELS) coherent uniform uimage3D index;  // the index of the faces in `list`
+layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D
+    staticIndex;  // empty while the static geometry is listed
 layout(location = VCT_UNIFORM_LEVEL) uniform uint list;
 
-// Sets the bits of a parent's faces, and returns those that were not set before.
+// Sets the bits of a parent's faces, and returns the bits that are new.
 uint markParent(uint level, uvec3 parent, uint faces) {
     uint side = uint(imageSize(index).x) >> level;
     uint place = parent.x + side * (parent.y + side * parent.z);
     uint shift = 8u * (place & 3u);
-    uint before = atomicOr(faceData[commands[level].firstMask + place / 4u], faces << shift) >> shift & VCT_FACE_MASK;
+    uint before =
+        atomicOr(faceData[commands[level].firstMask + place / 4u], faces << shift) >> shift & VCT_FACE_MASK;
     if (before == 0u) appendVoxel(level, parent);
     return faces & ~before;
 }

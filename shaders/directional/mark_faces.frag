@@ -1,5 +1,5 @@
-// First of two passes over the triangles: which faces of which voxels are not empty. The first fragment of a voxel appends
-// it to the list.
+// First of two passes over the triangles: marks the occupied faces of each voxel. The first fragment of a
+// voxel appends it to the list.
 #include "shared/counters.glsl"
 #include "directional/coverage.glsl"
 

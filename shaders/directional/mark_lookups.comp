@@ -1,5 +1,5 @@
-// Marks the blocks of faces that pixels look up, with the number of the light step: one pixel of each tile of 8 x 8, another
-// one in each step.
+// Marks the blocks whose faces pixels look up with the number of the light step. In each step one pixel of
+// each tile of 8 x 8 pixels is considered, a different one every time.
 #include "shared/counters.glsl"
 #include "shared/surface.glsl"
 #include "directional/voxels.glsl"
@@ -18,12 +18,14 @@ void main() {
     vec3 position = surfacePosition(vec2(pixel) + 0.5, depth) * float(frame.gridSide);
     vec3 normal = surfaceNormal(pixel);
     ivec3 lastBlock = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-    // Rounding decides in which of two blocks the faces of a surface on their border are, so both are marked.
+    // If a surface lies on the border of two blocks, rounding decides which block has its faces. Both are
+    // marked.
     for (int i = 0; i < 6; ++i) {
         int axis = i % 3;
         if (abs(normal[axis]) < 0.14) continue;
         ivec3 block = ivec3(floor(position + (i < 3 ? 0.5 : -0.5) * normal)) >> VCT_BRICK_LEVEL;
-        ivec3 texel = faceTexel(clamp(block, ivec3(0), lastBlock), axis, normal[axis] > 0.0 ? 0 : 1, lastBlock.x + 1);
+        ivec3 texel =
+            faceTexel(clamp(block, ivec3(0), lastBlock), axis, normal[axis] > 0.0 ? 0 : 1, lastBlock.x + 1);
         imageStore(lastLookups, texel, uvec4(step + 1u));
     }
 }

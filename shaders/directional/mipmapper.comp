@@ -1,13 +1,13 @@
-// One mip level of the faces from the one below, over that level's faces that are not empty. Of each of the four pairs of
-// children along the face's axis the front one is laid over the back one, and a face is the mean of the pairs. A wall across
-// the voxel stays opaque at every level, and is seen from one side only.
+// Computes one mip level of the faces, over the level's face list. Along the face's axis, the front one of
+// two children is composited over the back one, and the face is the mean of the four pairs. A wall across the
+// voxel thus stays opaque at every level, and is visible from one side only.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_FACES) uniform mediump sampler3D faces;
 layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D means;
-layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // that is written
+layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // the level to write
 layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 
 void storeMean(ListedFace listed) {

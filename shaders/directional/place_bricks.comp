@@ -1,22 +1,22 @@
-// Gives each face that is not empty of the blocks' level a brick of face irradiance.
+// Assigns a brick of face irradiance to each occupied face of the level whose voxels are blocks.
 #include "directional/face_lists.glsl"
 #include "directional/voxels.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickPlaces;
+layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
 layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // VCT_BRICK_LEVEL
 
 void main() {
-    COUNT(VCT_COUNTER_BRICKS_PLACE);
+    COUNT(VCT_COUNTER_PLACE_BRICKS);
     uint count = faceCount(level);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     uint along = lightStep.bricksAlong;
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        COUNT(VCT_COUNTER_BRICKS_PLACE_FACE);
+        COUNT(VCT_COUNTER_PLACE_BRICKS_FACE);
         ListedFace listed = listedFace(level, i);
         uint brick = packBrick(uvec3(i % along, i / along % along, i / (along * along)));
-        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickPlaces).z);
-        imageStore(brickPlaces, texel, uvec4(brick));
+        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).z);
+        imageStore(brickSlots, texel, uvec4(brick));
     }
 }

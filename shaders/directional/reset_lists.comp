@@ -1,5 +1,5 @@
-// Before dynamic objects are voxelized in a new pose: the lists return to the static geometry, and the dynamic objects
-// take the other one of their two lists.
+// Resets the lists to the static geometry before a new pose is voxelized, and makes the other one of the two
+// dynamic lists the current one.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 

@@ -1,22 +1,22 @@
-// The sky in the received light. Where it is the same in all directions, how much of it a face sees says what it receives of
-// it; of a picture of all directions it is what the cones saw.
+// The sky's part of face irradiance. For a sky of one colour, cones accumulate the visible share of the
+// hemisphere. For a sky that depends on direction, they accumulate its radiance.
 #include "shared/sky.glsl"
 
 #ifdef VCT_ENVIRONMENT
-#define SkySeen vec3  // relative to E/pi
-SkySeen skySeen(vec3 direction, float solidAngle, float transmittance) {
+#define VisibleSky vec3  // relative to E/pi
+VisibleSky visibleSky(vec3 direction, float solidAngle, float transmittance) {
     if (transmittance == 0.0) return vec3(0.0);
-    return skyTowards(direction, solidAngle) * transmittance;
+    return sampleSky(direction, solidAngle) * transmittance;
 }
-vec3 skyLight(SkySeen seen) {
+vec3 skyLight(VisibleSky seen) {
     return seen;
 }
 #else
-#define SkySeen float  // of the hemisphere
-SkySeen skySeen(vec3 direction, float solidAngle, float transmittance) {
+#define VisibleSky float  // share of the hemisphere
+VisibleSky visibleSky(vec3 direction, float solidAngle, float transmittance) {
     return transmittance;
 }
-vec3 skyLight(SkySeen seen) {
+vec3 skyLight(VisibleSky seen) {
     return seen * frame.skyRadiance.rgb;
 }
 #endif

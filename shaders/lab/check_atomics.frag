@@ -1,4 +1,4 @@
-// Fragments that add to a storage buffer, as voxelization's do.
+// Driver check: atomic operations of fragments on a storage buffer, as voxelization uses them.
 #include "lab/driver_check.glsl"
 
 void main() {
@@ -6,7 +6,7 @@ void main() {
     atomicAdd(words[0], pixel);
     atomicMax(words[1], pixel ^ 2730u);
     atomicOr(words[2], 1u << (pixel & 31u));
-    // Places that fragments reserve are all different: their sum is known.
+    // All fragments must get different positions, whose sum is known.
     uint place = atomicAdd(words[3], 1u);
     atomicAdd(words[4], place);
     if ((place & 63u) == 0u) atomicAdd(groups[0], 1u);

@@ -1,4 +1,4 @@
-// Counts the groups of an indirect dispatch.
+// Driver check: counts the invocations of an indirect dispatch.
 #include "lab/driver_check.glsl"
 
 layout(local_size_x = 64) in;

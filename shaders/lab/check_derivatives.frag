@@ -1,4 +1,5 @@
-// Derivatives as voxelization uses them for coverage: of a plane, as a cross product.
+// Driver check: the cross product of the derivatives of a position on a plane, as voxelization uses it for
+// coverage.
 #include "lab/driver_check.glsl"
 
 void main() {

@@ -1,4 +1,4 @@
-// Fills a mip level of a 3D texture of 8^3: what a texel holds follows from its place and the level.
+// Driver check: fills a mip level of a 3D texture of 8^3 texels with values that depend on texel and level.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(location = 0) uniform uint level;
 layout(VCT_CHECK_FORMAT, binding = 0) writeonly uniform mediump image3D target;

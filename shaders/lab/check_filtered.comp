@@ -1,5 +1,5 @@
-// Whether the texture unit finds in a level what check_fill.comp stored there, in the middle between eight texels; or
-// nothing, where it was cleared.
+// Driver check: samples a level in the middle between eight texels and compares the result with the values of
+// check_fill.comp, or with 0 if the texture was cleared.
 #include "lab/driver_check.glsl"
 
 layout(local_size_x = 1) in;

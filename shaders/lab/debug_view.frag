@@ -1,4 +1,4 @@
-// An intermediate target as a picture for people; one variant per VCT_DEBUG_VIEW.
+// Shows an intermediate target as an image; one variant per VCT_DEBUG_VIEW.
 #include "shared/octahedral.glsl"
 #include "shared/layout.h"
 

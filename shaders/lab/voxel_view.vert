@@ -1,5 +1,5 @@
-// A cube per active voxel of a level, drawn by instances. The list comes in as an instanced
-// integer attribute: vertex shaders cannot read storage buffers on Mali.
+// Draws a cube per active voxel of a level, as instances. The active-voxel list is an instanced integer
+// attribute, because vertex shaders cannot read storage buffers on Mali.
 #include "packed/voxel_sample.glsl"
 
 layout(location = VCT_ATTRIBUTE_VOXEL) in uint entry;
@@ -12,7 +12,7 @@ void main() {
     // The three bits of the index are the corner's coordinates.
     corner = vec3(gl_VertexID & 1, gl_VertexID >> 1 & 1, gl_VertexID >> 2 & 1);
     uint word = texelFetch(voxels, ivec3(voxel), int(level)).r;
-    vec3 unlit = vec3(0.06, 0.07, 0.09);  // so that voxels in shadow show their shape
+    vec3 unlit = vec3(0.06, 0.07, 0.09);  // not black, so that voxels in shadow show their shape
     color = voxelLight(word) != 0u ? max(unpackSample(word).rgb, unlit) : unlit;
     vec3 position = (vec3(voxel) + corner) / float(uint(frame.gridSide) >> level);
     gl_Position = frame.clipFromVolume * vec4(position, 1.0);

@@ -1,5 +1,5 @@
-// Zeroes the voxels of the last frame, found through its active-voxel list: ES has no clear for textures, and
-// writing every voxel of the volume would cost more than voxelizing.
+// Clears the packed voxels that the last frame listed. OpenGL ES cannot clear a 3D texture, and writing every
+// voxel would take longer than voxelization.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
@@ -10,11 +10,11 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 void main() {
     COUNT(VCT_COUNTER_SPARSE_CLEAR);
     uint side = uint(imageSize(voxels).x);
-    uint count = voxelsToEmpty(level, side);
+    uint count = voxelsToClear(level, side);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_SPARSE_CLEAR_VOXEL);
-        ivec3 voxel = ivec3(voxelToEmpty(level, side, i));
+        ivec3 voxel = ivec3(voxelToClear(level, side, i));
         imageStore(voxels, voxel, uvec4(0u));
     }
 }

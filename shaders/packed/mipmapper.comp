@@ -1,5 +1,6 @@
-// One mip level from the one below, over the active voxels only (thesis 4.5, algorithm 8). Each voxel adds
-// itself to its parent by one atomic; the first child to arrive appends the parent to the next list.
+// Computes one mip level of the packed voxels, over the active voxels only (thesis 4.5, algorithm 8). Each
+// voxel adds itself to its parent with one atomic operation; the first child appends the parent to the next
+// list.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
@@ -17,6 +18,7 @@ void main() {
         uvec3 voxel = activeVoxel(level, i);
         uint word = imageLoad(voxels, ivec3(voxel)).r;
         uvec3 parent = voxel >> 1u;
-        if (imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u) appendVoxel(level + 1u, parent);
+        if (imageAtomicAdd(parents, ivec3(parent), childContribution(word)) == 0u)
+            appendVoxel(level + 1u, parent);
     }
 }

@@ -1,10 +1,10 @@
-// Reading the packed pyramid. Integer textures cannot be filtered, so the eight texels around a position are
-// fetched and weighted by hand.
+// Samples the packed voxels. Integer textures cannot be filtered, so the eight texels around a position are
+// fetched and weighted here.
 #include "shared/frame.glsl"
 
 layout(binding = VCT_TEX_VOXELS) uniform usampler3D voxels;
 
-// The two texels per axis around a position, and their weights; what lies outside the volume is empty.
+// The two texels per axis around a position, and their weights. Texels outside of the volume have weight 0.
 struct Footprint {
     ivec3 low, high;
     mediump vec3 lowWeight, highWeight;
@@ -20,7 +20,8 @@ Footprint footprint(vec3 positionVolume, int level) {
     Footprint f;
     f.low = clamp(low, ivec3(0), ivec3(last));
     f.high = clamp(high, ivec3(0), ivec3(last));
-    // On both sides for both: the finer of two levels is read up to half a voxel of the coarser beyond the volume.
+    // Either texel can be outside on either side, because a sample may be outside by half a voxel of a
+    // coarser level.
     f.lowWeight = mix(vec3(0.0), 1.0 - part, equal(f.low, low));
     f.highWeight = mix(vec3(0.0), part, equal(f.high, high));
     return f;
@@ -35,8 +36,8 @@ mediump float voxelOpacity(uint word) {
     return word != 0u ? 1.0 : 0.0;
 }
 
-// Radiance relative to E/pi times opacity, and opacity. A voxel's colour is the mean of its children's where
-// any is lit, and black otherwise (published program).
+// Premultiplied radiance, relative to E/pi, and opacity. A voxel's colour is the mean of its children's if
+// any of them is lit, and black otherwise (published program).
 mediump vec4 unpackSample(uint word) {
     mediump float opacity = voxelOpacity(word);
     mediump float scale =
@@ -48,21 +49,22 @@ mediump vec4 sampleVoxels(vec3 positionVolume, int level) {
     Footprint f = footprint(positionVolume, level);
     mediump vec2 z = vec2(f.lowWeight.z, f.highWeight.z);
     mediump vec4 ll = unpackSample(voxelWord(f.low.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.low.x, f.low.y, f.high.z, level)) * z.y;
     mediump vec4 lh = unpackSample(voxelWord(f.low.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.low.x, f.high.y, f.high.z, level)) * z.y;
     mediump vec4 hl = unpackSample(voxelWord(f.high.x, f.low.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.high.x, f.low.y, f.high.z, level)) * z.y;
     mediump vec4 hh = unpackSample(voxelWord(f.high.x, f.high.y, f.low.z, level)) * z.x +
-                           unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
+                      unpackSample(voxelWord(f.high.x, f.high.y, f.high.z, level)) * z.y;
     mediump vec4 l = f.lowWeight.y * ll + f.highWeight.y * lh;
     mediump vec4 h = f.lowWeight.y * hl + f.highWeight.y * hh;
     return f.lowWeight.x * l + f.highWeight.x * h;
 }
 
-// voxelOpacity of the two texels along z.
+// The opacities of the two texels along z.
 mediump vec2 occupiedPair(int x, int y, Footprint f, int level) {
-    return vec2(voxelOpacity(voxelWord(x, y, f.low.z, level)), voxelOpacity(voxelWord(x, y, f.high.z, level)));
+    return vec2(voxelOpacity(voxelWord(x, y, f.low.z, level)),
+                voxelOpacity(voxelWord(x, y, f.high.z, level)));
 }
 
 mediump float sampleOpacity(vec3 positionVolume, int level) {

@@ -1,5 +1,5 @@
-// One voxel per fragment: material and direct light, packed, kept by imageAtomicMax (thesis 4.4). Which
-// fragment comes first changes nothing but the order of the active-voxel list.
+// Writes one packed voxel per fragment: material and direct light (thesis 4.4). imageAtomicMax() keeps the
+// largest word, so the order of fragments affects only the order of the active-voxel list.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
@@ -8,7 +8,7 @@
 
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
-// Of a sheet, by the side that is lit more.
+// Irradiance by the punctual lights. A double-sided surface takes the side that receives more.
 vec3 otherLights(vec3 position, vec3 normal) {
     float slackShare = shadowSlack(normal);
     vec3 front = punctualIrradiance(position, normal, slackShare);
@@ -30,11 +30,13 @@ void main() {
     vec4 baseColor = materialBaseColor();
     if (materialIsUnlit) baseColor.rgb = vec3(0.0);
     if (materialIsHole(baseColor.a)) discard;
-    ivec3 voxel = clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
+    ivec3 voxel =
+        clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 
-    // A single-sided surface is black from behind; a sheet is lit on the side that the light sees.
+    // A single-sided surface is black from behind; a double-sided one is lit on the side that faces the
+    // light.
     vec3 normal = safeNormalize(fragmentNormal);
-    float facing = dot(normal, frame.towardsLight.xyz);
+    float facing = dot(normal, frame.directionToLight.xyz);
     float cosTheta = materialIsDoubleSided ? abs(facing) : max(facing, 0.0);
     bool lit = shadowMapLight(fragmentPosition, cosTheta) >= 0.5;
     vec3 radiance = cosTheta * baseColor.rgb * frame.lightColor.rgb;  // thesis eq. 4.4

@@ -1,5 +1,5 @@
-// Vertices of a mesh that changes its form, as the present pose has them, in volume space: moved by the morph targets
-// first, then by the joints (glTF 2.0, sections 3.7.2.2 and 3.7.3.3). Every other pass reads the result like any vertex.
+// Deforms the vertices of a mesh in the present pose: morph targets first, then joints (glTF 2.0, sections
+// 3.7.2.2 and 3.7.3.3). The result is in volume space, in the buffer from which all passes read vertices.
 // jni/scene/deformation.cpp has the same formulas for the CPU.
 #include "shared/counters.glsl"
 
@@ -9,10 +9,10 @@ layout(std430, binding = VCT_SSBO_DEFORM_SOURCES) readonly buffer SourceBlock {
     DeformSource sources[];
 };
 layout(std430, binding = VCT_SSBO_DEFORM_DISPLACEMENTS) readonly buffer DisplacementBlock {
-    float displacements[];  // of each target, of each vertex: position, normal
+    float displacements[];  // by target, then by vertex: position, normal
 };
 layout(std430, binding = VCT_SSBO_DEFORM_STATE) readonly buffer StateBlock {
-    vec4 state[];  // of each joint, three rows of the matrix from mesh to volume; of each target, x: its weight
+    vec4 state[];  // three rows of each joint's matrix from mesh to volume; then x: weight of each target
 };
 layout(std430, binding = VCT_SSBO_DEFORM_VERTICES) writeonly buffer VertexBlock {
     float vertices[];  // position and normal come first
@@ -37,7 +37,8 @@ vec4 rowOf(DeformSource source, uint row) {
            source.weights.w * state[first + 3u * (source.joints23 >> 16u)];
 }
 
-// By the cofactors of the joints' matrix: the direction that its inverse transpose gives, and finite for a scale of zero.
+// Transforms a normal by the cofactors of the matrix with these rows. They give the direction of the inverse
+// transpose, and are finite for a scale of zero.
 vec3 turned(vec4 x, vec4 y, vec4 z, vec3 normal) {
     mat3 m = transpose(mat3(x.xyz, y.xyz, z.xyz));
     vec3 result = normal.x * cross(m[1], m[2]) + normal.y * cross(m[2], m[0]) + normal.z * cross(m[0], m[1]);

@@ -1,20 +1,22 @@
-// Render data: albedo and normal; the position comes from depth, the tangent frame from the normal.
+// Writes the G-buffer: albedo and normal, and emission and gloss if the scene has them. The position follows
+// from the depth buffer.
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
 #include "shared/octahedral.glsl"
 
 in vec3 fragmentNormal;
 
-layout(location = 0) out vec4 albedoRoot;  // square root of linear albedo: spends the 8 bits where eyes look
+layout(location = 0) out vec4
+    albedoRoot;  // square root of linear albedo, which gives dark colours more steps
 #ifdef VCT_MAPPED_NORMALS
 layout(location = 1) out uvec4 normalCodes;
-void storeNormals(vec3 mapped, vec3 ofGeometry) {
-    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(ofGeometry));
+void storeNormals(vec3 mapped, vec3 geometric) {
+    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(geometric));
 }
 #else
 layout(location = 1) out uvec2 normalCode;
-void storeNormals(vec3 mapped, vec3 ofGeometry) {
-    normalCode = encodeNormal(ofGeometry);
+void storeNormals(vec3 mapped, vec3 geometric) {
+    normalCode = encodeNormal(geometric);
 }
 #endif
 
@@ -48,8 +50,9 @@ void storeGloss() {
 void storeGloss() {}
 #endif
 
-// `normal`: of the vertices, towards the viewer, unit length. The tangent and its sign come from how position and texture
-// coordinates change from pixel to pixel: the file's tangents would cost every vertex 16 bytes, and interpolants.
+// The normal of the normal map. `normal`: interpolated, towards the viewer, unit length. The tangent is
+// derived from the screen-space derivatives of position and texture coordinates, because stored tangents
+// would take 16 bytes per vertex.
 #ifdef VCT_NORMAL_MAP
 in vec3 fragmentFromEye;
 in vec2 fragmentNormalUv;
@@ -57,16 +60,16 @@ layout(binding = VCT_TEX_NORMAL_MAP) uniform sampler2D normalMap;
 vec3 mappedNormal(vec3 normal) {
     vec3 mapped = 2.0 * texture(normalMap, fragmentNormalUv).xyz - 1.0;
     vec2 slope = mapped.xy * draw.emissive.w;
-    // Of a back face the normal that the front would have is reversed (glTF 2.0, 3.9.5).
+    // The normal of a back face is the reversed normal of the front face (glTF 2.0, 3.9.5).
     if (!gl_FrontFacing) slope = -slope;
     vec2 uvAcross = dFdx(fragmentNormalUv), uvUp = dFdy(fragmentNormalUv);
     float handedness = uvAcross.x * uvUp.y - uvAcross.y * uvUp.x < 0.0 ? -1.0 : 1.0;
     vec3 tangent = handedness * (dFdx(fragmentFromEye) * uvUp.y - dFdy(fragmentFromEye) * uvAcross.y);
     tangent -= normal * dot(normal, tangent);
     float length2 = dot(tangent, tangent);
-    if (!(length2 > 0.0)) return normal;  // texture coordinates that do not change
+    if (!(length2 > 0.0)) return normal;  // the texture coordinates are constant
     tangent *= inversesqrt(length2);
-    // +Y is up in the picture, where the second coordinate falls.
+    // The map's +Y is up in its image, and the second texture coordinate grows downwards.
     vec3 up = handedness * cross(tangent, normal);
     return safeNormalize(tangent * slope.x + up * slope.y + normal * mapped.z);
 }
@@ -81,7 +84,7 @@ void main() {
     vec4 baseColor = materialBaseColor();
     vec3 normal = safeNormalize(fragmentNormal);
     if (!gl_FrontFacing) normal = -normal;
-    // Before any discard: derivatives need the whole quad.
+    // This comes before any discard, because derivatives need the whole quad.
     vec3 mapped = mappedNormal(normal);
     if (materialIsHole(baseColor.a)) discard;
     albedoRoot = vec4(materialIsUnlit ? vec3(0.0) : sqrt(baseColor.rgb), 1.0);

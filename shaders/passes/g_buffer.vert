@@ -1,4 +1,4 @@
-// The scene from the camera (thesis 4.3).
+// Vertices of the G-buffer pass (thesis 4.3).
 #include "shared/draw.glsl"
 #include "shared/frame.glsl"
 #include "shared/texture_coordinates.glsl"
@@ -7,7 +7,7 @@ layout(location = VCT_ATTRIBUTE_POSITION) in vec3 position;
 layout(location = VCT_ATTRIBUTE_NORMAL) in vec3 normal;
 out vec3 fragmentNormal;
 #ifdef VCT_NORMAL_MAP
-out vec3 fragmentFromEye;  // volume space; from the eye, where floats are the finest where pixels are
+out vec3 fragmentFromEye;  // volume space, relative to the eye for precision close to it
 void passPosition(vec3 positionVolume) {
     fragmentFromEye = positionVolume - frame.eye.xyz;
 }

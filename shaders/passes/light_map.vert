@@ -1,4 +1,4 @@
-// Depth from a light besides the sun, into its layer of the texture that all share.
+// Vertices of a punctual light's shadow map.
 #include "shared/draw.glsl"
 #include "shared/layout.h"
 #include "shared/texture_coordinates.glsl"

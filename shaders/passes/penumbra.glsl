@@ -1,26 +1,30 @@
-// The penumbra of a light with a size: percentage-closer soft shadows (Fernando 2005). A search around the receiver for what
-// blocks the light gives the width of the penumbra, over which the shadow map is then filtered. Lengths are radii across the
-// light, at the receiver; each light's shader chooses their unit, and projects the places of its taps into its map.
+// The width of a penumbra by percentage-closer soft shadows (Fernando 2005): a search for blockers around the
+// receiver gives the width over which the shadow map is then filtered. Lengths are radii at the receiver,
+// across the direction to the light. The including shader chooses their unit and projects its taps into its
+// map.
 
-// From one sample of a Vogel disc (1979) to the next: the golden angle.
+// Rotation by the golden angle, from one sample of a Vogel disc (1979) to the next.
 const mat2 goldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
-// The blockers that a search has found, each with the penumbra that it leaves alone.
+// Accumulates the blockers that a search finds, with the penumbra of each.
 struct BlockerSearch {
     float weight;
     float weightPerPenumbra;
 };
 
-// `penumbra`: of a blocker at the tap, or 0 where the tap finds none. `radius`: from the middle of the search to the tap.
+// Adds a tap. `penumbra`: penumbra of the blocker, or 0 if there is none. `radius`: distance of the tap from
+// the middle.
 void addTap(inout BlockerSearch search, float penumbra, float radius) {
-    // A blocker beside the light's cone does not block; it only tells of an edge that the other taps have missed.
+    // A blocker outside of the light's cone does not block. It counts less, but shows an edge that other taps
+    // may miss.
     float within = clamp(penumbra / max(radius, 1e-6), 0.0, 1.0);
     search.weight += within * within;
     search.weightPerPenumbra += within * within / max(penumbra, 1e-6);
 }
 
-// The harmonic mean: of blockers one over the other the nearer one decides. A penumbra too wide would reach around it to where
-// the light is, and light the creases of a room; one too narrow hardens the edge of the farther one.
-float penumbraOf(BlockerSearch search) {
+// The harmonic mean of the penumbrae, so that the blocker nearest to the receiver decides. A penumbra that is
+// too wide leaks light into the creases of a room. One that is too narrow only hardens the edge of a farther
+// blocker.
+float penumbraWidth(BlockerSearch search) {
     return search.weight / search.weightPerPenumbra;
 }

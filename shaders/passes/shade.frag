@@ -1,5 +1,6 @@
-// The last pass: the light of each pixel, in the five modes (thesis 4.6, 5.1.2) or a part of it alone. Each output has a
-// variant: VCT_MODE is its number, and VCT_SHOWS_* say what it reads (jni/engine/output.h).
+// The last pass: computes the light of each pixel in one of the five modes (thesis 4.6, 5.1.2), or a part of
+// the light. Each output has a variant: VCT_MODE is its number, and VCT_SHOWS_* are its inputs
+// (jni/engine/output.h).
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow_slack.glsl"
@@ -13,11 +14,12 @@ layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
 
 layout(location = 0) out mediump vec4 outRadiance;  // rgb relative to E/pi; a: 1 on a surface, 0 on the sky
 
-// From the published program; they are matters of taste and stand in modes 1 to 3 only.
+// The constants of the thesis's published program. They have no physical meaning, and are used in modes 1 to
+// 3 only.
 const float ambientLight = 0.05;
 const float specularLight = 0.2;
 const float specularExponent = 5.0;
-// i in eq. 4.9: the share of direct light that a shadow takes.
+// i in eq. 4.9: the share of direct light that a shadow removes.
 const float shadowStrength = 0.9;
 
 struct Gather {
@@ -25,13 +27,13 @@ struct Gather {
     mediump float ambientVisibility;  // 1 - ambient occlusion
 };
 
-// The light that a surface gathers, by its pixel's own cones or, with directional voxels, by its faces.
-#ifdef VCT_RECEIVED
+// Indirect light of a surface: from the irradiance of directional voxels, or by cones of the pixel itself.
+#ifdef VCT_FACE_IRRADIANCE
 #include "directional/irradiance.glsl"
 const bool received = true;
 Gather indirectDiffuse(vec3 position, vec3 normal) {
     if (VCT_SHOWS_AMBIENT_VISIBILITY) return Gather(vec3(0.0), ambientVisibilityAt(position, normal));
-    return Gather(receivedAt(position, normal), 1.0);
+    return Gather(sampleIrradiance(position, normal), 1.0);
 }
 #else
 #include "packed/cones.glsl"
@@ -44,14 +46,14 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
 }
 #endif
 
-// The share of a sun with a size that a surface sees: by the shadow map, or by a cone through packed voxels.
+// The visible share of the sun's disc: by the soft shadow map, or by a cone through packed voxels.
 #if defined(VCT_SOFT_SHADOW)
 #include "passes/soft_shadow.glsl"
 const bool softShadowIsAll = true;
 mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
     return softShadow(position, normal);
 }
-#elif defined(VCT_RECEIVED)
+#elif defined(VCT_FACE_IRRADIANCE)
 const bool softShadowIsAll = false;
 mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
     return 1.0;
@@ -63,7 +65,7 @@ mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
 }
 #endif
 
-// The share of the sun's light that the output shows, of 1.
+// The share of the sun's light that reaches the surface, as far as the output shows shadows.
 mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normal, cosTheta);
     if (!VCT_SHOWS_HARD_SHADOW) return 1.0;
@@ -71,7 +73,7 @@ mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
     return shadowMapLight(position, cosTheta);
 }
 
-// The surface's reflection towards the eye: a Lambert one, or, where the scene has any, a glossy one.
+// The surface's reflection towards the eye: glossy if the scene has glossy materials, else Lambertian.
 #ifdef VCT_GLOSS_TARGET
 #include "passes/glossy.glsl"
 layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
@@ -99,19 +101,19 @@ mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec
 }
 #endif
 
-// Lights besides the sun.
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
-// Their light that the surface reflects towards the eye, relative to the sun's E/pi.
+// The light of the punctual lights that the surface reflects towards the eye, relative to the sun's E/pi.
 mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geometricNormal) {
-    float slackShare = shadowSlack(geometricNormal);  // before any branch: derivatives need the whole quad
+    float slackShare = shadowSlack(geometricNormal);  // before any branch, as it uses derivatives
     vec3 sum = vec3(0.0);
     const bool shadows = VCT_SHOWS_HARD_SHADOW || VCT_SHOWS_SOFT_SHADOW;
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
         vec3 left = evaluateBrdf(brdf, normal, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare) : left;
+        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare)
+                       : left;
     }
     return min(sum, 6e4);
 }
@@ -134,24 +136,25 @@ mediump vec3 emitted(ivec2 pixel) {
 
 mediump float phongSpecular(vec3 position, vec3 normal, float cosTheta) {
     vec3 toEye = normalize(frame.eye.xyz - position);
-    vec3 reflection = 2.0 * cosTheta * normal - frame.towardsLight.xyz;
+    vec3 reflection = 2.0 * cosTheta * normal - frame.directionToLight.xyz;
     return cosTheta > 0.0 ? pow(max(dot(reflection, toEye), 0.0), specularExponent) : 0.0;
 }
 
-// The sun's and the indirect light that the surface reflects towards the eye, or the part of it that the output shows.
-// `light`: directLight().
-mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light, Gather gather) {
+// The light of the sun and the indirect light that the surface reflects towards the eye, or the part of it
+// that the output shows. `light`: result of directLight().
+mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float cosTheta, mediump float light,
+                                 Gather gather) {
     if (mode == VCT_VIEW_AO) return vec3(gather.ambientVisibility);
     if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
     if (mode == VCT_VIEW_SPECULAR) return indirectSpecular(brdf, position, normal, gather.radiance);
-    // Occlusion is in the received light already; it takes nothing from the sun.
+    // Face irradiance includes occlusion, which must not dim the sun.
     if (VCT_SHOWS_INDIRECT_LIGHT && received)
-        return light * evaluateBrdf(brdf, normal, frame.towardsLight.xyz) * frame.lightColor.rgb +
+        return light * evaluateBrdf(brdf, normal, frame.directionToLight.xyz) * frame.lightColor.rgb +
                brdf.diffuse * diffuseAlbedoScale(brdf, normal) * gather.radiance +
                indirectSpecular(brdf, position, normal, gather.radiance);
-    // What the sun's disc shows is the direct light; nothing else dims or lifts it. Else eq. 4.9.
+    // The soft shadow is the exact share of the direct light. Other shadows are combined by eq. 4.9.
     mediump float total = light;
     if (!softShadowIsAll)
         total = mix(gather.ambientVisibility, light * gather.ambientVisibility, shadowStrength);
@@ -173,12 +176,14 @@ void main() {
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
     vec3 normal = surfaceNormal(pixel);
     vec3 geometricNormal = geometryNormal(pixel, normal);
-    float cosTheta = max(dot(normal, frame.towardsLight.xyz), 0.0);
-    // First what takes the most registers: a Mali has few.
+    float cosTheta = max(dot(normal, frame.directionToLight.xyz), 0.0);
+    // The gather comes first because it needs the most registers, of which Mali GPUs have few.
     Gather gather = indirectDiffuse(position, geometricNormal);
-    mediump float light = directLight(position, geometricNormal, max(dot(geometricNormal, frame.towardsLight.xyz), 0.0));
+    mediump float light =
+        directLight(position, geometricNormal, max(dot(geometricNormal, frame.directionToLight.xyz), 0.0));
     mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfAt(pixel, position, root * root);
     mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normal, cosTheta, light, gather);
-    outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
+    outRadiance =
+        vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
 }

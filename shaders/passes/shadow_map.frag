@@ -1,4 +1,4 @@
-// Only depth is written; holes of alpha-masked surfaces let the light through.
+// Fragments of all shadow maps. Only depth is written. Holes of alpha-masked surfaces let the light through.
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
 

@@ -1,4 +1,4 @@
-// Depth from the light (thesis 4.2).
+// Vertices of the sun's shadow map (thesis 4.2).
 #include "shared/draw.glsl"
 #include "shared/frame.glsl"
 #include "shared/texture_coordinates.glsl"

@@ -1,27 +1,29 @@
-// The shadow of a sun with a size, out of the shadow map. The filter reads the map's moments (shared/moments.glsl), as
-// variance shadow maps do (Donnelly and Lauritzen 2006). Reads the hard shadow's four texels, blockerTaps plain depths and,
-// where something blocks, VCT_FILTER_TAPS places of two levels of the moments: the cost does not grow with the penumbra.
+// The sun's soft shadow from the shadow map and its moments (shared/moments.glsl), filtered as variance
+// shadow maps are (Donnelly and Lauritzen 2006). It reads the hard shadow's four texels, blockerTaps
+// depths and, if anything blocks the light, VCT_FILTER_TAPS samples of the moments. The cost does not grow
+// with the width of the penumbra.
 #include "shared/shadow.glsl"
 #include "shared/moments.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MOMENTS) uniform highp sampler2D shadowMoments;
 
-const int blockerTaps = 7;  // with 6 a penumbra has steps where the search loses its edge; 16 gain .001 in the courtyard
+// With 6 taps penumbrae have steps where the search misses the edge. 16 taps gain 0.001 in the courtyard.
+const int blockerTaps = 7;
 
-// Share of the sun's disc that a point sees. 0 where the surface faces away from the disc's centre; that the
-// horizon of a surface at grazing light hides up to half of the disc is left to n.l.
+// The visible share of the sun's disc; 0 if the surface faces away from the disc's centre. At grazing light
+// the surface's own horizon hides up to half of the disc, which n.l is left to account for.
 //
-// Lengths across the light are in units of the sun's cone: at 1, a blocker must be 1 nearer to the light, in units
-// of the map's depth, to be within the cone.
+// Lengths across the light are in units of the sun's cone: a blocker at radius 1 is within the cone if it is
+// nearer to the light than the receiver by at least 1, in units of the map's depth.
 float softShadow(vec3 positionVolume, vec3 normal) {
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     vec2 mapFromCone = frame.shadowConeRadius;
 
-    // The receiver's plane: depth per length across the light. Rows of the matrix are the map's axes; mapFromCone
-    // is tan(half angle) times the ratio of their lengths.
-    const float steepest = 64.0;      // the light less than a degree above the surface: n.l is below 1/64
+    // The slope of the receiver's plane: depth per length across the light. Rows of the matrix are the map's
+    // axes; mapFromCone is tan(half angle) times the ratio of their lengths.
+    const float steepest = 64.0;      // the sun is less than a degree above the surface: n.l is below 1/64
     const float roundingBias = 1e-4;  // as in shadow.glsl
     float sine2 = frame.shadowConeSine * frame.shadowConeSine;
     float tan2 = sine2 / (1.0 - sine2);
@@ -37,31 +39,34 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float rise = dot(abs(slope), texel);
     float bias = rise + roundingBias;
 
-    // A point of the receiver's plane as the map sees it, and its steps along the two axes across the light.
+    // A point of the receiver's plane in the map, and the plane's steps along the two axes across the light.
     vec3 onPlane = vec3(receiver.xy, receiver.z - bias);
     vec3 stepX = vec3(mapFromCone.x, 0.0, slope.x);
     vec3 stepY = vec3(0.0, mapFromCone.y, slope.y);
 
-    // The four texels around the receiver, each against the plane where the texel is, as in shadow.glsl. In a crease what
-    // blocks touches the receiver: the bias lifts the taps over it, and past the surface's border they see the outside.
-    ShadowFootprint four = shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, vec2(size))), receiver,
-                                           vec2(size), slope * texel, bias);
+    // Compares the four texels around the receiver with its plane, as in shadow.glsl. In a crease the blocker
+    // touches the receiver. Taps with a bias would pass over it, or see the outside beyond the border of the
+    // surface.
+    ShadowFootprint four =
+        shadowFootprint(textureGather(shadowDepth, footprintCorner(receiver.xy, vec2(size))), receiver,
+                        vec2(size), slope * texel, bias);
     float farthest = max(max(four.above.x, four.above.y), max(four.above.z, four.above.w));
-    // What is farther away has a penumbra wider than a texel's radius, and is no matter of the crease.
+    // A blocker farther away has a penumbra wider than a texel, and is no problem in a crease.
     bool touching = four.closest > -texel.x;
     if (touching && farthest < -bias) return 0.0;
-    // Past the surface's border, or all four so little nearer that the bias would hide it. The wall that shades a crease
-    // is seen where the surface's normal points, which is down its slope: the taps go there, as far as a tap's filter
-    // reaches and one texel more. They stay on the plane, and where nothing blocks it moving them changes nothing. At a
-    // crease that is lit a texel is the surface itself, but for what corners rounded to the rasterizer's grid make of it.
-    const float gridRounding = 0.01;  // of what the plane rises over a tap's filter
-    const float pastShare = 0.5;      // of the bias: a round surface drawn flat is off the plane by less
-    const float aside = 2.0;          // in texels
-    if (touching && (farthest > pastShare * bias || farthest < -gridRounding * rise - depthRounding))
+    // The receiver is at the border of its surface, or all four texels are so little nearer that the bias
+    // would hide the blocker. The wall that shades a crease is on the side that the normal points to, which
+    // is down the slope. The taps are moved there, by the reach of a tap's filter and one texel more. They
+    // stay on the plane, so this changes nothing if the plane is lit. In a lit crease one of the texels is
+    // the surface itself, up to rounding.
+    const float gridRounding = 0.01;  // rounding of corners, relative to the plane's rise over a tap's filter
+    const float borderShare = 0.5;  // relative to the bias; a round surface of flat triangles is off by less
+    const float aside = 2.0;        // texels
+    if (touching && (farthest > borderShare * bias || farthest < -gridRounding * rise - depthRounding))
         onPlane += (stepX * downhill.x + stepY * downhill.y) * (aside * texel.x);
 
-    // Blockers may be anywhere between the receiver and the map's near plane. Linear radii: those close to the
-    // receiver are within the cone near its axis only.
+    // Blockers may be anywhere between the receiver and the map's near plane. The radii of the taps grow
+    // linearly, because blockers close to the receiver are within the cone only near its axis.
     float toNearPlane = max(receiver.z, 1e-6);
     stepX *= toNearPlane;
     stepY *= toNearPlane;
@@ -79,30 +84,33 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     float penumbra;
     if (search.weight > 0.0) {
-        penumbra = penumbraOf(search);
+        penumbra = penumbraWidth(search);
     } else {
-        // What is thin is between the search's texels, but in the moments around the cone's axis: of one blocker and the
-        // receiver, which they tell apart. On a slope half of what is there is nearer; and at the map's border all.
+        // A thin blocker can be between the texels of the search, but the moments around the cone's axis
+        // include it. They are assumed to be of one blocker and the receiver. On a slope, half of the
+        // receiver itself is nearer too.
         vec2 moments = textureLod(shadowMoments, onPlane.xy, log2(max(0.25 * coneInTexels, 1.0))).rg;
         float nearer = (onPlane.z - momentMiddle - momentRounding) * momentUnit - moments.x;
-        const float leastShare = 0.001;
-        if (nearer <= max(sqrt(leastShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
+        const float minShare = 0.001;
+        if (nearer <= max(sqrt(minShare * moments.y), 0.25 * momentUnit * rise * coneInTexels)) return 1.0;
         penumbra = min((nearer + moments.y / nearer) / (momentUnit * toNearPlane), 1.0);
     }
 
-    // A place stands for what the moments' filter mixes there, half of the penumbra's radius wide: wide enough that four
-    // places leave no gaps, and that what is in the middle of the disc weighs most. The places' distance makes up the
-    // variance of the disc, R^2/4: that of the filter, .42 texels of its level, is .42 wide^2.
+    // Each tap reads the moments at a level with a filter half as wide as the penumbra's radius R, so that
+    // four taps leave no gaps and the middle of the disc has the most weight. The distance of the taps from
+    // the middle is chosen so that the variance of the whole kernel is that of a disc, R^2/4. The variance of
+    // the filter alone is .42 wide^2.
     float radius = penumbra * coneInTexels;
-    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // texels of the map, up to one of the coarsest level
+    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // in texels of the map
     float level = log2(0.5 * wide);
-    float ofRadius = wide / max(radius, 1e-6);
-    float distance = sqrt(max(0.6 - 0.835 * ofRadius * ofRadius, 0.25 * ofRadius * ofRadius));
+    float relativeWidth = wide / max(radius, 1e-6);
+    float distance =
+        sqrt(max(0.6 - 0.835 * relativeWidth * relativeWidth, 0.25 * relativeWidth * relativeWidth));
     distance = min(distance, 0.7) * penumbra;
-    // Blockers are in the cone, which a wall that rises from the receiver's plane is not. The whole cone would leave out those
-    // that are nearer than their mean.
-    const float ofCone = 0.1;
-    vec3 middle = vec3(onPlane.xy, onPlane.z - ofCone * toNearPlane * distance);
+    // Only blockers within the cone count, to exclude a wall that rises from the receiver's plane. The full
+    // cone would also exclude blockers that are nearer to the receiver than their mean.
+    const float coneShare = 0.1;
+    vec3 middle = vec3(onPlane.xy, onPlane.z - coneShare * toNearPlane * distance);
     vec4 light = vec4(0.0);
     vec4 compared = vec4(0.0);
     for (int i = 0; i < VCT_FILTER_TAPS / 4; ++i) {
@@ -111,20 +119,23 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         vec3 x = (stepX * cos(angle) + stepY * sin(angle)) * distance;
         vec3 y = (stepY * cos(angle) - stepX * sin(angle)) * distance;
         vec3 a = middle + x, b = middle + y, c = middle - x, d = middle - y;
-        compared += vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
-        vec2 ofA = textureLod(shadowMoments, a.xy, level).rg, ofB = textureLod(shadowMoments, b.xy, level).rg;
-        vec2 ofC = textureLod(shadowMoments, c.xy, level).rg, ofD = textureLod(shadowMoments, d.xy, level).rg;
+        compared +=
+            vec4(texture(shadowMap, a), texture(shadowMap, b), texture(shadowMap, c), texture(shadowMap, d));
+        vec2 momentsA = textureLod(shadowMoments, a.xy, level).rg,
+             momentsB = textureLod(shadowMoments, b.xy, level).rg;
+        vec2 momentsC = textureLod(shadowMoments, c.xy, level).rg,
+             momentsD = textureLod(shadowMoments, d.xy, level).rg;
         vec4 plane = (vec4(a.z, b.z, c.z, d.z) - (momentMiddle + momentRounding)) * momentUnit;
-        vec4 nearer = min(vec4(ofA.x, ofB.x, ofC.x, ofD.x) - plane, 0.0);
-        vec4 variance = vec4(ofA.y, ofB.y, ofC.y, ofD.y);
-        // Chebyshev's bound: exact where one blocker covers a part of a receiver, whatever its share.
+        vec4 nearer = min(vec4(momentsA.x, momentsB.x, momentsC.x, momentsD.x) - plane, 0.0);
+        vec4 variance = vec4(momentsA.y, momentsB.y, momentsC.y, momentsD.y);
+        // Chebyshev's bound. It is exact if one blocker covers any share of one receiver.
         light += variance / (variance + nearer * nearer);
     }
-    // A blocker that slants has a variance of its own, which the bound takes for light.
+    // A slanted blocker has a variance of its own, for which the bound lets some light through.
     const float bleeding = 0.02;
     light = light * (1.0 + bleeding) - 0.25 * bleeding * float(VCT_FILTER_TAPS);
-    // A penumbra of a few texels is compared with the map itself: the moments' finest filter is as wide as that, and
-    // past the surface's border looks too far for a crease.
+    // A penumbra of a few texels uses the map itself, because the finest level of the moments is already as
+    // wide, and would reach too far beyond the border of the surface in a crease.
     vec4 both = mix(compared, light, clamp(0.5 * radius - 0.875, 0.0, 1.0));
     return max(dot(both, vec4(1.0 / float(VCT_FILTER_TAPS))), 0.0);
 }

@@ -1,6 +1,6 @@
-// The triangles of a mesh that deform.comp has moved, once for each axis along which they may be voxelized: those that
-// belong to another axis shrink to a point there, which no rasterizer draws. jni/engine/axis_sort.h does it for what
-// keeps its form, on the CPU and without gaps.
+// Writes the triangles of a deformed mesh three times, once per axis. In the range of an axis, triangles with
+// another dominant axis shrink to a point, which the rasterizer drops. Rigid meshes are sorted on the CPU
+// instead (jni/engine/axis_sort.h).
 #include "shared/counters.glsl"
 #include "shared/dominant_axis.h"
 
@@ -10,10 +10,10 @@ layout(std430, binding = VCT_SSBO_DEFORM_VERTICES) readonly buffer VertexBlock {
     float vertices[];  // volume space; position comes first
 };
 layout(std430, binding = VCT_SSBO_SORT_CORNERS) readonly buffer CornerBlock {
-    uint corners[];  // three vertices of each triangle
+    uint corners[];  // three vertices per triangle
 };
 layout(std430, binding = VCT_SSBO_SORT_SORTED) writeonly buffer SortedBlock {
-    uint sorted[];  // likewise, along x, then y, then z
+    uint sorted[];  // three vertices per triangle: all along x, then all along y, then all along z
 };
 
 vec3 positionOf(uint corner) {

@@ -1,5 +1,5 @@
-// The active-voxel list and its indirect commands. The counters are shared by all invocations: a voxel costs one
-// atomic, and every 64th one more for the size of the dispatch.
+// The active-voxel lists and their indirect commands. Appending a voxel takes one atomic operation, and every
+// 64th voxel takes another one for the size of the dispatch.
 #include "shared/layout.h"
 
 layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
@@ -11,8 +11,8 @@ layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];
 };
 
-// Appends a voxel that was empty until now to its level's list; past the capacity it is only counted. Returns its
-// place in the list, which may be past the capacity.
+// Appends a voxel to a level's list; the caller makes sure that it is not listed yet. Beyond the capacity it
+// is only counted. Returns its position in the list.
 uint appendVoxel(uint level, uvec3 voxel) {
     uint index = atomicAdd(commands[level].voxelCount, 1u);
     if (index >= commands[level].capacity) return index;
@@ -26,7 +26,7 @@ bool overflowed(uint level) {
     return commands[level].voxelCount > commands[level].capacity;
 }
 
-// Entries of a level that can be visited.
+// The number of entries in a level's list.
 uint activeVoxelCount(uint level) {
     return min(commands[level].voxelCount, commands[level].capacity);
 }
@@ -35,11 +35,11 @@ uvec3 activeVoxel(uint level, uint i) {
     return unpackEntry(activeVoxels[commands[level].firstEntry + i]);
 }
 
-// What is to be emptied of a level of side^3 voxels: the i-th of so many. All of them where the list overflowed: what
-// found no room in it is not empty either.
-uint voxelsToEmpty(uint level, uint side) {
+// The number of voxels to clear in a level of side^3 voxels, and the i-th one. If the list overflowed, these
+// are all voxels, because occupied voxels are missing in the list.
+uint voxelsToClear(uint level, uint side) {
     return overflowed(level) ? side * side * side : activeVoxelCount(level);
 }
-uvec3 voxelToEmpty(uint level, uint side, uint i) {
+uvec3 voxelToClear(uint level, uint side, uint i) {
     return overflowed(level) ? uvec3(i % side, i / side % side, i / (side * side)) : activeVoxel(level, i);
 }

@@ -1,5 +1,6 @@
-// Counts what runs, in the counting variant alone (`vct shaders`): COUNT(VCT_COUNTER_...) stands once at the start of
-// a stage and once in each of its loops, behind what may end it: so that whole ones are counted. Everywhere else it is nothing.
+// Counters for `vct shaders`. COUNT(VCT_COUNTER_...) is at the start of each stage and in each of its loops,
+// after any statement that may end the iteration, so that it counts whole iterations. Without
+// VCT_SHADER_COUNTERS it does nothing.
 #include "shared/layout.h"
 
 #ifdef VCT_SHADER_COUNTERS

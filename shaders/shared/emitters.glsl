@@ -1,12 +1,12 @@
-// The parts of lamps (jni/engine/emitters.h), each seen as one source.
+// The parts of the compact emitters (jni/engine/emitters.h).
 #include "shared/layout.h"
 
 layout(std140, binding = VCT_UBO_EMITTERS) uniform EmittersBlock {
     EmitterBlock emitters;
 };
 
-// The area that is seen of a part from afar, along the unit vector `towards` the part: that of what faces the eye and, of a
-// closed convex surface, a quarter of it all (Cauchy).
-float seenArea(EmitterPartUniforms part, vec3 towards) {
+// The projected area of a distant part, seen along the unit vector `towards` it: the projected flat area, and
+// a quarter of the closed convex area (Cauchy).
+float projectedArea(EmitterPartUniforms part, vec3 towards) {
     return max(-dot(part.facing.xyz, towards), 0.0) + part.facing.w;
 }

@@ -1,5 +1,5 @@
 // Everything that C++ and the shaders share, written once: binding points, bit layouts, uniform blocks, mode
-// numbers. Included by both, so only what both languages understand stands here.
+// numbers. Both languages include this file, so it may use only syntax that both understand.
 #ifndef VCT_SHARED_LAYOUT_H
 #define VCT_SHARED_LAYOUT_H
 
@@ -20,7 +20,7 @@ using glm::vec4;
 #define VCT_FUNCTION
 #endif
 
-// The five modes (thesis 5.1.2), and the intermediates that can be shown alone.
+// The five modes (thesis 5.1.2), and parts of the light that can be shown alone.
 #define VCT_MODE_PHONG 1
 #define VCT_MODE_SHADOW_MAP 2
 #define VCT_MODE_AO 3
@@ -29,10 +29,10 @@ using glm::vec4;
 #define VCT_VIEW_AO 6
 #define VCT_VIEW_INDIRECT 7
 #define VCT_VIEW_CONE_SHADOW 8
-#define VCT_VIEW_IRRADIANCE 9  // of the indirect light, relative to the sun's
+#define VCT_VIEW_IRRADIANCE 9  // irradiance by the indirect light, relative to the sun's
 #define VCT_VIEW_SPECULAR 10
 
-// What the debug view shows.
+// The targets that the debug view can show.
 #define VCT_DEBUG_VIEW_SHADOW_MAP 0
 #define VCT_DEBUG_VIEW_ALBEDO 1
 #define VCT_DEBUG_VIEW_NORMAL 2
@@ -51,10 +51,10 @@ using glm::vec4;
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACES 2
-#define VCT_SSBO_FACE_RANGE 2  // no pass needs both
+#define VCT_SSBO_FACE_RANGE 2  // shared with VCT_SSBO_FACES; no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
-// Of the passes over vertices, which bind all of theirs anew (jni/engine/deformer.h).
+// Storage blocks of the passes over vertices, which bind all of their buffers (jni/engine/deformer.h).
 #define VCT_SSBO_DEFORM_VERTICES 0
 #define VCT_SSBO_DEFORM_SOURCES 1
 #define VCT_SSBO_DEFORM_DISPLACEMENTS 2
@@ -62,7 +62,7 @@ using glm::vec4;
 #define VCT_SSBO_SORT_CORNERS 1
 #define VCT_SSBO_SORT_SORTED 2
 
-// What the counting variant counts (shared/counters.glsl): invocations of a stage, and iterations of its loops.
+// Counters of shader invocations and of iterations of their loops (shared/counters.glsl).
 #define VCT_COUNTER_SHADOW_MAP 0
 #define VCT_COUNTER_G_BUFFER 1
 #define VCT_COUNTER_VOXELIZER 2
@@ -76,7 +76,7 @@ using glm::vec4;
 #define VCT_COUNTER_SHADOW_STEP 10
 #define VCT_COUNTER_BLOCKER_TAP 11
 #define VCT_COUNTER_FILTER_TAP 12
-#define VCT_COUNTER_RECEIVED_AXIS 13
+#define VCT_COUNTER_IRRADIANCE_AXIS 13
 #define VCT_COUNTER_MARK_FACES 14
 #define VCT_COUNTER_LIST_FACES 15
 #define VCT_COUNTER_LIST_FACES_VOXEL 16
@@ -101,14 +101,14 @@ using glm::vec4;
 #define VCT_COUNTER_BRICKS_CLEAR 35
 #define VCT_COUNTER_BRICKS_CLEAR_TEXEL 36
 #define VCT_COUNTER_BRICKS_CLEAR_PLACE 37
-#define VCT_COUNTER_BRICKS_PLACE 38
-#define VCT_COUNTER_BRICKS_PLACE_FACE 39
+#define VCT_COUNTER_PLACE_BRICKS 38
+#define VCT_COUNTER_PLACE_BRICKS_FACE 39
 #define VCT_COUNTER_IRRADIANCE 40
 #define VCT_COUNTER_IRRADIANCE_FACE 41
 #define VCT_COUNTER_IRRADIANCE_CONE 42
 #define VCT_COUNTER_IRRADIANCE_STEP 43
 #define VCT_COUNTER_FILL_BRICKS_TEXEL 44
-#define VCT_COUNTER_RECEIVED_NEARBY 45
+#define VCT_COUNTER_IRRADIANCE_NEARBY 45
 #define VCT_COUNTER_LIGHT_BLOCKS 46
 #define VCT_COUNTER_SPECULAR_STEP 47
 #define VCT_COUNTER_SHADOW_MOMENTS 48
@@ -135,21 +135,21 @@ using glm::vec4;
 #define VCT_TEX_EMISSIVE 1
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
-#define VCT_TEX_DYNAMIC_VOXELS 4   // of the present pose; the pass that reads the G-buffer has no need of it
-#define VCT_TEX_PREVIOUS_VOXELS 5  // of the pose before, likewise
+#define VCT_TEX_DYNAMIC_VOXELS 4   // present pose; passes that read the G-buffer do not need it
+#define VCT_TEX_PREVIOUS_VOXELS 5  // last pose; passes that read the G-buffer do not need it
 #define VCT_TEX_G_ALBEDO 4
-#define VCT_TEX_GLOSS 4  // no pass needs both
+#define VCT_TEX_GLOSS 4  // shared with VCT_TEX_G_ALBEDO; no pass needs both
 #define VCT_TEX_G_NORMAL 5
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
-#define VCT_TEX_LAST_LOOKUPS 7  // no pass needs both
-#define VCT_TEX_SHADOW_DEPTH 8  // the shadow map again, by a sampler that does not compare
+#define VCT_TEX_LAST_LOOKUPS 7  // shared with VCT_TEX_G_EMISSIVE; no pass needs both
+#define VCT_TEX_SHADOW_DEPTH 8  // the shadow map, read without comparison
 #define VCT_TEX_FACES 9
-#define VCT_TEX_IRRADIANCE 10  // directional/face_irradiance.glsl: the bricks, and where each is
+#define VCT_TEX_IRRADIANCE 10  // the bricks of directional/irradiance.glsl, and their locations
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
-#define VCT_TEX_BLOCK_LIGHT 12  // no pass needs both
+#define VCT_TEX_BLOCK_LIGHT 12  // shared with VCT_TEX_G_GLOSS; no pass needs both
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
 #define VCT_TEX_SHADOW_MOMENTS 15
@@ -158,7 +158,7 @@ using glm::vec4;
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_FACES 2
-#define VCT_IMAGE_IRRADIANCE 2  // ES 3.1 guarantees four units, and no pass needs both
+#define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_BLOCK_LIGHT 2
 #define VCT_IMAGE_LAST_LOOKUPS 2
@@ -173,141 +173,140 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_NORMAL_UV 6
 #define VCT_ATTRIBUTE_VOXEL 0
 
-// Uniforms outside blocks: the mip level that a pass over the active-voxel list works on, and the axis along which
-// the triangles of a draw call are voxelized; the list of faces that a pass writes (directional/face_lists.glsl); the
-// number of the light step, which seeds its dither.
-#define VCT_UNIFORM_LEVEL 0
-#define VCT_UNIFORM_LIST 1
-#define VCT_UNIFORM_FRAME_INDEX 1
-#define VCT_UNIFORM_AXIS 0
-#define VCT_UNIFORM_LIGHT_MAP 0
-// Where a mesh that changes its form lies in the buffers of passes/deform.comp and passes/sort_axes.comp: elements of an
-// array at the first location.
+// Locations of uniforms outside of blocks.
+#define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
+#define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
+#define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
+#define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
+// An array of uniforms for passes/deform.comp and passes/sort_axes.comp: positions of a mesh in their
+// buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
-#define VCT_DEFORM_COUNT 0               // vertices; triangles
-#define VCT_DEFORM_FIRST_FLOAT 1         // of its vertices, in the part of their buffer that is bound
-#define VCT_DEFORM_VERTEX_FLOATS 2       // from a vertex to the next
-#define VCT_DEFORM_FIRST_SOURCE 3        // of its vertices
-#define VCT_DEFORM_FIRST_DISPLACEMENT 4  // of its morph targets
-#define VCT_DEFORM_TARGETS 5
-#define VCT_DEFORM_FIRST_STATE 6   // of its joints, three rows each; behind them the weights
-#define VCT_DEFORM_FIRST_WEIGHT 7
-#define VCT_SORT_FIRST_VERTEX 3  // of the mesh, as its indices have it
-#define VCT_SORT_FIRST_CORNER 4  // of its indices, in the part of their buffer that is bound
-#define VCT_SORT_FIRST_SORTED 5
+#define VCT_DEFORM_COUNT 0               // number of vertices, or of triangles to sort
+#define VCT_DEFORM_FIRST_FLOAT 1         // first float of the vertices in the bound range
+#define VCT_DEFORM_VERTEX_FLOATS 2       // floats per vertex
+#define VCT_DEFORM_FIRST_SOURCE 3        // first vertex before deformation
+#define VCT_DEFORM_FIRST_DISPLACEMENT 4  // first float of the morph targets
+#define VCT_DEFORM_TARGETS 5             // number of morph targets
+#define VCT_DEFORM_FIRST_STATE 6         // first row of the joints' matrices, three rows each
+#define VCT_DEFORM_FIRST_WEIGHT 7        // first weight of the morph targets
+#define VCT_SORT_FIRST_VERTEX 3          // vertex index of the mesh's first vertex
+#define VCT_SORT_FIRST_CORNER 4          // first index of the mesh in the bound range
+#define VCT_SORT_FIRST_SORTED 5          // first sorted index in the bound range
 #define VCT_DEFORM_RANGES 8
 
 #define VCT_MAX_PUNCTUAL_LIGHTS 16
-#define VCT_MAX_LIGHT_MAPS 96  // six for each of them
+#define VCT_MAX_LIGHT_MAPS 96  // six per light
 #define VCT_MAX_EMITTER_PARTS 32
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
-// Lists of voxels and faces: one for each level, and behind them those of the dynamic objects, which alternate from pose
-// to pose (directional/face_lists.glsl).
+// Lists of voxels and faces: one per level, then two for the dynamic objects, which alternate from pose to
+// pose (directional/face_lists.glsl).
 #define VCT_LIST_DYNAMIC 10
 #define VCT_LISTS 12
-// Words that each face of the base level has (directional/face_sums.glsl), without and with sums of emission.
+// Words per base-level face (directional/face_sums.glsl), without and with sums of emission.
 #define VCT_FACE_WORDS 6u
 #define VCT_EMISSIVE_FACE_WORDS 9u
-// A texel of the index of occupied voxels: a bit for each face that is not empty, and above them the place of the
+// A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// The gather (directional/face_irradiance.glsl): sums over all faces, for three steps in turn; and bricks of texels, one
-// for each face that is not empty of the level whose voxels are blocks of 4^3, with a border for the filter.
-#define VCT_LIGHT_SUMS 20u
-#define VCT_LIGHT_HEADER 60u  // words: three such steps
+// The gather (directional/face_irradiance.glsl).
+#define VCT_LIGHT_SUMS 20u    // words of the sums over all faces in a step
+#define VCT_LIGHT_HEADER 60u  // words of the sums of three steps
+// Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
-#define VCT_BRICK_SIDE 4  // 2^VCT_BRICK_LEVEL
-#define VCT_BRICK_TEXELS 6
-#define VCT_CONES_OF_CREASES 4    // that a face looks into in a step, at least, where something is near
-#define VCT_STEPS_OF_NEW 6.0      // that a face counts as having seen when it has gathered for the first time
-#define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed point of the sums over the up to 64 faces of a block
-#define VCT_MAX_GROUPS 65535u  // GL_MAX_COMPUTE_WORK_GROUP_COUNT is at least that (ES 3.1 table 20.45)
+#define VCT_BRICK_SIDE 4            // 2^VCT_BRICK_LEVEL voxels
+#define VCT_BRICK_TEXELS 6          // the voxels and a border for the filter
+#define VCT_MIN_CREASE_CONES 4      // minimum number of cones per step of a face near other surfaces
+#define VCT_INITIAL_HISTORY 6.0     // history length of a face after its first step
+#define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
+#define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
 // Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to E/pi
 // (E: irradiance of a surface that faces the light), so that 8 bits serve any light.
 struct FrameUniforms {
     mat4 clipFromVolume;
-    mat4 volumeFromWindow;  // pixels, and depth as the depth buffer has it
-    mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
-    vec4 eye;               // xyz: volume space
-    vec4 towardsLight;      // xyz: unit length
-    vec4 lightColor;        // rgb: largest component 1
-    vec4 skyRadiance;       // rgb: relative to E/pi, where it is the same in all directions (shared/sky.glsl)
-    vec2 shadowConeRadius;     // of the sun's cone in the shadow map, at one unit of its depth
-    float shadowConeSine;      // of half the cone's angle
-    float aoDistance;          // of the volume's side
-    float faceSumUnits;        // fixed-point units of a whole face (directional/face_sums.glsl)
-    float largestSky;          // bound of the irradiance that the sky gives a surface, relative to E/pi
-    float largestBounceShare;  // of the light, that a bounce passes on
+    mat4 volumeFromWindow;     // from pixels and the depth buffer's depth
+    mat4 shadowFromVolume;     // texture coordinates and depth, all in [0, 1]
+    vec4 eye;                  // xyz: volume space
+    vec4 directionToLight;     // xyz: unit length
+    vec4 lightColor;           // rgb: largest component 1
+    vec4 skyRadiance;          // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
+    vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
+    float shadowConeSine;      // sine of half the cone's angle
+    float aoDistance;          // in sides of the volume
+    float faceSumUnits;        // fixed-point units of a fully covered face (directional/face_sums.glsl)
+    float largestSky;          // upper bound of irradiance by the sky, relative to E
+    float largestBounceShare;  // upper bound of the share of light that a bounce reflects
     int gridSide;              // voxels along a side, a power of two
-    float emissionRange;       // what the sums of emission store as 1, relative to E/pi
+    float emissionRange;       // emission that the sums store as 1, relative to E/pi
     float unused0, unused1, unused2;
 };
 
-// A light besides the sun (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h).
+// A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the
+// volume.
 struct PunctualLightUniforms {
-    vec4 place;      // xyz: volume space, w: 1; of a directional light the unit vector towards it, and 0
-    vec4 backwards;  // xyz: unit length, against its axis; w: 1 / range^2, or 0, lengths in sides of the volume
-    vec4 intensity;  // rgb: irradiance, at the distance 1, of a surface that faces it, relative to the sun's E
-    vec4 cone;       // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
-                     // z: radius, in sides of the volume; of a directional light the tangent of half its angle
-    ivec4 maps;      // x: the first of its shadow maps, y: how many, 1 or the 6 of a cube
+    vec4 position;   // xyz: position in volume space, w: 1; directional: unit vector towards the light, w: 0
+    vec4 backwards;  // xyz: unit vector against the light's axis; w: 1 / range^2, or 0 without a range
+    vec4 intensity;  // rgb: irradiance of a surface that faces it at distance 1, relative to the sun's E
+    vec4 cone;   // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
+                 // z: radius; directional: tangent of half its opening angle
+    ivec4 maps;  // x: index of its first shadow map, y: number of maps, 1 or 6 (a cube)
 };
-// A shadow map of one of them: the layer with its index in the texture that all share.
+// A shadow map of a punctual light. Its index is its layer in the texture of all maps.
 struct LightMap {
     mat4 mapFromVolume;  // projective: coordinates in the layer, and depth, all in [0, 1]
-    // At the distance w = 1: x: depth that is a quarter of a texel wide; there it falls with 1 / w. y: depth that the
-    // volume's side has; it falls with 1 / w^2.
+    // Differences of depth at the distance w = 1. x: for a length of a quarter of a texel; proportional to
+    // 1/w. y: for the length of the volume's side; proportional to 1/w^2.
     vec4 depth;
 };
 struct PunctualLightBlock {
-    ivec4 count;  // x: of the lights that are on
+    ivec4 count;  // x: number of lights that are on
     PunctualLightUniforms light[VCT_MAX_PUNCTUAL_LIGHTS];
     LightMap map[VCT_MAX_LIGHT_MAPS];
 };
 
-// A part of a lamp (jni/engine/emitters.h). Lengths and areas in sides of the volume.
+// A part of a compact emitter (jni/engine/emitters.h). Lengths and areas in sides of the volume.
 struct EmitterPartUniforms {
-    vec4 place;     // xyz: its middle, volume space; w: its radius
-    vec4 facing;    // xyz: the sum of its triangles' normals, as long as they are large; w: see seenArea() in shared/emitters.glsl
-    vec4 side;      // xyz: half of one side of the rectangle that it is nearly; zero where it is round
-    vec4 radiance;  // rgb: relative to E/pi; w: how far before its middle cones towards it end
+    vec4 position;  // xyz: middle, volume space; w: radius
+    vec4 facing;    // xyz: sum of the triangles' normals, each as long as its area; w: see projectedArea()
+    vec4 side;      // xyz: half a side of the rectangle that fits the part; zero if it is round
+    vec4 radiance;  // rgb: relative to E/pi; w: distance from the middle at which cones end
 };
 struct EmitterBlock {
-    ivec4 count;  // x: of parts
+    ivec4 count;  // x: number of parts
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
 };
 
 // The ranges of the directional voxels in a light step, relative to E/pi (directional/choose_range.comp).
 struct FaceRange {
-    float radiance;  // what the faces' 8 bits store as 1
-    float sums;      // what the integer sums over all faces count as 1
+    float radiance;  // radiance that the faces' 8 bits store as 1
+    float sums;      // value that the integer sums over faces store as 1
     float unused0, unused1;
 };
 
-// One step of the received light towards its final value (jni/engine/directional/irradiance.h).
+// One step of the gather (jni/engine/directional/gather_schedule.h).
 struct LightStep {
-    uint frame;          // counts steps
-    uint direction;      // the first of the set that a step without a budget looks into
-    uint cones;          // how many
-    uint conesOfNew;     // of a face that has received nothing yet
-    uint beginsRound;    // 1 where this step is the first of a round
-    uint bricksAlong;    // of the texture of bricks, along x and y
-    float shareInRound;  // of a step; 0 outside of rounds
-    float memory;        // most steps that a face's mean remembers
-    float inherited;     // most steps that a new face takes over from its neighbours' history
-    float towardsBalance;  // the share of the way to the balance of all faces' light that a step makes good
-    float reflected;     // gain of what faces send on, or 0 for the first bounce alone
-    float amplitude;     // the share that the step before had in the means
-    float sumUnits;      // fixed point of the sums
-    uint blockSums;      // word of the received light where the blocks' sums begin
-    float smoothing;     // how much of a face's light may be its block's, 0..1
-    float leastHistory;  // history length that every face has after the step: long where the light has converged
-    uint coneBudget;     // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
-    uint chosenFaces;    // word of the face irradiance where the list of the faces that gather begins
+    uint frame;                 // number of the step
+    uint direction;             // index of the first direction, if the step has no budget
+    uint cones;                 // per face
+    uint initialCones;          // per face without a history
+    uint beginsRound;           // 1 if the step is the first of a round
+    uint bricksAlong;           // bricks along x and y of their texture
+    float roundShare;           // weight of the step in its round; 0 outside of rounds
+    float maxHistory;           // maximum history length, in steps
+    float maxInheritedHistory;  // maximum history length that a new face takes over from other faces
+    float energyCorrection;     // share of the global energy correction that the step applies
+    float bounceGain;           // gain of the light that faces reflect; 0: the first bounce only
+    float amplitude;            // weight that the previous step had in the histories
+    float sumUnits;             // fixed-point units of 1 in the sums over all faces
+    uint blockSums;             // word of the irradiance buffer where the blocks' sums begin
+    float smoothing;            // maximum weight of the block's mean in a face's irradiance, 0..1
+    float minHistory;           // minimum history length after the step; large once the light has converged
+    uint coneBudget;   // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
+    uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     uint unused0, unused1;
 };
 
@@ -316,7 +315,8 @@ struct DrawUniforms {
     mat4 normalFromObject;  // upper 3x3: inverse transpose
     vec4 baseColor;
     vec4 emissive;  // rgb: relative to E/pi; w: scale of the normal map's x and y
-    vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness, w: 1, or 0 where voxels leave its emission to jni/engine/emitters.h
+    vec4 surface;   // x: alpha cutoff, y: metallic, z: roughness, w: 0 for a compact emitter, whose emission
+                    // is not in the voxels, else 1
 };
 
 // A vertex before its mesh is deformed, in the mesh's space.
@@ -325,37 +325,38 @@ struct DeformSource {
     uint joints01;  // 16 bits each
     vec3 normal;
     uint joints23;
-    vec4 weights;  // of the four joints
+    vec4 weights;  // one per joint
 };
 
-// One list of voxels and, for directional voxels, of their faces: how many there are, the indirect dispatches over them, and
-// where the entries are. Counts include what found no room in a list, so that an overflow can be reported with the capacity
-// that would be needed.
+// One list of voxels and, for directional voxels, of their faces: counts, indirect dispatches, and the
+// positions of the entries. Counts include entries that did not fit, so that an overflow is reported with the
+// needed capacity.
 struct LevelCommands {
     uint voxelCount;
     uint groupsX;  // DispatchIndirectCommand over voxels
     uint groupsY;
     uint groupsZ;
-    uint firstEntry;  // of this level, in entries of the list
-    uint capacity;    // of this level, in entries
+    uint firstEntry;  // position of the list, in entries
+    uint capacity;    // in entries
     // Directional voxels only (directional/face_lists.glsl).
     uint faceGroupsX;  // DispatchIndirectCommand over faces
     uint faceGroupsY;
     uint faceGroupsZ;
     uint faceCount;
-    uint firstFace;     // of the list, in words of the buffer of faces
+    uint firstFace;  // position of the face list, in words of the buffer of faces
     uint faceCapacity;
-    uint firstId;       // of its first face, at the base level: where the face's words are
-    uint firstMask;     // of the level's bits of faces that are not empty, in words of the buffer; 0 at the base level
-    // Counts of the static geometry alone, to which the lists return for each pose.
+    uint firstId;    // id of the list's first face; base level only
+    uint firstMask;  // position of the bits of occupied faces, in words; 0 at the base level
+    // Counts of the static geometry. The lists return to these counts for each pose.
     uint staticVoxels;
     uint staticFaces;
 };
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
-    uint dynamicList;  // the list of the dynamic objects in their present pose
-    // The last injection of light measured the largest radiance that a face was to store, and the largest irradiance of a
-    // face: bits of floats, which have the order of integers from 0 on.
+    uint dynamicList;  // list of the dynamic objects in the present pose
+    // The largest radiance and the largest irradiance of a face in the last injection of light. They are the
+    // bits of floats, because non-negative floats have the same order as their bits and atomicMax() needs
+    // integers.
     uint largestRadiance, largestIrradiance;
     uint unused0;
 };
@@ -368,8 +369,8 @@ VCT_FUNCTION uvec3 unpackEntry(uint entry) {
     return uvec3(entry >> 21, (entry >> 10) & 0x7FFu, entry & 0x3FFu);
 }
 
-// Entry of the list of faces: face 3 bits, x 9, y 9, z 9. A dynamic face whose voxel has the same face of the static
-// geometry is marked as merged: the static face has the light of both.
+// Entry of a face list: face 3 bits, x 9, y 9, z 9. A dynamic face is marked as merged if the voxel has the
+// same face in the static geometry. The static face then has the light of both.
 #define VCT_MERGED_FACE 0x80000000u
 VCT_FUNCTION uint packFace(uvec3 voxel, uint face) {
     return (face << 27) | (voxel.x << 18) | (voxel.y << 9) | voxel.z;
@@ -381,7 +382,8 @@ VCT_FUNCTION uint unpackFace(uint entry) {
     return (entry >> 27) & 7u;
 }
 
-// Where a brick of received light lies in their texture, in bricks: a mark that it is one, and 10 bits each.
+// Location of a brick of irradiance in its texture, in bricks: 10 bits per coordinate, and a bit that is
+// always set.
 VCT_FUNCTION uint packBrick(uvec3 brick) {
     return 0x80000000u | (brick.x << 20) | (brick.y << 10) | brick.z;
 }
@@ -403,11 +405,10 @@ VCT_FUNCTION uint voxelCount(uint word) {
 VCT_FUNCTION uvec3 voxelColor(uint word) {
     return uvec3((word >> 16) & 0xFFu, (word >> 8) & 0xFFu, word & 0xFFu);
 }
-#define VCT_BASE_COUNT 8u     // count of a base-level voxel, so that the first mip is no special case
-#define VCT_COLOR_STEPS 31u   // colour of one child in its parent: 0..31, eight of which fit 8 bits
-
-// What a voxel adds to its parent (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c), where c is its
-// colour normalised by its count, i.e. floor(colour / count).
+#define VCT_BASE_COUNT 8u    // count of a base-level voxel, so that the first mip is no special case
+#define VCT_COLOR_STEPS 31u  // colour of one child in its parent: 0..31; the sum of eight fits 8 bits
+// The word that a voxel adds to its parent's (thesis 4.5): count 1; light by eq. 4.5; colour floor(31 c).
+// Here c is the voxel's colour normalised by its count, so the result is floor(colour / count).
 VCT_FUNCTION uint childContribution(uint word) {
     uint count = voxelCount(word);
     uint light = voxelLight(word) > (count >> 1) ? 1u : 0u;

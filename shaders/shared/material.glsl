@@ -1,6 +1,6 @@
-// The surface under a fragment. What its material does not have costs nothing: VCT_BASE_COLOR_TEXTURE,
-// VCT_EMISSIVE_TEXTURE, VCT_VERTEX_COLORS and VCT_UNLIT are defined where there is one, and VCT_ALPHA_MASK, VCT_EMISSIVE and VCT_DOUBLE_SIDED are true or
-// false.
+// The material of a fragment. Features that a material does not have cost nothing: VCT_BASE_COLOR_TEXTURE,
+// VCT_EMISSIVE_TEXTURE, VCT_VERTEX_COLORS and VCT_UNLIT are defined only if it has them. VCT_ALPHA_MASK,
+// VCT_EMISSIVE and VCT_DOUBLE_SIDED are true or false.
 #include "shared/draw.glsl"
 
 const bool materialHasHoles = VCT_ALPHA_MASK;
@@ -42,7 +42,7 @@ vec4 vertexColorFactor() {
 }
 #endif
 
-// An unlit surface shows its base colour, and neither receives light nor sends any.
+// An unlit surface shows its base colour. It neither receives light nor sends any to other surfaces.
 #ifdef VCT_UNLIT
 const bool materialIsUnlit = true;
 #else
@@ -54,7 +54,7 @@ vec4 materialBaseColor() {
     return draw.baseColor * baseColorFactor() * vertexColorFactor();
 }
 
-// Whether an alpha-masked surface has a hole here.
+// True if an alpha-masked surface has a hole here.
 bool materialIsHole(float alpha) {
     return materialHasHoles && alpha < draw.surface.x;
 }

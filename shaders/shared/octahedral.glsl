@@ -13,7 +13,8 @@ vec3 decodeNormal(uvec2 code) {
     return normalize(n);
 }
 
-// A unit normal, or +Y where interpolation or a degenerate triangle left nothing to normalise: never NaN.
+// Returns a unit normal, or +Y for a zero vector, which interpolation or a degenerate triangle can give.
+// Never NaN.
 vec3 safeNormalize(vec3 v) {
     float squared = dot(v, v);
     return squared > 1e-20 ? v * inversesqrt(squared) : vec3(0.0, 1.0, 0.0);

@@ -1,5 +1,5 @@
-// A right-handed frame around a normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). Columns: tangent,
-// normal, bitangent.
+// A right-handed frame around a normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+// Columns: tangent, normal, bitangent.
 mat3 frameAround(vec3 n) {
     float s = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);

@@ -1,5 +1,6 @@
-// Lights besides the sun: directional, point and spot (glTF's KHR_lights_punctual). Each has a shadow map, points six of them,
-// in layers of one texture; an edge of a shadow is as sharp as the map, or, with VCT_SOFT_LIGHTS, as the light's size leaves it.
+// Punctual lights: directional, point and spot (glTF's KHR_lights_punctual), and their shadow maps (layers of
+// one texture, six for a point light). Edges of shadows are one texel wide, or have penumbrae with
+// VCT_SOFT_LIGHTS.
 #include "shared/shadow.glsl"
 #include "shared/orthonormal.glsl"
 
@@ -10,23 +11,24 @@ layout(binding = VCT_TEX_LIGHT_MAPS) uniform highp sampler2DArray lightMaps;
 
 struct LightAt {
     vec3 towards;     // unit length
-    vec3 irradiance;  // of a surface that faces it and sees it, relative to the sun's E
+    vec3 irradiance;  // on a surface that faces the light, without shadow, relative to the sun's E
 };
 
-// The extension's attenuation by distance, range and cone.
+// Evaluates a light at a position in volume space: attenuation by distance, range and cone, as in the
+// extension.
 LightAt lightAt(int i, vec3 position) {
     PunctualLightUniforms light = punctual.light[i];
-    vec3 offset = light.place.xyz - position * light.place.w;
+    vec3 offset = light.position.xyz - position * light.position.w;
     float squared = max(dot(offset, offset), 1e-12);
     vec3 towards = offset * inversesqrt(squared);
     float share = squared * light.backwards.w;
     float window = clamp(1.0 - share * share, 0.0, 1.0);
     float cone = clamp(dot(towards, light.backwards.xyz) * light.cone.x + light.cone.y, 0.0, 1.0);
-    // What halves can hold: a light may touch a surface.
+    // A light may touch a surface, so the result is limited to the range of half floats.
     return LightAt(towards, min(light.intensity.rgb * (window * cone * cone / squared), 6e4));
 }
 
-// Which of a cube's six maps a direction from the light meets: +x, -x, +y, -y, +z, -z.
+// Index of the cube's map that shows a direction from the light: +x, -x, +y, -y, +z, -z.
 int cubeFace(vec3 direction) {
     vec3 along = abs(direction);
     int axis = along.x >= along.y && along.x >= along.z ? 0 : along.y >= along.z ? 1 : 2;
@@ -37,19 +39,22 @@ int cubeFace(vec3 direction) {
 #include "passes/soft_lights.glsl"
 #endif
 
-// The overload in shared/shadow.glsl, in a layer of the maps.
-float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack, float contact) {
+// As shadowFootprintLight() in shared/shadow.glsl, for a layer of the maps.
+float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, vec2 slope, float slack,
+                           float contact) {
     vec2 size = vec2(textureSize(maps, 0).xy);
-    ShadowFootprint four =
-        shadowFootprint(textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
+    ShadowFootprint four = shadowFootprint(
+        textureGather(maps, vec3(footprintCorner(receiver.xy, size), layer)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
-    vec2 next = nextOfFootprint(four, slope);
-    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope, slack, contact);
+    vec2 next = tieBreakTexel(four, slope);
+    return edgeLight(four, next, textureLod(maps, vec3((next + 0.5) / size, layer), 0.0).r, receiver, slope,
+                     slack, contact);
 }
 
-// 0 where something is between the light and a surface, 1 where it is seen; between them at the shadow's edge, a texel wide.
-// As shadowMapLightOn(), with a plane's slope in a map that is projective. `slackShare`: flatSlack to curvedSlack.
+// Visibility of a light from a surface: 0 in shadow, 1 in light, and values between them at the edge of the
+// shadow. As shadowMapLightOn() in shared/shadow.glsl, but for a projective map. `slackShare`: flatSlack to
+// curvedSlack.
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
     ivec4 maps = punctual.light[i].maps;
     int layer = maps.x + (maps.y > 1 ? cubeFace(-towards) : 0);
@@ -57,7 +62,7 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     vec4 projected = map.mapFromVolume * vec4(position, 1.0);
     float perW = 1.0 / projected.w;
     vec3 receiver = projected.xyz * perW;
-    // Two steps along the surface, in the map; from them what its plane gains in depth along the map's axes.
+    // The images of two tangents in the map give the slope of the surface's plane: depth per map coordinate.
     mat3 surface = frameAround(normal);
     vec4 stepA = map.mapFromVolume * vec4(surface[0], 0.0);
     vec4 stepB = map.mapFromVolume * vec4(surface[2], 0.0);
@@ -65,30 +70,32 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     vec3 b = stepB.xyz - receiver * stepB.w;
     float area = a.x * b.y - a.y * b.x;
     vec2 slope = vec2(a.z * b.y - b.z * a.y, b.z * a.x - a.z * b.x) / (abs(area) > 1e-20 ? area : 1e-20);
-    // As steep as a surface that the light meets at less than a degree.
+    // The slope is limited to that of a surface that the light meets at less than a degree.
     float texel = map.depth.x * perW;
     slope = clamp(slope / vec2(textureSize(lightMaps, 0).xy), -256.0 * texel, 256.0 * texel);
-    const float roundedPosition = 1e-4;  // in sides of the volume: one from a G-buffer, of a near wall in a map
+    const float roundedPosition = 1e-4;  // error of a position from the G-buffer, in sides of the volume
     const float roundedDepth = 1e-6;
     float rounding = roundedPosition * map.depth.y * perW * perW + roundedDepth;
     float slack = slackShare * (abs(slope.x) + abs(slope.y) + texel) + rounding;
     float hard = max(shadowFootprintLight(lightMaps, layer, receiver, slope, slack, 2.0), 0.0);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
-    return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w, nearest);
+    return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w,
+                          nearest);
 #else
     return hard;
 #endif
 }
 
-// Irradiance of a surface by all of them, relative to the sun's E.
+// Irradiance of a surface by all punctual lights, relative to the sun's E.
 vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
         float cosine = dot(normal, light.towards);
         if (cosine <= 0.0 || light.irradiance == vec3(0.0)) continue;
-        sum += light.irradiance * (cosine * punctualVisibility(i, position, normal, light.towards, slackShare));
+        sum +=
+            light.irradiance * (cosine * punctualVisibility(i, position, normal, light.towards, slackShare));
     }
     return sum;
 }

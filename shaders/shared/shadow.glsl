@@ -1,62 +1,65 @@
-// The shadow map's answer: how much of the directional light reaches a point.
+// Look-ups in the sun's shadow map: the share of the sun's light that reaches a point.
 #include "shared/frame.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 
-// 0 in shadow, 1 in light; between them where the four taps of the hardware's percentage-closer filter differ.
-// Bias by the thesis's eq. 4.1-4.3, in units of the depth range, with tan(acos x) written as sqrt(1 - x^2) / x
-// so that it stays finite at grazing light.
+// The thesis's shadow: 0 in shadow, 1 in light, and values between them if the four taps of the hardware's
+// percentage-closer filter differ. The bias is eq. 4.1-4.3, in units of the depth range, with tan(acos x)
+// written as sqrt(1 - x^2) / x, so that it stays finite at grazing light.
 float shadowMapLight(vec3 positionVolume, float cosTheta) {
-    const float slopeBias = 0.005;   // thesis eq. 4.2
-    const float largestBias = 0.01;  // thesis eq. 4.3
-    // Where the light is perpendicular the slope is 0, and rounding alone would shade the surface by itself.
-    const float smallestBias = 1e-4;
+    const float slopeBias = 0.005;  // thesis eq. 4.2
+    const float maxBias = 0.01;     // thesis eq. 4.3
+    // At perpendicular light the slope is 0, and rounding would make the surface shadow itself.
+    const float minBias = 1e-4;
     float slope = sqrt(max(1.0 - cosTheta * cosTheta, 0.0)) / max(cosTheta, 1e-4);
-    float bias = clamp(slopeBias * slope, smallestBias, largestBias);
+    float bias = clamp(slopeBias * slope, minBias, maxBias);
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     return texture(shadowMap, vec3(shadow.xy, shadow.z - bias));
 }
 
-// The same where the receiver's plane is known. A bias lifts the receiver over what touches it: along the creases of a room
-// whose walls have no thickness the sun would shine in, as wide as the bias and as a texel, beyond whose half there is no
-// wall any more. So each of the filter's four texels is compared with the plane where the texel is, and is nearer than the
-// surface, farther, or the surface itself. Texels that are farther look past the surface's border, and know nothing of it.
-layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D shadowDepth;  // the same map, not compared
+// The following functions know the receiver's plane and need no bias. With a bias, light would leak in along
+// the creases of a room with walls of no thickness. Each of the filter's four texels is compared with the
+// plane at the texel's own position. It is nearer to the light than the surface, or farther, or the surface
+// itself. A farther texel lies beyond the border of the surface and tells nothing about its shadow.
+layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D shadowDepth;  // the map without comparison
 
-// A surface may be off its plane by this share of a texel, and of what the plane rises from a texel to its diagonal
-// neighbour: corners are rounded to the rasterizer's grid. A curved one is drawn flat, has the normals of a round one and
-// needs more; on flat walls as much would take what touches them for the wall.
+// Tolerance for a surface's depth in the map around its plane, as a share of a texel and of the plane's rise
+// between diagonal neighbours, because the rasterizer rounds corners. A curved surface is drawn with flat
+// triangles but has the normals of a round one, and needs more. For flat walls more would hide objects that
+// touch them.
 const float flatSlack = 0.25;
 const float curvedSlack = 1.0;
-const float depthRounding = 3e-5;  // of the depth range: half a step of 16 bits, and a position from a G-buffer
+const float depthRounding = 3e-5;  // depth error: half a step of 16 bits, and a position from the G-buffer
 
-// What the receiver's plane gains in depth per texel.
+// The slope of the receiver's plane: depth per texel.
 vec2 shadowSlope(vec3 normal) {
-    // Rows of the matrix are the map's axes, each over its length: normals go by the inverse transpose.
+    // Normals transform by the inverse transpose: the rows of the matrix, each divided by its squared length.
     mat3 axes = transpose(mat3(frame.shadowFromVolume));
-    vec3 plane = vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
-                      dot(axes[2], normal) / dot(axes[2], axes[2]));
-    const float steepest = 64.0;  // depth per length across the map: the light less than a degree above the surface
+    vec3 plane =
+        vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
+             dot(axes[2], normal) / dot(axes[2], axes[2]));
+    const float steepest = 64.0;  // depth per map width: the sun is less than a degree above the surface
     return clamp(-plane.xy / plane.z, -steepest, steepest) / vec2(textureSize(shadowDepth, 0));
 }
 
-// The four texels of a filter's footprint in a map, beside the receiver's plane. Vectors of four begin at (0, 1) and go
-// counter-clockwise, as textureGather() orders its texels.
+// The four texels of a bilinear filter, compared with the receiver's plane. The components of a vec4 are in
+// the order of textureGather(): they begin at (0, 1) and go counter-clockwise.
 struct ShadowFootprint {
-    vec2 texel;     // the receiver in the map, in texels
-    vec2 corner;    // the first of the four
-    vec4 above;     // depth of the map over that of the plane
-    vec4 blocked;   // 1: nearer to the light than the surface
-    float blockers;
-    float closest;  // the least of `above`
+    vec2 texel;      // position of the receiver, in texels
+    vec2 corner;     // position of the first of the four texels
+    vec4 above;      // depth in the map minus depth of the plane
+    vec4 blocked;    // 1: the texel is nearer to the light than the surface
+    float blockers;  // sum of `blocked`
+    float closest;   // minimum of `above`
 };
 
-// Texture coordinates for textureGather(): at the corner that the four texels share no rounding chooses others.
+// Texture coordinates for textureGather(): the corner that the four texels share, so that rounding cannot
+// select other texels.
 vec2 footprintCorner(vec2 receiver, vec2 size) {
     return (floor(receiver * size - 0.5) + 1.0) / size;
 }
 
-// A footprint's four values between its texels, as a bilinear filter has them.
+// Bilinear interpolation of a footprint's four values.
 float filterFootprint(vec4 four, vec2 f) {
     return mix(mix(four.w, four.z, f.x), mix(four.x, four.y, f.x), f.y);
 }
@@ -71,7 +74,8 @@ ShadowFootprint shadowFootprint(vec4 depths, vec3 receiver, vec2 size, vec2 slop
                            min(min(above.x, above.y), min(above.z, above.w)));
 }
 
-// The footprint's light if all four texels agree. At an edge of the shadow or of the surface they do not.
+// The light of the receiver if all four texels agree, else footprintAtEdge: the receiver is at an edge of the
+// shadow or of the surface.
 const float footprintAtEdge = 2.0;
 float footprintLight(ShadowFootprint four, float slack, float contact) {
     if (all(lessThan(abs(four.above), vec4(slack)))) return 1.0;
@@ -79,36 +83,38 @@ float footprintLight(ShadowFootprint four, float slack, float contact) {
     return footprintAtEdge;
 }
 
-// In a crease the edges of the shadow and of the surface are one: beyond the shadow there is no surface, and down the surface
-// from its border there is no light. One texel more tells: this one.
-vec2 nextOfFootprint(ShadowFootprint four, vec2 slope) {
+// In a crease the edge of the shadow is also an edge of the surface. Such an edge is recognized by one more
+// texel, on the other side of the edge. This returns its position.
+vec2 tieBreakTexel(ShadowFootprint four, vec2 slope) {
     vec4 blocked = four.blocked;
     vec2 aside = sign(four.blockers > 0.0 ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope);
     return mix(floor(four.texel + 0.5), four.corner + 0.5 + 1.5 * aside, abs(aside));
 }
 
-float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack, float contact) {
+float edgeLight(ShadowFootprint four, vec2 next, float nextDepth, vec3 receiver, vec2 slope, float slack,
+                float contact) {
     float nextAbove = nextDepth - receiver.z - dot(slope, next - four.texel);
     bool crease = four.blockers > 0.0 ? nextAbove > slack : nextAbove < -slack;
     if (crease && min(four.closest, nextAbove) > -contact) return -1.0;
     return 1.0 - filterFootprint(four.blocked, four.texel - four.corner);
 }
 
-// The light of a receiver in a map: texture coordinates and depth. `slope`: the depth that its plane gains per texel; `slack`:
-// how far a texel's depth may be off that plane and still be the surface itself. -1: no part of a sun is seen, because the
-// receiver is in a crease or the blockers of all of the footprint are no farther than `contact` (depth).
+// The light of a receiver (texture coordinates and depth in a map). `slope`: depth of its plane per texel.
+// `slack`: tolerance in depth for texels of the surface itself. Returns -1 if no part of the sun can be
+// visible: the receiver is in a crease, or all texels block the light within the depth `contact`.
 float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float slack, float contact) {
     vec2 size = vec2(textureSize(map, 0));
     ShadowFootprint four =
         shadowFootprint(textureGather(map, footprintCorner(receiver.xy, size)), receiver, size, slope, slack);
     float light = footprintLight(four, slack, contact);
     if (light != footprintAtEdge) return light;
-    vec2 next = nextOfFootprint(four, slope);
-    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack, contact);
+    vec2 next = tieBreakTexel(four, slope);
+    return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack,
+                     contact);
 }
 
-// Of the four texels around a receiver, how many are its own surface, and how many block the light. The others are farther:
-// they look past the surface's border, and tell nothing of it.
+// The number of texels around a receiver that show its own surface, and the number of texels that block the
+// light. The others are farther: they lie beyond the border of the surface and tell nothing about its shadow.
 vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
     vec2 size = vec2(textureSize(map, 0));
     ShadowFootprint four =
@@ -116,16 +122,16 @@ vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
     return vec2(dot(vec4(lessThan(abs(four.above), vec4(slack))), vec4(1.0)), four.blockers);
 }
 
-// The depth by which a texel may be off the receiver's plane and still be its own surface. `slackShare`: flatSlack to
-// curvedSlack.
+// The tolerance in depth for texels of the receiver's own surface. `slackShare`: flatSlack to curvedSlack.
 float sunSlack(vec2 slope, float slackShare) {
-    // The depth range is no shorter than the map is wide.
+    // The depth range is at least as long as the map is wide.
     float texel = 0.25 / float(textureSize(shadowDepth, 0).x);
     return slackShare * (abs(slope.x) + abs(slope.y) + texel) + depthRounding;
 }
 
+// The share of the sun's light that reaches a surface: 0 in shadow, 1 in light, with hard edges.
 float shadowMapLightOn(vec3 positionVolume, vec3 normal, float slackShare) {
-    if (dot(normal, frame.towardsLight.xyz) <= 0.0) return 0.0;
+    if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
     vec2 slope = shadowSlope(normal);

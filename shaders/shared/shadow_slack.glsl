@@ -1,6 +1,7 @@
-// Whether the surface under a pixel is flat or curved, for the shadow map's look-up (shared/shadow.glsl). Across a crease
-// normals jump, a component of them by 0.8 where it is one of 90 degrees; the least change is that of their 16 bits. Call it
-// before any branch: derivatives need the whole quad.
+// The tolerance of the shadow map's look-up (shared/shadow.glsl) for the surface under a pixel: curved if the
+// normal changes from pixel to pixel. Smaller changes are rounding of 16 bits; larger ones are creases,
+// at which a component jumps by 0.8 if they have 90 degrees. Call it before any branch, because derivatives
+// need the whole quad.
 #include "shared/shadow.glsl"
 
 float shadowSlack(vec3 normal) {

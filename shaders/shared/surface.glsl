@@ -9,19 +9,19 @@ float surfaceDepth(ivec2 pixel) {
     return texelFetch(depthTarget, pixel, 0).r;
 }
 
-// Volume space. `window`: gl_FragCoord's.
+// Position in volume space. `window`: gl_FragCoord.xy.
 vec3 surfacePosition(vec2 window, float depth) {
     vec4 p = frame.volumeFromWindow * vec4(window, depth, 1.0);
     return p.xyz / p.w;
 }
 
-// As normal maps have it: what light on the surface depends on.
+// The normal for shading, with the normal map.
 vec3 surfaceNormal(ivec2 pixel) {
     return decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
 }
 
-// Of the geometry: what shadow maps and voxels, which know of no normal map, are looked up with.
-// `mapped`: surfaceNormal().
+// The geometric normal, for look-ups in shadow maps and voxels, which have no normal maps. `mapped`:
+// surfaceNormal().
 #ifdef VCT_MAPPED_NORMALS
 vec3 geometryNormal(ivec2 pixel, vec3 mapped) {
     return decodeNormal(texelFetch(normalTarget, pixel, 0).ba);

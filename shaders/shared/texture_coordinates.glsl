@@ -1,4 +1,4 @@
-// Passes on what the material's textures are read at, and the vertices' colours, where it has any.
+// Passes the texture coordinates and the vertex colours that the material needs to the next stage.
 #include "shared/layout.h"
 
 #ifdef VCT_BASE_COLOR_TEXTURE

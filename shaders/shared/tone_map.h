@@ -1,7 +1,7 @@
-// Khronos' PBR neutral tone mapper, written once for the app's shader and for the PNGs of the program: "Khronos PBR
-// Neutral Tone Mapper Specification" (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral). Base colours up to 0.8
-// come out as they are, but for the 0.04 that a dielectric's reflection of white surroundings adds to them; what is
-// brighter is pressed below 1 and loses its colour by and by.
+// Khronos' PBR neutral tone mapper, shared by the app's shader and the command line's PNG files: "Khronos PBR
+// Neutral Tone Mapper Specification" (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral). Colours up
+// to 0.8 only lose the 0.04 that a dielectric's reflection of white surroundings adds to them. Brighter ones
+// are compressed below 1 and become less saturated.
 #ifndef VCT_SHARED_TONE_MAP_H
 #define VCT_SHARED_TONE_MAP_H
 
@@ -15,13 +15,13 @@ using glm::mix;
 using glm::vec3;
 #endif
 
-// Linear, from 0 on, in and out; 0 to 1 comes out.
+// Input: linear RGB, not negative. Output: linear RGB in 0..1.
 VCT_FUNCTION vec3 neutralToneMapped(vec3 color) {
     const float reflected = 0.04;               // F90 of the specification
     const float pressedFrom = 0.8 - reflected;  // Ks
     const float desaturation = 0.15;            // Kd
     float least = min(color.x, min(color.y, color.z));
-    // 6.25 = 1 / (4 reflected): the curve is smooth where it meets the constant.
+    // 6.25 = 1 / (4 reflected) makes the transition to the constant smooth.
     float offset = least < 2.0 * reflected ? least - 6.25 * least * least : reflected;
     color -= vec3(offset);
     float peak = max(color.x, max(color.y, color.z));

@@ -1,5 +1,5 @@
-// Everything that the fragment shader needs, in volume space; projected too where the triangles of a draw call share
-// an axis (VCT_SORTED_AXES), and no geometry shader has to find it out.
+// Transforms vertices to volume space for voxelization. With VCT_SORTED_AXES the triangles of a draw call
+// share an axis, so this shader also projects them; otherwise a geometry shader does.
 #ifndef VCT_SORTED_AXES
 #define fragmentPosition vertexPosition
 #define fragmentNormal vertexNormal

@@ -42,7 +42,7 @@ struct Described {
         add({0.2F, 0.5F, 0.9F}, {0, 0, 0}, 1, {0.3, 0.4, 0}, {0.3, 0.4, 0.3});
         add({1, 1, 1}, {4, 3, 2}, 1, {-0.9, 0.1, 0.6}, {0.1, 0.1, 0.1});
         add({0.9F, 0.9F, 0.9F}, {0, 0, 0}, 0.4F, {0, 0.7, -1.2}, {1.2, 0.7, 0.1});
-        scene.sun.towardsSun = {0.4, 1, 0.5};
+        scene.sun.directionToSun = {0.4, 1, 0.5};
         scene.sun.illuminance = 3;
         scene.skyRadiance = {0.1F, 0.2F, 0.3F};
         loaded = load(file);

@@ -29,7 +29,7 @@ TEST_F(Embedded, ErrorsNameCauseAndRemedyWithoutOptionsOfTheProgram) {
             asked.options.sunVisibility = false;
     });
     expectError("cone angle", [](Asked& asked) { asked.scene.sun.diameterDegrees = 0; });
-    expectError("no length", [](Asked& asked) { asked.scene.sun.towardsSun = {0, 0, 0}; });
+    expectError("no length", [](Asked& asked) { asked.scene.sun.directionToSun = {0, 0, 0}; });
     expectError("sun's colour", [](Asked& asked) { asked.scene.sun.color = {0.5F, 0.5F, 0.5F}; });
     expectError("sky", [](Asked& asked) { asked.scene.skyRadiance[1] = -1; });
     expectError("no instances", [](Asked& asked) { asked.scene.instances.clear(); });

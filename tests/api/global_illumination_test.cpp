@@ -48,7 +48,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     const Image expected = readImage(program.folder.file("gi-cone-shadow.exr"));
 
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf(GetParam()));
-    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const Image picture = imageOf(pictures.radiance, light.radianceUnit());
     // The camera comes as two matrices, whose product differs in its last bits from that of the program.
     const Difference difference = compareImages(picture, expected, 0.002F);
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile"
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
     const View view = described_.view();
-    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::converged).radiance);
 
     const gl::Capabilities capabilities = gl::queryCapabilities();
     Settings settings = presetSettings("mobile");
@@ -93,7 +93,7 @@ TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
 TEST_F(Embedded, PartsMakeThePicture) {
     described_.camera = lookAt({0, 0.6, 1}, {0, 0, 1}, 40);
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::settled);
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const Image radiance = imageOf(pictures.radiance), irradiance = imageOf(pictures.irradiance),
                 visibility = imageOf(pictures.sunVisibility);
     const float cosine = 1.0F / std::sqrt(0.4F * 0.4F + 1.0F + 0.5F * 0.5F);
@@ -119,7 +119,7 @@ TEST_F(Embedded, WhatMovesIsSeenAtItsNewPlace) {
     EXPECT_NE(before.pixels, after.pixels);
 
     scene.instances[1].worldFromObject = moved;
-    scene.sun.towardsSun = {-0.4, 1, 0.5};
+    scene.sun.directionToSun = {-0.4, 1, 0.5};
     GlobalIllumination anew(getProcAddress, scene, optionsOf("mobile"));
     EXPECT_EQ(imageOf(anew.render(view).sunVisibility).pixels, after.pixels);
 }
@@ -149,7 +149,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
     described_.scene.instances[1].moves = true;
     {
         GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-        clean = imageOf(light.render(view, GlobalIllumination::Light::settled).radiance);
+        clean = imageOf(light.render(view, GlobalIllumination::Light::converged).radiance);
     }
     // As bad as a frame can leave it: each of these would spoil a pass.
     const gl::Texture target = gl::Texture::make2d("of the test", GL_RGBA8, 8, 8);
@@ -187,7 +187,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         light.resize(width + 1, height);
         light.resize(width, height);
         expectSame("resize()");
-        const Pictures pictures = light.render(view, GlobalIllumination::Light::settled);
+        const Pictures pictures = light.render(view, GlobalIllumination::Light::converged);
         expectSame("render()");
         GLint bound = -1;
         gl::ActiveTexture(GL_TEXTURE0 + VCT_TEX_G_NORMAL);
@@ -197,7 +197,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         light.setSun({1, 1, 1});
         light.setTransform(1, {});
         expectSame("setSun() and setTransform()");
-        light.setSun(described_.scene.sun.towardsSun);
+        light.setSun(described_.scene.sun.directionToSun);
         light.setTransform(1, described_.scene.instances[1].worldFromObject);
         EXPECT_THROW(light.resize(0, 0), Error);
         expectSame("an error");

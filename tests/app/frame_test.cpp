@@ -32,7 +32,7 @@ Image screenOf(const std::string& show, int width, int height, const std::string
 }
 
 // The largest difference of 8-bit values between what is shown and the linear picture in a file.
-long largestDifference(const Image& screen, const std::string& file) {
+long maxDifference(const Image& screen, const std::string& file) {
     const Image picture = readImage(file);
     if (screen.pixels.size() != picture.pixels.size()) return 256;
     long largest = 0;
@@ -57,7 +57,7 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/courtyard.glb --preset thesis --grid 64 --size 120x90 --out out --mode " +
                           mode);
-    EXPECT_EQ(largestDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
+    EXPECT_EQ(maxDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
 TEST(Frame, ReadsNothingOfTheWindowAndLeavesNoDepthInIt) {
@@ -93,7 +93,7 @@ TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
     program.expectSuccess("render '" + scenes.file("bare.glb") +
                           "' --preset thesis --grid 64 --size 96x72 --out out --mode phong");
     expectMentions(program.err, {"the scene has no camera"});
-    EXPECT_EQ(largestDifference(screen, program.folder.file("out/phong.png")), 0);
+    EXPECT_EQ(maxDifference(screen, program.folder.file("out/phong.png")), 0);
 }
 
 TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
@@ -103,7 +103,7 @@ TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     program.expectSuccess("render " VCT_SOURCE_DIR
                           "/assets/moving.glb --preset thesis --size 96x72 --out out "
                           "--mode gi --time 1.5");
-    EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
+    EXPECT_LE(maxDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
 // The one is played in real time, the other stands still.
@@ -169,7 +169,7 @@ TEST(Sky, OfASceneInWhichNothingShinesIsThatOfRender) {
     ProgramRun program;
     program.expectSuccess("render " + scenes.file("unlit.glb") +
                           " --preset thesis --grid 64 --size 96x72 --out out --mode gi");
-    EXPECT_LE(largestDifference(screen, program.folder.file("out/gi.png")), 1);
+    EXPECT_LE(maxDifference(screen, program.folder.file("out/gi.png")), 1);
     EXPECT_GT(screen.at(2, 2).b, 0.1F);
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }

@@ -55,7 +55,7 @@ TEST(ResolutionScale, StaysAtItsBoundWhereNoSizeIsFastEnough) {
     ResolutionScale scale;
     MadeUpDevice hopeless{100.0, 100.0};
     EXPECT_EQ(hopeless.run(scale, 10), 1) << "ten frames suffice";
-    EXPECT_EQ(scale.divisor(), ResolutionScale::largestDivisor);
+    EXPECT_EQ(scale.divisor(), ResolutionScale::maxDivisor);
     EXPECT_EQ(hopeless.run(scale, 500), 0);
 }
 
@@ -67,7 +67,7 @@ TEST(ResolutionScale, DoesNotGoToAndFro) {
         device.run(scale, 400);
         EXPECT_EQ(device.run(scale, 2000), 0) << windowMs << " ms at the window's size";
         const double ms = device.fixedMs + windowMs / (scale.divisor() * scale.divisor());
-        EXPECT_TRUE(ms < ResolutionScale::mostMs || scale.divisor() == ResolutionScale::largestDivisor) << ms;
+        EXPECT_TRUE(ms < ResolutionScale::maxMs || scale.divisor() == ResolutionScale::maxDivisor) << ms;
     }
 }
 

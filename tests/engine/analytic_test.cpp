@@ -18,11 +18,11 @@ constexpr float skyRadiance = 0.25F;
 const std::uint32_t white = shared::packVoxel(8, 8, glm::uvec3(248));
 
 // Lets `edit` change the base level of the packed voxels.
-FrameInspector overVoxels(const Context& context, const Scene& scene, const glm::dvec3& towardsLight,
+FrameInspector overVoxels(const Context& context, const Scene& scene, const glm::dvec3& directionToLight,
                           const Camera& camera, const std::function<void(Words& base)>& edit) {
     Settings settings = smallSettings(analyticGrid, 96);
     settings.skyRadiance = glm::vec3(skyRadiance);
-    FrameInspector frame(context, scene, lightFrom(towardsLight), settings, camera);
+    FrameInspector frame(context, scene, lightFrom(directionToLight), settings, camera);
     Words base = frame.packedVoxels();
     edit(base);
     frame.replacePackedVoxels(base);

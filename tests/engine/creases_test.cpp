@@ -89,24 +89,24 @@ class Creases : public testing::TestWithParam<Sizes> {
         Count count;
         for (const glm::dvec3& sun : suns) {
             frame.setLight(sun);
-            const glm::dvec3 towardsLight = cubeFromWorld * glm::normalize(sun);
+            const glm::dvec3 directionToLight = cubeFromWorld * glm::normalize(sun);
             const std::vector<float> light = soft ? frame.softShadow() : frame.hardShadow();
             for (std::size_t i = 0; i < light.size(); ++i) {
                 if (!frame.pixels()[i].surface) continue;
                 const glm::dvec3 p = cubeFromWorld * frame.pixels()[i].positionWorld;
                 const glm::dvec3 normal = cubeFromWorld * frame.pixels()[i].normal;
                 // A sun partly below the surface's horizon is left to n.l.
-                if (glm::dot(normal, towardsLight) < std::sin(discRad) + 0.05) continue;
+                if (glm::dot(normal, directionToLight) < std::sin(discRad) + 0.05) continue;
                 glm::dvec3 toWalls = glm::abs(1.0 - glm::abs(p));
                 std::sort(&toWalls.x, &toWalls.x + 3);  // the nearest is its own
                 const double near = 4.0 * pixel * glm::length(p - eye);
                 // A rasterizer's corners are rounded: this near to the crease either wall may be seen. And
                 // walls that have a thickness have sides of it.
                 if (toWalls[0] > 1e-3 || toWalls[1] < near / 80.0 || glm::dot(normal, p) > 0.0) continue;
-                const double outside = outsideOfTheOpening(p, towardsLight, room.open);
+                const double outside = outsideOfTheOpening(p, directionToLight, room.open);
                 // As far as the filter mixes in what is beside, and the sun's size.
                 const double border =
-                    2.0 * (6.0 * texel + 4.0 * discRad) / std::max(std::abs(towardsLight.z), 1e-3);
+                    2.0 * (6.0 * texel + 4.0 * discRad) / std::max(std::abs(directionToLight.z), 1e-3);
                 if (outside > border) {
                     count.dark += toWalls[1] < near;
                     count.leaks += light[i] > (soft ? softLeak : hardLeak);
@@ -122,9 +122,9 @@ class Creases : public testing::TestWithParam<Sizes> {
   private:
     // How far beside the wall that is missing a ray leaves the cube; below 0: through it, as far from its
     // border.
-    static double outsideOfTheOpening(const glm::dvec3& p, const glm::dvec3& towardsLight, bool open) {
-        if (!open || towardsLight.z <= 0.0) return 1e9;
-        const glm::dvec3 leaves = p + (1.0 - p.z) / towardsLight.z * towardsLight;
+    static double outsideOfTheOpening(const glm::dvec3& p, const glm::dvec3& directionToLight, bool open) {
+        if (!open || directionToLight.z <= 0.0) return 1e9;
+        const glm::dvec3 leaves = p + (1.0 - p.z) / directionToLight.z * directionToLight;
         return std::max(std::abs(leaves.x), std::abs(leaves.y)) - 1.0;
     }
     const Context context_ = openContext(Backend::egl);

@@ -113,8 +113,8 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
             Scene scene = quadScene({0, 1, 0}, {32, 20.5, 32}, 20.0);
             scene.materials[0].doubleSided = doubleSided;
             scene.materials[0].baseColor = glm::vec4(1.0F, 0.5F, 0.25F, 1.0F);
-            const glm::dvec3 towardsLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
-            const DirectionalLight light = lightFrom(towardsLight);
+            const glm::dvec3 directionToLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
+            const DirectionalLight light = lightFrom(directionToLight);
             FrameInspector frame = inspectorOf(context, scene, light);
             const FaceLevel base = frame.faceLevels()[0];
             const double range = frame.faceRange();
@@ -125,7 +125,7 @@ TEST(FaceCoverage, SheetHasTwoSidesEachLitFromItsOwn) {
                 ASSERT_EQ(base.at(voxel, face).a, covered ? 255 : 0) << faceName(face);
                 for (int c = 0; c < 3; ++c) {
                     const double radiance =
-                        covered ? std::max(0.0, facing * towardsLight.y) * scene.materials[0].baseColor[c]
+                        covered ? std::max(0.0, facing * directionToLight.y) * scene.materials[0].baseColor[c]
                                 : 0.0;
                     EXPECT_NEAR(base.at(voxel, face)[c], 255.0 * radiance / range, 1.0)
                         << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
@@ -226,7 +226,7 @@ TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
     renderer.render({{modeWithoutReceivedLight}, chooseCamera(scene, "")});
     const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
     for (std::size_t level = 1; level < levels.size(); ++level)
-        EXPECT_LE(largestDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
+        EXPECT_LE(maxDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
 }
 
 // Each level's list of voxels and of faces against the faces that are not zero.

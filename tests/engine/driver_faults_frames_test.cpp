@@ -98,9 +98,9 @@ TEST(DriverFaultsOfFrames, MipsOfPortraitTexturesAreMadeWithoutTheDriver) {
     lying.rgba = turned;
     gl::CallLog log;
     const gl::Texture made = materialTexture(upright);
-    EXPECT_EQ(gl::summaryOf(log.calls()).byName.count("GenerateMipmap"), 0U);
+    EXPECT_EQ(gl::summarize(log.calls()).byName.count("GenerateMipmap"), 0U);
     const gl::Texture driversOwn = materialTexture(lying);
-    EXPECT_EQ(gl::summaryOf(log.calls()).byName.count("GenerateMipmap"), 1U);
+    EXPECT_EQ(gl::summarize(log.calls()).byName.count("GenerateMipmap"), 1U);
     ASSERT_EQ(made.levels(), 7);
     for (int level = 0; level < made.levels(); ++level) {
         const int width = std::max(16 >> level, 1), height = std::max(64 >> level, 1);

@@ -244,7 +244,7 @@ TEST(Lamps, CostNothingWhereNothingGlows) {
         renderer.render({{Output::gi}, lookAt({0, 0, 0.9}, {0, 0, -1}, 60), LightSteps::all});
         for (const Resource& resource : renderer.resources())
             EXPECT_NE(resource.name, "emitters") << side;
-        EXPECT_EQ(renderer.directional()->irradiance(GatherOf::light)->wordsOfFace(), 4U);
+        EXPECT_EQ(renderer.directional()->irradiance(GatherPurpose::light)->irradianceWords(), 4U);
     }
 }
 

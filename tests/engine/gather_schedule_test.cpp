@@ -28,7 +28,7 @@ TEST(GatherSchedule, SettlesThenRefinesThenStops) {
         EXPECT_EQ(step.cones, 8U);
         EXPECT_EQ(step.roundShare, i < 8 ? 0.0F : i < 16 ? 1.0F / 8.0F : 1.0F / 32.0F) << i;
         EXPECT_EQ(step.beginsRound, i == 8 || i == 16) << i;
-        EXPECT_EQ(step.leastHistory > 0.0F, i == 47) << i;
+        EXPECT_EQ(step.minHistory > 0.0F, i == 47) << i;
     }
     EXPECT_TRUE(schedule.isConverged());
 }

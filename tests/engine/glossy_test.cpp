@@ -186,7 +186,7 @@ TEST(Glossy, TheSunsReflectionIsThatOfGltf) {
             if (std::max(std::abs(position.x), std::abs(position.z)) > 0.9)
                 continue;  // the shadow map's edge
             const glm::dvec3 right = gltfReflection(of.diffuse, of.f0, material.roughness, {0, 1, 0},
-                                                    light.towardsLight, glm::normalize(eye - position));
+                                                    light.directionToLight, glm::normalize(eye - position));
             for (int c = 0; c < 3; ++c)
                 ASSERT_NEAR(image.pixels[i][c], right[c], 0.025 * right[c] + 0.01)
                     << position.x << " " << position.z << ", roughness " << material.roughness;

@@ -18,7 +18,7 @@ namespace {
 
 std::set<std::string> groupsOf(const gl::CallLog& log) {
     std::set<std::string> groups;
-    for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
+    for (const auto& [group, calls] : gl::summarize(log.calls()).byGroup)
         groups.insert(group);
     return groups;
 }
@@ -47,7 +47,7 @@ TEST(ReceivedLight, AStaticScenesStandsStillAndCostsNoDispatch) {
         for (const Camera& from : {camera, lookAt({0.3, 0.2, 1.0}, {0, 0, 0}, 70), camera}) {
             const gl::CallLog log;
             renderer.render({{mode}, from});
-            const gl::CallSummary calls = gl::summaryOf(log.calls());
+            const gl::CallSummary calls = gl::summarize(log.calls());
             EXPECT_EQ(calls.dispatches, 0) << outputName(mode);
             EXPECT_EQ(calls.passes, (std::set<std::string>{"G-buffer", "cone trace"})) << outputName(mode);
         }
@@ -124,14 +124,14 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     const ReceivedFaces before = readReceived(renderer);
     DirectionalLight turned = light;
     const double angle = glm::radians(30.0);
-    const glm::dvec3 l = light.towardsLight;
-    turned.towardsLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
-                                                    l.z * std::cos(angle) - l.x * std::sin(angle)));
+    const glm::dvec3 l = light.directionToLight;
+    turned.directionToLight = glm::normalize(glm::dvec3(l.x * std::cos(angle) + l.z * std::sin(angle), l.y,
+                                                        l.z * std::cos(angle) - l.x * std::sin(angle)));
     Renderer fresh = makeRenderer(context, scene, turned, settings);
     fresh.render({{Output::gi}, camera, LightSteps::all});
     const ReceivedFaces right = readReceived(fresh);
     const double change = differenceOf(before, right).rms;
-    renderer.setLightDirection(turned.towardsLight);
+    renderer.setLightDirection(turned.directionToLight);
     double last = change;
     for (int frame = 1; frame <= settings.lightFrames; ++frame) {
         renderer.render({{Output::gi}, camera});
@@ -157,7 +157,7 @@ TEST(ReceivedLight, FollowsALightThatTurns) {
     EXPECT_LE(last, 0.055 * change);
     const gl::CallLog log;
     renderer.render({{Output::gi}, camera});
-    EXPECT_EQ(gl::summaryOf(log.calls()).dispatches, 0);
+    EXPECT_EQ(gl::summarize(log.calls()).dispatches, 0);
 }
 
 // A box passes over the floor within a second and stands far from where it was.
@@ -174,7 +174,7 @@ TEST(ReceivedLight, NothingIsLeftOfWhatMovedSixteenFramesLater) {
     const Scene scene = passingBox();
     const Settings settings = mobileSettings();
     for (const Output mode : {Output::gi, Output::ao}) {
-        const GatherOf of = mode == Output::ao ? GatherOf::occlusion : GatherOf::light;
+        const GatherPurpose of = mode == Output::ao ? GatherPurpose::occlusion : GatherPurpose::light;
         PlayingScene stage(context, scene, settings);
         stage.convergedAt(0.0, mode);
         for (int frame = 1; frame <= 30; ++frame)

@@ -91,16 +91,16 @@ TEST(Materials, ColoursOfVerticesAreThoseOfMaterials) {
         settings.size = glm::ivec2(64);
         settings.grid = 64;
         Scene ofMaterials = twoFloors();
-        Scene ofVertices = ofMaterials;
+        Scene vertexValues = ofMaterials;
         ofMaterials.materials[0].baseColor = red;
         ofMaterials.materials[1].baseColor = blue;
         for (int i = 0; i < 2; ++i) {
-            ofVertices.materials[i].vertexColors = true;
-            for (VertexExtras& extras : ofVertices.meshes[i].extras)
+            vertexValues.materials[i].vertexColors = true;
+            for (VertexExtras& extras : vertexValues.meshes[i].extras)
                 extras.color = i == 0 ? red : blue;
         }
         FrameInspector expected(context, ofMaterials, slantingSun, settings, overhead());
-        FrameInspector frame(context, ofVertices, slantingSun, settings, overhead());
+        FrameInspector frame(context, vertexValues, slantingSun, settings, overhead());
         // Of their light too, that the white wall receives from them.
         for (const Output view : {Output::gi, Output::indirectLight})
             expectSameInHalves(frame.view(view), expected.view(view));

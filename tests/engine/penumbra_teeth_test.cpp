@@ -108,10 +108,10 @@ TEST_P(PenumbraTeeth, AreSmallAtEverySizeOfTheSun) {
         addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
         caster.add(scene, turn, caster.height);
         scene = finished(std::move(scene));
-        const glm::dvec3 towardsLight =
+        const glm::dvec3 directionToLight =
             glm::normalize(caster.round ? glm::dvec3(1e-3, 1.0, 1e-3) : glm::dvec3(0.3, 1.0, 0.2));
         const glm::dvec3 inShadow =
-            -caster.height / towardsLight.y * glm::dvec3(towardsLight.x, 0, towardsLight.z);
+            -caster.height / directionToLight.y * glm::dvec3(directionToLight.x, 0, directionToLight.z);
 
         Settings settings = presetSettings(preset);
         settings.size = {1280, caster.round ? 720 : 96};
@@ -119,7 +119,7 @@ TEST_P(PenumbraTeeth, AreSmallAtEverySizeOfTheSun) {
         Camera camera = lookAt({0, eyeHeight, 0}, {0, 0, -1e-6},
                                glm::degrees(2.0 * std::atan(0.5 * settings.size.y * pixel / eyeHeight)));
         camera.worldFromCamera = glm::translate(glm::dmat4(1.0), inShadow) * turn * camera.worldFromCamera;
-        FrameInspector frame(context, scene, lightFrom(towardsLight), settings, camera);
+        FrameInspector frame(context, scene, lightFrom(directionToLight), settings, camera);
         for (const float sunDeg : {0.5F, 2.0F, 5.0F, 10.0F}) {
             frame.renderer().setShadowConeAngle(sunDeg);
             const std::vector<float> light = frame.softShadow();
@@ -136,7 +136,7 @@ TEST_P(PenumbraTeeth, AreSmallAtEverySizeOfTheSun) {
             const double texel =
                 glm::length(scene.boundsWorld.max - scene.boundsWorld.min) / settings.shadowMapSize;
             const double texels =
-                2.0 * std::sin(glm::radians(0.5 * sunDeg)) * caster.height / towardsLight.y / texel;
+                2.0 * std::sin(glm::radians(0.5 * sunDeg)) * caster.height / directionToLight.y / texel;
             // A narrower one is as ragged as the map's own texels.
             if (texels > 8.0) {
                 EXPECT_GT(teeth.inPenumbra, 1000);

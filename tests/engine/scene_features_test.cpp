@@ -105,7 +105,7 @@ Asked askedBy(const Scene& scene, const std::string& preset, Output mode = Outpu
     }
     log.clear();
     frame();
-    asked.frame = gl::summaryOf(log.calls());
+    asked.frame = gl::summarize(log.calls());
     for (const Resource& resource : renderer.resources())
         asked.bytes[resource.name] += resource.bytes;
     return asked;

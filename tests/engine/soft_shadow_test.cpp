@@ -52,10 +52,10 @@ struct Point {
 };
 
 // The shadow on what a camera above the scene sees of it.
-std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& towardsLight, const Settings& settings,
-                                 double fovDeg) {
+std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& directionToLight,
+                                 const Settings& settings, double fovDeg) {
     const Context context = openContext(Backend::egl);
-    FrameInspector frame(context, scene, lightFrom(towardsLight), settings,
+    FrameInspector frame(context, scene, lightFrom(directionToLight), settings,
                          lookAt({0, 3, 0.001}, {0, 0, 0}, fovDeg));
     const std::vector<float> light = frame.softShadow();
     std::vector<Point> points;
@@ -65,9 +65,9 @@ std::vector<Point> seenFromAbove(const Scene& scene, const glm::dvec3& towardsLi
 }
 
 // The middle of the floor, away from the ends of the edges.
-std::vector<Point> middleOfFloor(const Scene& scene, const glm::dvec3& towardsLight,
+std::vector<Point> middleOfFloor(const Scene& scene, const glm::dvec3& directionToLight,
                                  const Settings& settings) {
-    std::vector<Point> points = seenFromAbove(scene, towardsLight, settings, 36);
+    std::vector<Point> points = seenFromAbove(scene, directionToLight, settings, 36);
     points.erase(std::remove_if(points.begin(), points.end(),
                                 [](const Point& point) {
                                     return std::abs(point.positionWorld.x) > 0.8 ||
@@ -108,8 +108,9 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
     addQuad(scene, turned({0, edge.height, -1.2}), turned({1.6, 0, 0}), turned({0, 0, 2.4}));
     scene = finished(std::move(scene));
-    const glm::dvec3 towardsLight = glm::normalize(disc.towards);
-    const glm::dvec3 inShadow = -edge.height / towardsLight.y * glm::dvec3(towardsLight.x, 0, towardsLight.z);
+    const glm::dvec3 directionToLight = glm::normalize(disc.towards);
+    const glm::dvec3 inShadow =
+        -edge.height / directionToLight.y * glm::dvec3(directionToLight.x, 0, directionToLight.z);
 
     const int rows = 24;
     Settings settings = presetSettings(disc.preset);
@@ -120,14 +121,14 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     Camera above = lookAt({0, eyeHeight, 0}, {0, 0, -1e-6},
                           glm::degrees(2.0 * std::atan(0.5 * rows * pixel / eyeHeight)));
     above.worldFromCamera = glm::translate(glm::dmat4(1.0), inShadow) * turn * above.worldFromCamera;
-    FrameInspector frame(context, scene, lightFrom(towardsLight), settings, above);
+    FrameInspector frame(context, scene, lightFrom(directionToLight), settings, above);
     const std::vector<float> light = frame.softShadow();
 
     const glm::dvec3 onEdge = turned({0, edge.height, 0}), along = turned({0, 0, 1});
     const double radius = std::sin(glm::radians(0.5 * disc.diameterDeg));
     const auto exactAt = [&](std::size_t i) {
         const glm::dvec3 normal = glm::normalize(glm::cross(along, onEdge - frame.pixels()[i].positionWorld));
-        return shareOfDisc(glm::dot(normal, towardsLight), radius);
+        return shareOfDisc(glm::dot(normal, directionToLight), radius);
     };
     Ramp ramp;
     double exactStep = 0.0, squares = 0.0, errors = 0.0;
@@ -149,7 +150,7 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     ramp.rms = std::sqrt(squares / std::max(inPenumbra, 1));
     ramp.shift = errors / std::max(inPenumbra, 1);
     const double texel = glm::length(scene.boundsWorld.max - scene.boundsWorld.min) / settings.shadowMapSize;
-    ramp.texels = 2.0 * radius * edge.height / towardsLight.y / texel;
+    ramp.texels = 2.0 * radius * edge.height / directionToLight.y / texel;
     return ramp;
 }
 
@@ -190,11 +191,11 @@ TEST_P(Penumbrae, OfAStraightEdgeAreSmoothRampsOfADisc) {
 
 // A needle of a sun: nothing is left but the map's own resolution.
 TEST(SoftShadow, NeedleSunIsSharpToTheTexel) {
-    const glm::dvec3 towardsLight(0, 1, 0);
+    const glm::dvec3 directionToLight(0, 1, 0);
     const Scene scene = sheetOverFloor(-1, 0);
     const double texel = 2.0 / 512;
     int beside = 0;
-    for (const Point& point : middleOfFloor(scene, towardsLight, softMap(0.1F, 512))) {
+    for (const Point& point : middleOfFloor(scene, directionToLight, softMap(0.1F, 512))) {
         const double x = point.positionWorld.x;
         if (std::abs(x) < 3.0 * texel) {
             ++beside;

@@ -38,8 +38,8 @@ StepTimes timesOf(int gpuTimerBits, int frames, Clocks clocks = Clocks::cpuAndGp
     return timer.stopRecording();
 }
 
-std::vector<double> samplesOf(const std::array<std::vector<double>, stepCount>& ofSteps, Step step) {
-    return ofSteps[static_cast<std::size_t>(step)];
+std::vector<double> samplesOf(const std::array<std::vector<double>, stepCount>& stepTime, Step step) {
+    return stepTime[static_cast<std::size_t>(step)];
 }
 
 TEST(StepTimer, AddsUpWhatAStepTakesInEachFrameByTheGpusClockToo) {
@@ -69,7 +69,7 @@ TEST(StepTimer, MakesNoQueriesWhereNobodyReadsThem) {
     const auto queries = [&](int bits, Clocks clocks) {
         gl::CallLog log;
         timesOf(bits, 2, clocks);
-        const std::map<std::string, int> calls = gl::summaryOf(log.calls()).byName;
+        const std::map<std::string, int> calls = gl::summarize(log.calls()).byName;
         return calls.count("GenQueries") + calls.count("BeginQuery") + calls.count("EndQuery");
     };
     const int bits = context.capabilities.gpuTimerBits;

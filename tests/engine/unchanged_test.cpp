@@ -39,7 +39,7 @@ std::string madeBy(Renderer& renderer, Output mode, const Camera& camera) {
     const gl::CallLog log;
     renderer.render({{mode}, camera});
     std::set<std::string> groups;
-    for (const auto& [group, calls] : gl::summaryOf(log.calls()).byGroup)
+    for (const auto& [group, calls] : gl::summarize(log.calls()).byGroup)
         groups.insert(group);
     for (const char* ofEveryFrame : {"", "G-buffer", "cone trace"})
         groups.erase(ofEveryFrame);
@@ -100,12 +100,12 @@ TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
 
 TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
     frame();
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     EXPECT_EQ(made(), "nothing");
     renderer_.setLightDirection(glm::dvec3(0.1, 1.0, 0.2));
     EXPECT_EQ(made(), itsLight());
     EXPECT_EQ(made(), "nothing");
-    renderer_.setLightDirection(light_.towardsLight);
+    renderer_.setLightDirection(light_.directionToLight);
     pose(0.2);
     EXPECT_EQ(made(), "everything");
     // Moved and moved back, between frames.

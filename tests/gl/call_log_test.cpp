@@ -40,7 +40,7 @@ TEST(CallLog, SummaryCountsByNameAndGroupAndNamesBindings) {
         texture.bind(5);
     }
     gl::BindBufferRange(GL_UNIFORM_BUFFER, 2, buffer.name(), 0, 256);
-    const gl::CallSummary summary = gl::summaryOf(log.calls());
+    const gl::CallSummary summary = gl::summarize(log.calls());
     EXPECT_EQ(summary.calls, 5);
     EXPECT_EQ(summary.byGroup,
               (std::vector<std::pair<std::string, int>>{{"outer", 1}, {"inner", 3}, {"", 1}}));
@@ -51,7 +51,7 @@ TEST(CallLog, SummaryCountsByNameAndGroupAndNamesBindings) {
 }
 
 TEST(CallLog, SummaryKnowsWhatIsDrawnWithAndEveryKindOfBinding) {
-    const gl::CallSummary summary = gl::summaryOf({{"UseProgram", {7}, ""},
+    const gl::CallSummary summary = gl::summarize({{"UseProgram", {7}, ""},
                                                    {"DrawElementsBaseVertex", {4}, ""},
                                                    {"DrawArrays", {4}, ""},
                                                    {"UseProgram", {8}, ""},

@@ -56,9 +56,8 @@ TEST(DriverFaults, WhatIsAttachedIsAttachedAgainAfterTheStatus) {
     const gl::Texture color = gl::Texture::make2d("color", GL_RGBA8, 8, 8);
     const gl::Texture other = gl::Texture::make2d("other", GL_RGBA8, 8, 8);
     const gl::Texture depth = gl::Texture::make2d("depth", GL_DEPTH_COMPONENT24, 8, 8);
-    const auto calls = callsOf({"FramebufferTexture2D", "CheckFramebufferStatus"}, [&] {
-        const gl::Framebuffer framebuffer("f", {&color, &other}, &depth);
-    });
+    const auto calls = callsOf({"FramebufferTexture2D", "CheckFramebufferStatus"},
+                               [&] { const gl::Framebuffer framebuffer("f", {&color, &other}, &depth); });
     ASSERT_EQ(calls.size(), 7U);
     EXPECT_STREQ(calls[3].name, "CheckFramebufferStatus");
     for (std::size_t i = 0; i < 3; ++i)
@@ -88,7 +87,7 @@ TEST(DriverFaults, ABarrierStandsBetweenAClearByFramebufferAndWhatReadsIt) {
     const Context context = openContext(Backend::egl);
     const gl::Texture texture = gl::Texture::make3d("voxels", GL_R32UI, 4, 4, 4, 2);
     const auto calls = callsOf({"ClearBufferuiv", "BindFramebuffer", "MemoryBarrier"},
-                               [&] { gl::zeroTexture3d(texture, 4); });
+                               [&] { gl::clearTexture3d(texture, 4); });
     ASSERT_GE(calls.size(), 3U);
     EXPECT_EQ(calls[calls.size() - 2].arguments, (std::vector<std::int64_t>{GL_FRAMEBUFFER, 0}));
     EXPECT_STREQ(calls.back().name, "MemoryBarrier");

@@ -47,10 +47,10 @@ TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
 
 TEST(ShaderSource, PointsMessagesOfThreeVendorsHome) {
     const std::vector<std::string> names{"a.frag", "shared/b.glsl"};
-    EXPECT_EQ(gl::pointHome("1:35(12): error: x", names), "shaders/shared/b.glsl:35: error: x\n");
-    EXPECT_EQ(gl::pointHome("1(35) : error C1: x", names), "shaders/shared/b.glsl:35: error C1: x\n");
-    EXPECT_EQ(gl::pointHome("ERROR: 0:7: 'x' : y", names), "ERROR: shaders/a.frag:7: 'x' : y\n");
-    EXPECT_EQ(gl::pointHome("9:1: unknown file", names), "9:1: unknown file\n");
+    EXPECT_EQ(gl::locateInFiles("1:35(12): error: x", names), "shaders/shared/b.glsl:35: error: x\n");
+    EXPECT_EQ(gl::locateInFiles("1(35) : error C1: x", names), "shaders/shared/b.glsl:35: error C1: x\n");
+    EXPECT_EQ(gl::locateInFiles("ERROR: 0:7: 'x' : y", names), "ERROR: shaders/a.frag:7: 'x' : y\n");
+    EXPECT_EQ(gl::locateInFiles("9:1: unknown file", names), "9:1: unknown file\n");
 }
 
 TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
@@ -60,9 +60,7 @@ TEST(ShaderSource, CompilerErrorPointsIntoTheIncludedFile) {
                {"b.glsl", "float good() { return 1.0; }\nfloat broken() { return nonsense; }\n"},
                {"a.frag", "void main() {}\n"}});
     const gl::ShaderLibrary library{read, context.capabilities.language()};
-    expectMentions(errorOf([&] {
-                       gl::Program(library, {"test", {"a.vert", "a.frag"}, {}});
-                   }),
+    expectMentions(errorOf([&] { gl::Program(library, {"test", {"a.vert", "a.frag"}, {}}); }),
                    {"shaders/b.glsl:2"});
 }
 

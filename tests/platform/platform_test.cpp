@@ -17,7 +17,7 @@ class EveryBackend : public testing::TestWithParam<Backend> {
 };
 
 void expectItself(Backend backend) {
-    const std::string renderer = gl::stringOf(GL_RENDERER), version = gl::stringOf(GL_VERSION);
+    const std::string renderer = gl::glString(GL_RENDERER), version = gl::glString(GL_VERSION);
     SCOPED_TRACE(renderer + ", " + version);
     EXPECT_EQ(renderer.find("zink") != std::string::npos, backend == Backend::zink);
     EXPECT_EQ(version.compare(0, 12, "OpenGL ES 3.") == 0, backend != Backend::osmesa);
@@ -86,7 +86,7 @@ TEST(Platform, ASecondEglContextOutlivesTheFirst) {
     auto first = createContext(Backend::egl);
     const auto second = createContext(Backend::egl);
     first.reset();
-    EXPECT_NE(gl::stringOf(GL_RENDERER), "unknown");
+    EXPECT_NE(gl::glString(GL_RENDERER), "unknown");
     GLuint buffer = 0;
     gl::GenBuffers(1, &buffer);
     EXPECT_NE(buffer, 0u);

@@ -218,9 +218,9 @@ TEST(Animation, MovesCamerasAndLights) {
     const Pose pose = poseAt(scene.animation, 1.0);
     const Camera moved = posed(chooseCamera(scene, ""), pose);
     EXPECT_EQ(moved.worldFromCamera, glm::translate(glm::dmat4(1.0), glm::dvec3(2, 0, 5))) << "no scale";
-    expectNear(posed(chooseLight(scene), pose).towardsLight, {0, -1, 0}, "under the horizon");
+    expectNear(posed(chooseLight(scene), pose).directionToLight, {0, -1, 0}, "under the horizon");
     // Scaled to nothing it has no direction, and keeps that of rest.
-    EXPECT_EQ(posed(chooseLight(scene), poseAt(scene.animation, 2.0)).towardsLight, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(posed(chooseLight(scene), poseAt(scene.animation, 2.0)).directionToLight, glm::dvec3(0, 0, 1));
     EXPECT_FALSE(scene.instances.at(0).moves());
     // What is not the scene's own stays.
     const Camera fixed = lookAt({0, 0, 5}, {0, 0, 0}, 40);

@@ -139,8 +139,9 @@ TEST(GltfNodes, LightsShineAlongMinusZAndScaleIsIgnored) {
     builder.node({{"extensions", lit(3)}});  // gives no light
     const Scene scene = load(builder);
     ASSERT_EQ(scene.lights.size(), 1U);
-    EXPECT_NEAR(glm::distance(scene.lights[0].towardsLight, glm::dvec3(0, std::sqrt(0.5), std::sqrt(0.5))),
-                0.0, 1e-9);
+    EXPECT_NEAR(
+        glm::distance(scene.lights[0].directionToLight, glm::dvec3(0, std::sqrt(0.5), std::sqrt(0.5))), 0.0,
+        1e-9);
     EXPECT_EQ(scene.lights[0].color, glm::vec3(1.0F, 0.5F, 0.0F));
     EXPECT_EQ(scene.lights[0].intensity, 4.0F);
     // All but the first directional one, the sun.

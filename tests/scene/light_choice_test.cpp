@@ -10,8 +10,9 @@ namespace {
 TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     Scene scene;
     const DirectionalLight fallback = chooseLight(scene);
-    EXPECT_NEAR(glm::length(fallback.towardsLight), 1.0, 1e-12);
-    EXPECT_GT(glm::min(fallback.towardsLight.x, glm::min(fallback.towardsLight.y, fallback.towardsLight.z)),
+    EXPECT_NEAR(glm::length(fallback.directionToLight), 1.0, 1e-12);
+    EXPECT_GT(glm::min(fallback.directionToLight.x,
+                       glm::min(fallback.directionToLight.y, fallback.directionToLight.z)),
               0.0);
     EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
     // Where others shine it gives no light.

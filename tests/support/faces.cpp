@@ -23,7 +23,7 @@ bool FaceLevel::occupied(const glm::ivec3& voxel) const {
     return false;
 }
 
-int largestDifference(const FaceLevel& a, const FaceLevel& b) {
+int maxDifference(const FaceLevel& a, const FaceLevel& b) {
     int largest = 0;
     a.forEachVoxel([&](const glm::ivec3& voxel) {
         for (int face = 0; face < faceCount; ++face)

@@ -46,7 +46,7 @@ class FaceLevel {
 };
 
 // The largest difference between two levels of one size, in 1/255.
-int largestDifference(const FaceLevel& a, const FaceLevel& b);
+int maxDifference(const FaceLevel& a, const FaceLevel& b);
 
 FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level);
 // Every level, the finest first.

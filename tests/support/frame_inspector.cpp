@@ -99,9 +99,9 @@ FrameInspector::FrameInspector(const Context& context, Scene scene, const Direct
       camera_(camera),
       renderer_(makeRenderer(context, scene_, light, settings)) {}
 
-void FrameInspector::setLight(const glm::dvec3& towardsLight) {
-    light_.towardsLight = glm::normalize(towardsLight);
-    renderer_.setLightDirection(light_.towardsLight);
+void FrameInspector::setLight(const glm::dvec3& directionToLight) {
+    light_.directionToLight = glm::normalize(directionToLight);
+    renderer_.setLightDirection(light_.directionToLight);
 }
 
 Image FrameInspector::view(Output output) {
@@ -120,7 +120,7 @@ std::vector<float> FrameInspector::hardShadow() {
     std::vector<float> light(all.pixels.size());
     for (std::size_t i = 0; i < light.size(); ++i) {
         if (!pixels_[i].surface) continue;
-        const double cosine = glm::dot(pixels_[i].normal, light_.towardsLight) * pixels_[i].albedo.x;
+        const double cosine = glm::dot(pixels_[i].normal, light_.directionToLight) * pixels_[i].albedo.x;
         if (cosine > 1e-3) light[i] = static_cast<float>((all.pixels[i].x - indirect.pixels[i].x) / cosine);
     }
     return light;

@@ -36,7 +36,7 @@ class FrameInspector {
                    const Settings& settings, const Camera& camera);
 
     Renderer& renderer() { return renderer_; }
-    void setLight(const glm::dvec3& towardsLight);
+    void setLight(const glm::dvec3& directionToLight);
 
     // A converged output, relative to E/pi. That of indirect light shows one bounce unless all are asked for.
     Image view(Output output);

@@ -63,7 +63,7 @@ Grid gridOf(Renderer& renderer) {
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
         grid.sums = sumsOf(voxels);
-        grid.received = renderer.directional()->irradiance(GatherOf::light) != nullptr;
+        grid.received = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
     }
     return grid;
 }
@@ -81,8 +81,7 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     if (a.received || b.received) return;
     // Sums of static and dynamic geometry are rounded apart before they are added.
     for (std::size_t level = 0; level < std::min(a.faces.size(), b.faces.size()); ++level)
-        EXPECT_LE(largestDifference(a.faces[level], b.faces[level]), 1)
-            << what << ": radiance, level " << level;
+        EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1) << what << ": radiance, level " << level;
 }
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what) {

@@ -10,7 +10,7 @@ namespace vct::test {
 Camera PlayingScene::moveTo(double seconds) {
     const Pose pose = poseAt(scene_.animation, seconds);
     renderer_.setPose(pose);
-    renderer_.setLightDirection(posed(chooseLight(scene_), pose).towardsLight);
+    renderer_.setLightDirection(posed(chooseLight(scene_), pose).directionToLight);
     return posed(chooseCamera(scene_, ""), pose);
 }
 
@@ -37,8 +37,8 @@ void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene
     fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
     const DirectionalVolume* directional = stage.renderer().directional();
-    if (directional == nullptr || (directional->irradiance(GatherOf::light) == nullptr &&
-                                   directional->irradiance(GatherOf::occlusion) == nullptr))
+    if (directional == nullptr || (directional->irradiance(GatherPurpose::light) == nullptr &&
+                                   directional->irradiance(GatherPurpose::occlusion) == nullptr))
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 
@@ -49,7 +49,7 @@ void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& 
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
     fresh.convergedAt(0.0, mode);
-    const GatherOf of = mode == Output::ao ? GatherOf::occlusion : GatherOf::light;
+    const GatherPurpose of = mode == Output::ao ? GatherPurpose::occlusion : GatherPurpose::light;
     const ReceivedFaces now = readReceived(stage.renderer(), of), right = readReceived(fresh.renderer(), of);
     ASSERT_EQ(now.size(), right.size()) << what;
     const ReceivedDifference d = differenceOf(now, right);

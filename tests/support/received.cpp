@@ -8,7 +8,7 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
+ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
     const Irradiance& irradiance = *renderer.directional()->irradiance(of);
     const gl::Buffer& received = irradiance.faceIrradiance();
@@ -20,10 +20,10 @@ ReceivedFaces readReceived(const Renderer& renderer, GatherOf of) {
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
         ReceivedLight face;
         for (std::size_t w = 0; w < 4; ++w)
-            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.wordsOfFace() * id + w);
+            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.irradianceWords() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.wordsOfFace() == 6) {  // and of lamps
+        if (irradiance.irradianceWords() == 6) {  // and of lamps
             const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
             face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
         }

@@ -22,7 +22,7 @@ struct ReceivedLight {
 
 // By voxel and face, as shared::packFace() packs them: the order of the list does not show.
 using ReceivedFaces = std::map<std::uint32_t, ReceivedLight>;
-ReceivedFaces readReceived(const Renderer& renderer, GatherOf of = GatherOf::light);
+ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of = GatherPurpose::light);
 
 // Over the faces of both, weighted by their coverage, as pixels see them; the green channel's. `mean` of b.
 struct ReceivedDifference {

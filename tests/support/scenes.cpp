@@ -78,9 +78,9 @@ Scene finished(Scene scene) {
     return scene;
 }
 
-DirectionalLight lightFrom(const glm::dvec3& towardsLight) {
+DirectionalLight lightFrom(const glm::dvec3& directionToLight) {
     DirectionalLight light;
-    light.towardsLight = glm::normalize(towardsLight);
+    light.directionToLight = glm::normalize(directionToLight);
     return light;
 }
 

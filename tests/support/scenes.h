@@ -32,7 +32,7 @@ Scene lonePlane(double angleDeg);
 // Computes the bounds; call when all geometry is there.
 Scene finished(Scene scene);
 
-DirectionalLight lightFrom(const glm::dvec3& towardsLight);
+DirectionalLight lightFrom(const glm::dvec3& directionToLight);
 // For scenes lit by what glows in them, or by the sky.
 DirectionalLight noLight();
 

@@ -14,10 +14,10 @@ namespace vct::app {
 
 namespace {
 
-Surroundings surroundingsOf(android_app& glue) {
+ViewerHost hostFor(android_app& glue) {
     ANativeActivity& activity = *glue.activity;
     AAssetManager* const assets = activity.assetManager;
-    Surroundings android;
+    ViewerHost android;
     android.backend = "android";
     android.folder = filesFolder(activity);
     android.pixelsPerDp = pixelsPerDp(glue.config);
@@ -31,8 +31,8 @@ Surroundings surroundingsOf(android_app& glue) {
         ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
     };
-    android.lookOf = [](const Scene& scene, double) {
-        Look look;
+    android.defaultsFor = [](const Scene& scene, double) {
+        ViewDefaults look;
         look.light = chooseLight(scene);
         look.skyRadiance = chooseSky(scene);
         return look;
@@ -43,7 +43,7 @@ Surroundings surroundingsOf(android_app& glue) {
 }  // namespace
 
 App::App(android_app& glue, const std::string& command) : glue_(glue) {
-    Surroundings android = surroundingsOf(glue);
+    ViewerHost android = hostFor(glue);
     log("vct " VCT_VERSION ", files in " + android.folder);
     const bool show = command.rfind("show", 0) == 0;
     ShowRequest request;

@@ -7,7 +7,7 @@ namespace vct::app {
 namespace {
 
 // Below the refresh of a display of 60 Hz by more than clocks are wrong, and above that of 90 Hz.
-constexpr std::int64_t leastFrameNs = 12'000'000;
+constexpr std::int64_t minFrameNs = 12'000'000;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void FrameClock::request() {
         [](long timeNs, void* data) {
             FrameClock& clock = *static_cast<FrameClock*>(data);
             clock.requested_ = false;
-            if (timeNs - clock.lastFrameNs_ < leastFrameNs) return;
+            if (timeNs - clock.lastFrameNs_ < minFrameNs) return;
             clock.lastFrameNs_ = timeNs;
             clock.due_ = true;
         },

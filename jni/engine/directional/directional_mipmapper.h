@@ -1,4 +1,4 @@
-// Every level of the directional voxels from the one below, over the faces that are not empty.
+// Computes the mip levels of the directional voxels, over the face lists only.
 #pragma once
 
 #include "engine/directional/directional_voxels.h"
@@ -11,7 +11,7 @@ class DirectionalMipmapper {
   public:
     explicit DirectionalMipmapper(const gl::ShaderLibrary& shaders);
 
-    // The levels above the base level. Afterwards the faces are ready to be fetched as a texture.
+    // Computes all levels above the base level. Afterwards shaders can fetch the faces as a texture.
     // `frameIndex` seeds the dither.
     void run(const DirectionalVoxels& voxels, std::uint32_t frameIndex) const;
 

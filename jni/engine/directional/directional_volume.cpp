@@ -10,8 +10,8 @@ namespace vct {
 
 namespace {
 
-// Room for a count that changes: so much more that it rarely grows again.
-std::uint32_t withHeadroom(std::uint32_t count) {
+// Capacity for a count that changes: half as many again, so that buffers rarely grow.
+std::uint32_t capacityFor(std::uint32_t count) {
     return count + count / 2 + 256;
 }
 
@@ -30,11 +30,11 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       injector_(shaders, sources),
       mipmapper_(shaders) {}
 
-// Makes everything that a frame needs room for, so that no frame reads anything back.
+// Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene) {
     shared::CommandLists found;
     if (isPrepared_) {
-        // The lists of a frame before. Where something found no room, this frame voxelizes again.
+        // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
         if (counts_.finish(&found) && growIfNeeded(found)) cachedFor_.reset();
         return;
     }
@@ -47,20 +47,20 @@ void DirectionalVolume::prepare(const GpuScene& scene) {
     isPrepared_ = true;
 }
 
-// The first time finds out how many faces there are, and the second has room for them.
+// Lists the faces twice: the first pass counts them, the second has room for them.
 void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset({});
     if (settings_.revoxelize) return;
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     const shared::CommandLists found = voxels_.index().readCommands();
-    voxels_.index().activeCounts(found);  // throws where the list of voxels is too short
+    voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
     FaceCapacities capacities{};
     for (int list = 0; list < voxels_.levels(); ++list)
         capacities[static_cast<std::size_t>(list)] = found.lists[list].faceCount;
     voxels_.reset(capacities);
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_);
-    voxels_.keepStatic();
+    voxels_.markStatic();
 }
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {
@@ -77,8 +77,8 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     for (int level = 1; level < voxels_.levels(); ++level)
         grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
     if (grows) {
-        const auto reserve = [&](std::size_t list, std::uint32_t ofStatic, std::uint32_t count) {
-            capacities[list] = std::max(capacities[list], ofStatic + withHeadroom(count));
+        const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
+            capacities[list] = std::max(capacities[list], staticCount + capacityFor(count));
         };
         reserve(VCT_LIST_DYNAMIC, 0, dynamic.faceCount);
         reserve(VCT_LIST_DYNAMIC + 1, 0, dynamic.faceCount);
@@ -124,7 +124,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         if (!isInjected_) inject(nullptr);
         return light;
     }
-    Irradiance& irradiance = irradianceFor(occlusion ? GatherOf::occlusion : GatherOf::light);
+    Irradiance& irradiance = irradianceFor(occlusion ? GatherPurpose::occlusion : GatherPurpose::light);
     if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces)
         irradiance.invalidate();
     if (occlusion && !isInjected_) inject(nullptr);
@@ -138,16 +138,16 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     return light;
 }
 
-Irradiance& DirectionalVolume::irradianceFor(GatherOf of) {
-    std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
+Irradiance& DirectionalVolume::irradianceFor(GatherPurpose of) {
+    std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
     if (!pass)
-        pass.emplace(shaders_, of == GatherOf::occlusion ? settings_.occlusion : settings_.gather, of,
+        pass.emplace(shaders_, of == GatherPurpose::occlusion ? settings_.occlusion : settings_.gather, of,
                      settings_.lightFrames, hasDynamic_, featuresFor(of, sources_));
     return *pass;
 }
 
-const Irradiance* DirectionalVolume::irradiance(GatherOf of) const {
-    const std::optional<Irradiance>& pass = of == GatherOf::occlusion ? occlusion_ : light_;
+const Irradiance* DirectionalVolume::irradiance(GatherPurpose of) const {
+    const std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
     return pass ? &*pass : nullptr;
 }
 

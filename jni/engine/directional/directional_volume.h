@@ -1,6 +1,5 @@
-// Directional voxels, and the irradiance of their faces: a pixel only looks it up. Static geometry is
-// voxelized once and dynamic objects in each pose; light is injected into both whenever it or they have
-// changed.
+// Directional voxels and the irradiance of their faces, which pixels look up. Static geometry is voxelized
+// once, dynamic objects in each pose. Light is injected into both when a light or a dynamic object changes.
 #pragma once
 
 #include <optional>
@@ -30,32 +29,32 @@ class DirectionalVolume final : public VoxelVolume {
     Resources resources() const override;
 
     const DirectionalVoxels& voxels() const { return voxels_; }
-    // Null until an output needed it.
-    const Irradiance* irradiance(GatherOf of) const;
+    // Null if no output has needed it yet.
+    const Irradiance* irradiance(GatherPurpose of) const;
 
   private:
     void voxelizeStatic(const GpuScene& scene);
     void voxelizeDynamic(const GpuScene& scene);
-    // Makes room where dynamic objects found none, and removes them then. Returns whether it did. Throws
-    // vct::Error where their list of voxels is too short, which does not grow.
+    // Grows the face lists if dynamic objects did not fit, and removes these objects. Returns true if it
+    // did. Throws vct::Error if the list of their voxels overflowed, because its capacity is fixed.
     bool growIfNeeded(const shared::CommandLists& found);
-    Irradiance& irradianceFor(GatherOf of);
+    Irradiance& irradianceFor(GatherPurpose of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
     LightFeatures sources_;
-    bool hasDynamic_;  // some of the scene is voxelized in each pose: all of it to measure that
-    ScenePart dynamicPart_;
+    bool hasDynamic_;        // a part of the scene is voxelized in each pose
+    ScenePart dynamicPart_;  // this part: the dynamic objects, or everything with Settings::revoxelize
     DirectionalVoxels voxels_;
     DirectionalVoxelizer voxelizer_;
-    gl::AsyncRead counts_;  // of the lists, after dynamic objects were voxelized
+    gl::AsyncRead counts_;  // list counts after the last voxelization of dynamic objects
     LightInjector injector_;
     DirectionalMipmapper mipmapper_;
-    std::optional<Irradiance> light_, occlusion_;  // since an output needed them
+    std::optional<Irradiance> light_, occlusion_;  // created when an output needs them
     bool isPrepared_ = false;
-    bool isInjected_ = false;              // the faces have the present light
-    bool allBounces_ = true;               // in the irradiance
-    std::optional<SceneState> cachedFor_;  // what the voxels were made for; nothing where they were not
+    bool isInjected_ = false;              // the faces hold the light of the present state
+    bool allBounces_ = true;               // light_ has all bounces
+    std::optional<SceneState> cachedFor_;  // the state that the voxels were made for, if they are valid
 };
 
 }  // namespace vct

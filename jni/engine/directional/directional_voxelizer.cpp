@@ -8,8 +8,8 @@ namespace vct {
 
 namespace {
 
-// `side`: pixels of the projected volume. Software rasterizers work on tiles of 64 x 64 pixels side by side;
-// a projection of 64 x 64 would be one tile, for one core, if it did not lie on the corner of four.
+// `side`: pixels of the projected volume. Software rasterizers work on tiles of 64 x 64 pixels in parallel. A
+// projection of 64 x 64 is shifted onto the corner of four tiles, so that four cores can work on it.
 glm::ivec4 viewportFor(int side) {
     const int offset = side <= 64 ? 32 : 0;
     return {offset, offset, side, side};
@@ -43,7 +43,7 @@ int FaceProjection::sideFor(int grid) {
 }
 
 void FaceProjection::use() const {
-    const gl::RenderPass pass(framebuffer_);  // it has no attachments, so the pass is its state alone
+    const gl::RenderPass pass(framebuffer_);  // without attachments, the pass only sets GL state
     gl::Viewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
 }
 
@@ -62,13 +62,14 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
     voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
     scene.drawForVoxels(markFaces_, part);
-    // The next pass loads the index, reads the list and is dispatched by the commands.
+    // The next pass loads from the index image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
     listFaces_.use();
     voxels.indexOf(0).bind(VCT_TEX_VOXELS);
     voxels.index().dispatchOverLevel(list);
-    // Later passes fetch the index, read the lists and are dispatched over them; the voxel view draws them.
+    // Later passes fetch from the index texture, read the lists and are dispatched over them. The debug view
+    // draws the listed voxels.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }

@@ -1,5 +1,6 @@
-// Parts of the scene into the words of the base level's faces: two passes over the triangles, with one over
-// the occupied voxels between them, which lists the faces of all levels.
+// Voxelizes parts of the scene into the sums of the base level's faces, in three passes: the triangles mark
+// the faces that they cover, a pass over the occupied voxels lists these faces and their parents at all
+// levels, and the triangles add to the sums of the listed faces.
 #pragma once
 
 #include "engine/directional/directional_voxels.h"
@@ -11,15 +12,15 @@ gl::ProgramDescription markFacesProgram(unsigned features);
 gl::ProgramDescription listFacesProgram();
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
-// The square that the volume is projected to, along each of its axes. It has no targets: the rasterizer only
-// makes fragments.
+// The viewport that the volume is projected to along an axis, one pixel per voxel. The framebuffer has no
+// attachments, because the fragments write to buffers and images.
 class FaceProjection {
   public:
     explicit FaceProjection(int grid);
 
-    // For draws to come.
+    // Sets the framebuffer and the viewport for the next draws.
     void use() const;
-    // Pixels of the framebuffer's sides.
+    // Side of the framebuffer in pixels.
     static int sideFor(int grid);
 
   private:
@@ -31,10 +32,10 @@ class DirectionalVoxelizer {
   public:
     DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, bool emission);
 
-    // Lists the faces that a part of the scene fills, in `list`: 0 or the voxels' dynamic list.
+    // Lists the faces that a part of the scene covers. `list` is 0 or the voxels' dynamic list.
     void listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
                    const DirectionalVoxels& voxels) const;
-    // Adds that part to the words of its faces, which are listed.
+    // Adds that part to the sums of its faces. listFaces() has to come first.
     void accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
                     const DirectionalVoxels& voxels) const;
 

@@ -60,8 +60,8 @@ Resources DirectionalVoxels::resources() const {
     return resources;
 }
 
-// Sets where each list and each level's bits begin, in words of the faces' buffer;
-// shaders/directional/face_lists.glsl.
+// Sets the positions of the lists and of the levels' bits in faceData(), in words
+// (shaders/directional/face_lists.glsl).
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
     for (const std::uint32_t list : {0U, VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U}) {
@@ -90,11 +90,11 @@ std::size_t DirectionalVoxels::words() const {
 
 void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     const gl::DebugGroup group("clear voxels");
-    gl::zeroTexture3d(faces_, grid());
-    index_.zeroTexture();
+    gl::clearTexture3d(faces_, grid());
+    index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::zeroTexture3d(texture, grid());
-    // If there is no memory for the new buffer, there is no room.
+        gl::clearTexture3d(texture, grid());
+    // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     capacities_ = capacities;
     pose_ = 0;
@@ -106,7 +106,7 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::keepStatic() {
+void DirectionalVoxels::markStatic() {
     shared::CommandLists commands = index_.readCommands();
     for (shared::LevelCommands& list : commands.lists) {
         list.staticVoxels = list.voxelCount;
@@ -133,7 +133,7 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
         const shared::LevelCommands& list = commands.lists[level];
         copy(old.lists[level].firstFace, list.firstFace, list.staticFaces);
         const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
-        // The bits also hold faces that found no room in the list, so they are set again from the list.
+        // The bits are rebuilt from the list, because they also mark faces that did not fit into the list.
         for (std::uint32_t i = 0; level > 0 && i < list.staticFaces; ++i) {
             const std::uint32_t entry = after[list.firstFace + i];
             const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
@@ -144,7 +144,7 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
     for (const std::uint32_t list : {VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U})
         commands.lists[list].faceCount = commands.lists[list].voxelCount = commands.lists[list].groupsX = 0;
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::zeroTexture3d(texture, grid());
+        gl::clearTexture3d(texture, grid());
     faceData_ = {};
     faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
                            after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);

@@ -1,6 +1,7 @@
-// Directional voxels: six one-sided faces per voxel, filterable, with mip levels, and the lists of what is
-// not empty. The static geometry and the dynamic objects have separate sums, which the injection of light
-// combines. shaders/directional/voxels.glsl, face_lists.glsl and face_sums.glsl say what each part holds.
+// The textures and buffers of directional voxels: six one-sided faces per voxel in a filterable texture with
+// mip levels, the face lists, and the sums of voxelization. Static geometry and dynamic objects have separate
+// sums, which the injection of light combines. The layouts are described in shaders/directional: voxels.glsl,
+// face_lists.glsl and face_sums.glsl.
 #pragma once
 
 #include <array>
@@ -11,48 +12,49 @@
 
 namespace vct {
 
-// The fixed-point units of a whole face in the sums of voxelization: 4096, or fewer where a scene has so many
-// triangles that a sum could overflow otherwise. (A triangle makes one fragment in a voxel at most.)
+// Fixed-point units of a fully covered face in the sums of voxelization: 4096, or fewer if the scene has so
+// many triangles that a sum could overflow. (A triangle makes at most one fragment per voxel.)
 float faceSumUnits(std::size_t triangles);
 
 gl::ProgramDescription clearDynamicProgram(bool emission);
 gl::ProgramDescription clearLevelProgram();
 gl::ProgramDescription resetListsProgram();
 
-// Capacities of the lists of faces, by list (VCT_LISTS).
+// Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
 
 class DirectionalVoxels {
   public:
-    // `listCapacity`: of the base level's list of voxels, as for VoxelPyramid. `dynamicObjects`: the scene
-    // has some. `emission`: faces have sums of the light that surfaces emit.
+    // `listCapacity`: capacity of the base level's active-voxel list, as in VoxelPyramid. `dynamicObjects`:
+    // the scene has dynamic objects. `emission`: surfaces emit light, so faces also have sums of emission.
     DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
                       bool dynamicObjects, bool emission);
 
     Resources resources() const;
     static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
-    // The faces' texture holds six blocks of grid^3 texels, so many along x and y.
+    // The texture of faces holds six blocks of grid^3 texels: three along x and two along y.
     static constexpr int blocksX = 3, blocksY = 2;
 
     int grid() const { return index_.grid(); }
     int levels() const { return faces_.levels(); }
 
-    // RGBA8, 3 x 2 blocks of grid^3, sampled trilinearly. Radiance is relative to range().
+    // Radiance and coverage of the faces: RGBA8, 3 x 2 blocks of grid^3 texels, premultiplied by coverage.
+    // The radiance that 8 bits store as 1 is in range().
     const gl::Texture& faces() const { return faces_; }
-    // A shared::FaceRange, for shaders/directional/face_range.glsl: it stays on the GPU.
+    // A shared::FaceRange that shaders write and read (shaders/directional/face_range.glsl).
     const gl::Buffer& range() const { return range_; }
-    // The occupied voxels of the static geometry, and the lists of everything.
+    // The index of the static geometry's occupied voxels, and all active-voxel lists.
     const VoxelPyramid& index() const { return index_; }
-    // The words of all faces, and the lists of faces.
+    // The sums of all faces, and the face lists.
     const gl::Buffer& faceData() const { return faceData_; }
-    // Words of each face.
+    // Words per face in faceData().
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
-    // The number of faces' ids: of static faces, and twice of dynamic ones.
+    // Number of face ids: one per static face, and one per dynamic face in each of two poses.
     std::uint32_t idCapacity() const { return capacities_[0] + 2 * capacities_[VCT_LIST_DYNAMIC]; }
 
     bool hasDynamicObjects() const { return !dynamicIndices_.empty(); }
-    // The list of the dynamic objects in their present pose, and the texture of their occupied voxels in it.
+    // The list of the dynamic objects in the present pose, and the index of their occupied voxels in it.
     std::uint32_t dynamicList() const { return VCT_LIST_DYNAMIC + pose_; }
     const gl::Texture& dynamicIndex() const { return indexOfPose(pose_); }
     const gl::Texture& previousIndex() const { return indexOfPose(1 - pose_); }
@@ -60,28 +62,27 @@ class DirectionalVoxels {
         return list < VCT_LIST_DYNAMIC ? index_.texture() : dynamicIndex();
     }
 
-    // Empties everything, and makes room for the static faces.
+    // Clears everything, and allocates buffers for these capacities.
     void reset(const FaceCapacities& capacities);
-    // Takes what is listed now for the static geometry, to which the lists return for each pose. Waits for
-    // the GPU.
-    void keepStatic();
-    // Makes room for more faces of dynamic objects, which are removed. Waits for the GPU.
+    // Marks the listed faces as static. The lists return to these counts for each pose. Waits for the GPU.
+    void markStatic();
+    // Removes the dynamic objects and grows the lists to these capacities. Waits for the GPU.
     void growDynamic(const FaceCapacities& capacities);
-    // Removes the dynamic objects in their last pose. The faces that they shared with the static geometry
-    // keep their radiance until light is injected.
+    // Removes the dynamic objects of the last pose. Faces that they shared with static geometry keep their
+    // radiance until the next injection of light.
     void beginPose();
 
-    // All faces of the base level, at present: their list (shared::packFace(), without those that are merged)
-    // and their ids. Waits for the GPU.
+    // Entries (shared::packFace()) and ids of the base level's faces in the present pose, without merged
+    // faces. Waits for the GPU.
     struct BaseFace {
         std::uint32_t entry, id;
     };
     std::vector<BaseFace> readBaseFaces() const;
-    // A level's list of faces. Waits for the GPU.
+    // Entries of a level's face list. Waits for the GPU.
     std::vector<std::uint32_t> readFaceList(int level) const;
 
     void bindLevel(int unit, int level) const;
-    // The lists of voxels and faces, the faces' words and their range, for shaders.
+    // Binds the lists of voxels and faces, the faces' sums and their range for shaders.
     void bindLists() const;
 
   private:
@@ -94,11 +95,11 @@ class DirectionalVoxels {
     bool emission_;
     VoxelPyramid index_;
     gl::Texture faces_;
-    std::vector<gl::Texture> dynamicIndices_;  // of the present pose and the one before, in turn
+    std::vector<gl::Texture> dynamicIndices_;  // two, alternately of the present pose and the last one
     gl::Buffer faceData_, range_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0;
-    gl::Program clearDynamic_, clearLevel_, resetLists_;  // where there are dynamic objects
+    gl::Program clearDynamic_, clearLevel_, resetLists_;  // only if there are dynamic objects
 };
 
 }  // namespace vct

@@ -12,7 +12,7 @@ namespace vct {
 float largestBounceShare(const Scene& scene) {
     float largest = 0.0F;
     for (const Instance& instance : scene.instances) {
-        // A texture only makes it smaller.
+        // A texture can only make the albedo smaller.
         const glm::vec4& color = scene.materials[scene.meshes[instance.mesh].material].baseColor;
         largest = std::max({largest, color.r, color.g, color.b});
     }
@@ -21,12 +21,12 @@ float largestBounceShare(const Scene& scene) {
 
 namespace {
 
-// The size of a texture with a texel for each face of a block.
+// The size of a texture with one texel per face of each block.
 glm::ivec3 blocksSize(int grid) {
     return grid / VCT_BRICK_SIDE * glm::ivec3(DirectionalVoxels::blocksX, DirectionalVoxels::blocksY, 1);
 }
 
-// In groups of 4^3.
+// Dispatches one invocation per texel, in groups of 4^3.
 void dispatchOver(const glm::ivec3& texels) {
     const glm::uvec3 groups = (texels + 3) / 4;
     gl::DispatchCompute(groups.x, groups.y, groups.z);
@@ -44,10 +44,10 @@ gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures
     return {name, {"directional/" + name + ".comp"}, defines};
 }
 
-LightFeatures featuresFor(GatherOf of, const LightFeatures& sources) {
-    if (of == GatherOf::light) return sources;
+LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources) {
+    if (of == GatherPurpose::light) return sources;
     LightFeatures emission;
-    emission.emission = sources.emission;  // decides how many words a face has
+    emission.emission = sources.emission;  // affects the number of words per face
     return emission;
 }
 
@@ -58,18 +58,20 @@ gl::ProgramDescription emittersProgram(const GatherSettings& settings, const Lig
     return {"emitters", {"directional/emitters.comp"}, defines};
 }
 
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
                                      const LightFeatures& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
-    defines.push_back("VCT_FORGETTING " + number(irradianceForgetting));
-    defines.emplace_back(of == GatherOf::occlusion ? "VCT_GATHER_OCCLUSION true"
-                                                   : "VCT_GATHER_OCCLUSION false");
+    defines.push_back("VCT_RECENT_STEP_WEIGHT " + number(recentStepWeight));
+    defines.emplace_back(of == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
+                                                        : "VCT_GATHER_OCCLUSION false");
     append(defines, lightDefines(sources));
     append(defines, emissionDefines(sources.emission));
-    return {of == GatherOf::occlusion ? "gather, occlusion" : "gather", {"directional/gather.comp"}, defines};
+    return {of == GatherPurpose::occlusion ? "gather, occlusion" : "gather",
+            {"directional/gather.comp"},
+            defines};
 }
 
-Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of,
+Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
                        int lightFrames, bool dynamicObjects, const LightFeatures& sources)
     : settings_(settings),
       schedule_(settings, lightFrames),
@@ -84,7 +86,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
     if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
     const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
-    if (of == GatherOf::occlusion)
+    if (of == GatherPurpose::occlusion)
         visibilityRange_.emplace("range of visibility", GL_UNIFORM_BUFFER, sizeof one, &one, GL_STATIC_DRAW);
 }
 
@@ -108,7 +110,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels.grid(), voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
-    // The last frame fetched what is written here, and all before wrote what is fetched.
+    // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
@@ -155,7 +157,7 @@ void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Tar
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     lastLookups_->bindImage(VCT_IMAGE_LAST_LOOKUPS, 0, GL_WRITE_ONLY);
-    // A group of 8 x 8 invocations, each of which has a tile of 8 x 8 pixels.
+    // Each group has 8 x 8 invocations, and each invocation a tile of 8 x 8 pixels.
     const glm::uvec2 groups = (glm::uvec2(surface.depth->width(), surface.depth->height()) + 63U) / 64U;
     gl::DispatchCompute(groups.x, groups.y, 1);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -168,19 +170,20 @@ void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Tar
 void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     if (idCapacity_ > 0 && ids == idCapacity_ && bricks == brickCapacity_) return;
     const bool isFirst = idCapacity_ == 0;
-    // The histories, the sums of blocks, and the list of the faces that gather.
+    // The buffer holds the histories, the sums of blocks, and the list of the faces that gather.
     const std::size_t words =
-        VCT_LIGHT_HEADER + (wordsOfFace() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
+        VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
     if (!isFirst) {
-        // The static faces keep their histories. Nothing before reads the new buffer, so it does no harm
-        // where a copy comes too early (VoxelPyramid::setCommands()).
+        // The static faces keep their histories. The copy is safe on PowerVR Rogue too, because no earlier
+        // dispatch reads the new buffer (VoxelPyramid::setCommands()).
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
-        const std::size_t kept = VCT_LIGHT_HEADER + wordsOfFace() * std::size_t{std::min(ids, idCapacity_)};
+        const std::size_t kept =
+            VCT_LIGHT_HEADER + irradianceWords() * std::size_t{std::min(ids, idCapacity_)};
         gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
                               static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
     }
@@ -188,8 +191,8 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     faceIrradiance_ = std::move(larger);
 }
 
-// The texture of bricks is as near to a cube as they come: no side is longer than the least that ES 3.1 has
-// room for, up to 256^3.
+// The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,
+// for grids up to 256^3.
 void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     if (irradiance_ && count == brickCapacity_) return;
     brickCapacity_ = count;
@@ -207,7 +210,7 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
     lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
-    gl::zeroTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
+    gl::clearTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
 }
 
 void Irradiance::uploadUniforms(bool allBounces) const {
@@ -215,20 +218,20 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.frame = step_.frame;
     values.direction = step_.direction;
     values.cones = step_.cones;
-    values.conesOfNew = step_.conesOfNew;
+    values.initialCones = step_.initialCones;
     values.beginsRound = step_.beginsRound ? 1 : 0;
-    values.shareInRound = step_.roundShare;
+    values.roundShare = step_.roundShare;
     values.bricksAlong = bricksAlong_;
-    // Each face's history is shortened to what the light's allows.
-    values.memory = std::max(step_.history, 1.0F);
-    values.inherited = step_.history;
-    values.leastHistory = step_.leastHistory;
-    values.reflected = allBounces ? settings_.bounceGain : 0.0F;
+    // The shader shortens each face's history to this length.
+    values.maxHistory = std::max(step_.history, 1.0F);
+    values.maxInheritedHistory = step_.history;
+    values.minHistory = step_.minHistory;
+    values.bounceGain = allBounces ? settings_.bounceGain : 0.0F;
     values.amplitude = step_.amplitude;
-    values.towardsBalance = step_.energyCorrection;
+    values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
-    values.chosenFaces = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_ + 4 * brickCapacity_;
-    values.blockSums = VCT_LIGHT_HEADER + wordsOfFace() * idCapacity_;
+    values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
+    values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);

@@ -1,5 +1,5 @@
-// The irradiance of the directional voxels' faces: a few cones gather light for each face in each step, and a
-// history keeps the mean, so that pixels only look it up, and nothing is computed once nothing changes.
+// The irradiance of the directional voxels' faces. In each step faces gather light with a few cones, and a
+// history averages the steps. Pixels look the result up. Once it has converged, no step is computed.
 #pragma once
 
 #include <optional>
@@ -11,56 +11,54 @@
 
 namespace vct {
 
-// No bounce passes on more than this share of its light: the scene's largest albedo, and at most 0.95, as a
-// closed room where nothing is absorbed would have no bound.
+// An upper bound of the share of light that a bounce reflects: the scene's largest albedo, at most 0.95,
+// because the light in a closed room without absorption would grow without bound.
 float largestBounceShare(const Scene& scene);
 
 // `name`: carry_over, clear_bricks, place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherOf of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
                                      const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const GatherSettings& settings, const LightFeatures& sources);
-// Ambient visibility depends on no light.
-LightFeatures featuresFor(GatherOf of, const LightFeatures& sources);
+// The features that matter to a gather. Ambient visibility depends on no light.
+LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources);
 
 class Irradiance {
   public:
-    // `lightFrames`: steps after a change until the light has converged.
-    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherOf of, int lightFrames,
-               bool dynamicObjects, const LightFeatures& sources);
+    // `lightFrames`: as in GatherSchedule.
+    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
+               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
 
-    // Says what has happened to the voxels since the last step.
+    // Reports a change of the voxels, which the next step takes into account.
     void onVoxelsChanged(const GatherSchedule::Change& change);
-    // The next steps begin as the first ones did.
+    // Makes the next step start without histories.
     void invalidate();
 
-    // Whether another step would change nothing.
+    // True if another step would change nothing.
     bool isConverged() const { return schedule_.isConverged() && !pending_.any(); }
-    // A step begins: makes room, and new faces take over the history of others. Light is to be injected next.
-    // `allBounces`: faces send on what they received before; else they send their own light alone, and
-    // the first bounce is found.
+
+    // Begins a step: reserves buffers, and lets the faces of a new pose take over histories. The caller
+    // injects light next. `allBounces`: faces also reflect their irradiance; false: the first bounce only.
     void beginStep(const DirectionalVoxels& voxels, bool allBounces);
-    // The step ends: faces trace their cones, towards compact emitters too. `surface`: what pixels show,
-    // whose faces gather first.
+    // Ends the step: faces gather, and trace cones towards the compact emitters. `surface` is the G-buffer;
+    // faces that its pixels look up have more turns than others.
     void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
-    // The number of the step, which seeds the dither of what it stores.
+    // The number of the step, which seeds the dither.
     std::uint32_t frameIndex() const { return step_.frame; }
 
-    // For shaders/directional/irradiance.glsl; null before the first step.
+    // The textures for shaders/directional/irradiance.glsl; null before the first step.
     const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
     const gl::Texture* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
-
-    // The history of each face, by its id: shaders/directional/face_irradiance.glsl.
+    // The histories by face id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
-    // Words of each face in it: two more if the scene has compact emitters.
-    std::uint32_t wordsOfFace() const { return emitters_ ? 6 : 4; }
+    // Words per face in faceIrradiance(); the light of compact emitters takes two of six.
+    std::uint32_t irradianceWords() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
-
-    // For shaders of a step.
+    // Binds the buffers and textures that the shaders of a step use.
     void bind(const DirectionalVoxels& voxels) const;
 
   private:
-    // In each step a quarter of the faces trace cones to the emitters again
+    // Steps in which all faces trace cones towards the emitters once, a quarter of the faces per step
     // (shaders/directional/emitters.comp).
     static constexpr int emitterUpdatePeriod = 4;
 
@@ -72,14 +70,14 @@ class Irradiance {
 
     GatherSettings settings_;
     GatherSchedule schedule_;
-    GatherSchedule::Change pending_;  // since the last step
+    GatherSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markLookups_, chooseFaces_, gather_, gatherBlocks_, fillBricks_;
-    std::optional<gl::Program> carryOver_;    // where there are dynamic objects
-    std::optional<gl::Program> emitters_;     // where the scene has compact emitters
-    int emitterSteps_ = emitterUpdatePeriod;  // until all faces have traced cones to the emitters again
-    bool placesBricks_ = true;                // in the next step
+    std::optional<gl::Program> carryOver_;    // only if there are dynamic objects
+    std::optional<gl::Program> emitters_;     // only if the scene has compact emitters
+    int emitterSteps_ = emitterUpdatePeriod;  // steps left in which faces trace cones towards emitters
+    bool placesBricks_ = true;                // the next step has to place the bricks
     gl::Buffer uniforms_, faceIrradiance_;
-    std::optional<gl::Buffer> visibilityRange_;  // in place of the light's range, for ambient visibility
+    std::optional<gl::Buffer> visibilityRange_;  // for ambient visibility, whose range is 1
     std::optional<gl::Texture> irradiance_, bricks_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;

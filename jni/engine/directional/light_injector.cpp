@@ -32,7 +32,7 @@ void LightInjector::run(const DirectionalVoxels& voxels, const DirectLight& ligh
 void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& light,
                            const Irradiance* irradiance, std::uint32_t frameIndex) {
     const gl::DebugGroup group("inject");
-    // The last frame fetched the faces and read the range that are written here.
+    // The last frame read the faces and the range, which are written here.
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     voxels.bindLists();
     voxels.range().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_RANGE);

@@ -1,5 +1,5 @@
-// Injects light into the base level of the directional voxels: each face gets the radiance that it emits and
-// reflects.
+// Injects light: writes the radiance that each face emits and reflects into the base level of the directional
+// voxels.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ class LightInjector {
   public:
     LightInjector(gl::ShaderLibrary shaders, const LightFeatures& sources);
 
-    // `irradiance`: null where faces reflect direct light alone; else its step has begun. `frameIndex` seeds
-    // the dither. Afterwards the base level is ready to be fetched as a texture. Its range is that of the
-    // radiance of the last run; the first run measures direct light before it stores anything.
+    // `irradiance`: after its beginStep(), or null if faces reflect direct light only. `frameIndex` seeds
+    // the dither. Afterwards shaders can fetch the base level as a texture. The range of its 8 bits follows
+    // from the radiance in the last run; the first run injects twice, to measure it.
     void run(const DirectionalVoxels& voxels, const DirectLight& light, const Irradiance* irradiance,
              std::uint32_t frameIndex);
 
@@ -34,7 +34,7 @@ class LightInjector {
     LightFeatures sources_;
     gl::Program chooseRange_;
     bool isMeasured_ = false;
-    std::optional<gl::Program> direct_, bounces_;  // compiled when first asked for
+    std::optional<gl::Program> direct_, bounces_;  // compiled on first use
 };
 
 }  // namespace vct

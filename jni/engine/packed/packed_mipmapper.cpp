@@ -20,7 +20,7 @@ void PackedMipmapper::run(VoxelPyramid& voxels) {
         voxels.bindLevel(VCT_IMAGE_VOXELS, level, GL_READ_ONLY);
         voxels.bindLevel(VCT_IMAGE_VOXELS_NEXT, level + 1, GL_READ_WRITE);
         voxels.dispatchOverLevel(level);
-        // The next level's image, list and command are this dispatch's output.
+        // The next dispatch reads the image, the list and the command that this one writes.
         gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                           GL_COMMAND_BARRIER_BIT);
     }

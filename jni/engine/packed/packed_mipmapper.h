@@ -1,4 +1,4 @@
-// Every level of the voxels from the one below, over the active voxels only (thesis 4.5).
+// Computes the mip levels of the packed voxels, over the active-voxel lists only (thesis 4.5).
 #pragma once
 
 #include "engine/voxel_pyramid.h"
@@ -11,7 +11,7 @@ class PackedMipmapper {
   public:
     explicit PackedMipmapper(const gl::ShaderLibrary& shaders);
 
-    // Afterwards the pyramid is ready to be fetched as a texture, and the lists to be drawn.
+    // Afterwards shaders can fetch the voxels as a texture, and draws can read the lists.
     void run(VoxelPyramid& voxels);
 
   private:

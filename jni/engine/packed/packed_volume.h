@@ -1,4 +1,4 @@
-// The thesis's volume: packed voxels, through which every pixel sends its own cones.
+// The thesis's volume: packed voxels, through which each pixel traces cones.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class PackedVolume final : public VoxelVolume {
     PackedVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
                  Voxelization voxelization);
 
-    // Another pose or light rebuilds all voxels, as in the thesis.
+    // Rebuilds all voxels if a light or the pose has changed.
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
     void invalidate() override { cachedFor_.reset(); }
 
@@ -25,7 +25,7 @@ class PackedVolume final : public VoxelVolume {
     VoxelPyramid pyramid_;
     PackedVoxelizer voxelizer_;
     PackedMipmapper mipmapper_;
-    std::optional<SceneState> cachedFor_;  // that the voxels were made for; empty where they are out of date
+    std::optional<SceneState> cachedFor_;  // the state that the voxels were made for, if they are valid
 };
 
 }  // namespace vct

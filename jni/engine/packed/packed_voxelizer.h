@@ -1,4 +1,4 @@
-// The scene into the base level of the voxels, lit by the shadow map (thesis 4.4).
+// Voxelizes the scene into the base level of the packed voxels, lit through the shadow map (thesis 4.4).
 #pragma once
 
 #include "engine/gpu_scene.h"
@@ -14,12 +14,12 @@ class PackedVoxelizer {
     PackedVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
                     Voxelization voxelization);
 
-    // Empties `voxels`, then writes its base level and the base level's list.
+    // Clears `voxels`, then writes the base level and its active-voxel list.
     void run(const GpuScene& scene, const DirectLight& light, VoxelPyramid& voxels);
 
   private:
     MaterialPrograms programs_;
-    gl::Framebuffer framebuffer_;  // no attachments: the rasterizer only makes fragments
+    gl::Framebuffer framebuffer_;  // without attachments: fragments write to the voxel image
 };
 
 }  // namespace vct

@@ -1,4 +1,4 @@
-// The scene from the camera (thesis 4.3, "render data").
+// The G-buffer pass: albedo, normal and depth of the visible surfaces (thesis 4.3, "render data").
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace vct {
 
-// What the G-buffer has only where a material of the scene emits or is unlit, is glossy, or has a normal map.
+// Parts of the G-buffer that exist only if the scene's materials need them.
 struct ExtraTargets {
-    bool emissive = false;
-    bool gloss = false;
-    bool mappedNormals = false;
+    bool emissive = false;       // a material emits light or is unlit
+    bool gloss = false;          // a material is glossy
+    bool mappedNormals = false;  // a material has a normal map
 };
-// Those that a scene needs.
+// The extra targets that a scene needs.
 ExtraTargets extraTargets(const SceneFeatures& features, Specular specular);
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets);
 
@@ -27,14 +27,15 @@ class GBuffer {
     struct Targets {
         const gl::Texture* albedo;    // RGBA8: square root of linear albedo
         const gl::Texture* normal;    // RG16UI: octahedral, world space, towards the viewer
-        const gl::Texture* emissive;  // RGBA16F relative to E/pi; null where nothing emits
-        const gl::Texture* gloss;     // RG8: metallic, roughness; null where nothing is glossy
-        const gl::Texture* depth;     // 1 where there is no surface
-        bool mappedNormals;  // `normal` is RGBA16UI: as normal maps turn it, and, in blue and alpha, of the
-                             // geometry
+        const gl::Texture* emissive;  // RGBA16F, relative to E/pi; null without ExtraTargets::emissive
+        const gl::Texture* gloss;     // RG8: metallic, roughness; null without ExtraTargets::gloss
+        const gl::Texture* depth;     // 1 if there is no surface
+        // True: `normal` is RGBA16UI with the normal map's normal in red and green, and the geometric normal
+        // in blue and alpha.
+        bool mappedNormals;
     };
     Targets draw(const GpuScene& scene);
-    // Makes the targets anew; the programs stay.
+    // Recreates the targets in another size, in pixels. The programs are kept.
     void resize(glm::ivec2 size);
 
     Targets targets() const;

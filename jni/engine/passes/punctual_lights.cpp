@@ -18,14 +18,15 @@ namespace {
 
 using Type = PunctualLight::Type;
 
-// In texels along a side: all maps together take no more memory than one map of 2048, 16 MB.
+// Texels along a side. All maps together take at most as much memory as one map of 2048^2 texels, 16 MB.
 constexpr int maxMapSize = 512;
 constexpr int maxTotalSize = 2048;
-// Texels around what a map must show, for the filter.
+// Texels at each border of a map that only the filter reads.
 constexpr int margin = 2;
-// A spot as wide as that has a cube like a point: one map would spread its border over most of its texels.
+// A spot with a wider half angle has six maps like a point light. A single map would spend most of its texels
+// on the rim of the cone.
 constexpr double widestMapRad = 1.05;
-// Of the farthest thing that a light reaches: what is nearer than that casts no shadow.
+// The near plane, relative to the far plane. Nearer surfaces cast no shadow.
 constexpr double nearShare = 1e-3;
 
 const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
@@ -36,13 +37,12 @@ const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& ligh
     return lights;
 }
 
-// +x, -x, +y, -y, +z, -z, as shaders/shared/punctual_lights.glsl has them: rows are the map's right, its up,
-// and against the view.
-glm::dmat4 viewOfCube(int face, const glm::dvec3& place) {
+// The view of a cube's face: +x, -x, +y, -y, +z, -z, as in shaders/shared/punctual_lights.glsl.
+glm::dmat4 viewOfCube(int face, const glm::dvec3& position) {
     glm::dvec3 forward(0.0), up(0.0);
     forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
     up[(face / 2 + 1) % 3] = 1.0;
-    return glm::lookAt(place, place + forward, up);
+    return glm::lookAt(position, position + forward, up);
 }
 
 }  // namespace
@@ -83,17 +83,18 @@ void PunctualLights::setSize(const LightSize& size) {
 
 void PunctualLights::setPose(const Pose& pose) {
     for (std::size_t i = 0; i < lights_.size(); ++i)
-        states_[i].worldFromLight = posed(lights_[i].asGiven, pose).worldFromLight;
+        states_[i].worldFromLight = posed(lights_[i].definition, pose).worldFromLight;
 }
 
-std::vector<glm::dvec4> PunctualLights::places() const {
-    std::vector<glm::dvec4> places;
+std::vector<glm::dvec4> PunctualLights::positions() const {
+    std::vector<glm::dvec4> positions;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const glm::dmat4& world = states_[i].worldFromLight;
-        places.push_back(lights_[i].asGiven.type == Type::directional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
-                                                                      : volume_.volumeFromWorld() * world[3]);
+        positions.push_back(lights_[i].definition.type == Type::directional
+                                ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+                                : volume_.volumeFromWorld() * world[3]);
     }
-    return places;
+    return positions;
 }
 
 void PunctualLights::invalidate() {
@@ -108,7 +109,7 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         if (!states_[i].on) continue;
-        std::vector<Placement> placements = inReach(light, states_[i], now.placements);
+        std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
         if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
@@ -117,15 +118,15 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     }
 }
 
-// Lights that are off are left out.
+// Uploads the lights that are on.
 void PunctualLights::upload() {
     values_.count = glm::ivec4(0);
-    const std::vector<glm::dvec4> places = this->places();
+    const std::vector<glm::dvec4> positions = this->positions();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
-        const PunctualLight& light = lights_[i].asGiven;
+        const PunctualLight& light = lights_[i].definition;
         shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
-        to.place = glm::vec4(places[i]);
+        to.position = glm::vec4(positions[i]);
         const bool placed = light.type != Type::directional;
         const double range = light.range / volume_.side;
         to.backwards = glm::vec4(glm::vec3(states_[i].worldFromLight[2]),
@@ -156,47 +157,47 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
     };
-    if (light.asGiven.type == Type::directional) {
+    if (light.definition.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
-        // The depth range is no shorter than the map is wide.
+        // The depth range is at least as long as the map is wide, so a quarter of a texel is at most this.
         set(light.firstMap, mapFromVolume, 0.25 / mapSize_,
             glm::length(glm::transpose(glm::dmat3(mapFromVolume))[2]));
         return;
     }
-    const glm::dvec3 place(volumeFromWorld * state.worldFromLight[3]);
+    const glm::dvec3 position(volumeFromWorld * state.worldFromLight[3]);
     double farthest = 0.0;
     for (const glm::dvec3& corner : cornersOf(boundsWorld_))
-        farthest =
-            std::max(farthest, glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), place));
-    const double far = 1.001 * std::min(farthest, light.asGiven.range / volume_.side);
+        farthest = std::max(farthest,
+                            glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), position));
+    const double far = 1.001 * std::min(farthest, light.definition.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
-        (light.usesCube ? 1.0 : std::tan(light.asGiven.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
+        (light.usesCube ? 1.0 : std::tan(light.definition.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
     const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
-    // Depth is a - b / w.
+    // The depth of a perspective projection is a - b / w.
     const double b = far * near / (far - near);
     const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
     for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
         const glm::dmat4 view = light.usesCube
-                                    ? viewOfCube(i, place)
-                                    : glm::lookAt(place, place - glm::dvec3(state.worldFromLight[2]),
+                                    ? viewOfCube(i, position)
+                                    : glm::lookAt(position, position - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
         set(light.firstMap + i, mapFromView * view, quarterTexel, b);
     }
 }
 
-std::vector<Placement> PunctualLights::inReach(const Light& light, const PunctualLightState& state,
-                                               const std::vector<Placement>& placements) const {
-    if (!std::isfinite(light.asGiven.range)) return placements;
-    const glm::dvec3 place(volume_.volumeFromWorld() * state.worldFromLight[3]);
+std::vector<Placement> PunctualLights::placementsInRange(const Light& light, const PunctualLightState& state,
+                                                         const std::vector<Placement>& placements) const {
+    if (!std::isfinite(light.definition.range)) return placements;
+    const glm::dvec3 position(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;
     for (const Placement& placement : placements)
-        if (glm::distance(glm::clamp(place, placement.box.min, placement.box.max), place) <=
-            light.asGiven.range / volume_.side)
+        if (glm::distance(glm::clamp(position, placement.box.min, placement.box.max), position) <=
+            light.definition.range / volume_.side)
             found.push_back(placement);
     return found;
 }

@@ -1,5 +1,5 @@
-// Lights besides the sun, and their shadow maps: layers of one texture, six for a point, one for a spot or a
-// directional light. shaders/shared/punctual_lights.glsl reads them.
+// Punctual lights and their shadow maps. The maps are layers of one texture: six for a point light or a wide
+// spot, one for any other light. shaders/shared/punctual_lights.glsl reads them.
 #pragma once
 
 #include <array>
@@ -17,53 +17,53 @@ namespace vct {
 
 gl::ProgramDescription lightMapProgram(unsigned features);
 
-// Of the lights, which their maps do not show: pixels' shadows alone have penumbrae.
+// The size of the lights, for the penumbrae of their soft shadows. Only pixels have soft shadows, voxels
+// do not.
 struct LightSize {
-    double radius = 0.0;  // of points and spots, in the scene's unit
-    double directionalAngleDeg = 0.0;
+    double radius = 0.0;               // metres, of point and spot lights
+    double directionalAngleDeg = 0.0;  // full opening angle of directional lights
 };
 
 class PunctualLights {
   public:
-    // `unitLux`: irradiance that is 1 in shaders, the sun's E. Throws vct::Error where there are more lights
-    // than there is room for.
+    // `unitLux`: the irradiance that is 1 in shaders, the sun's E. Throws vct::Error if there are more than
+    // VCT_MAX_PUNCTUAL_LIGHTS lights.
     PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
                    const std::vector<PunctualLight>& lights, const Volume& volume, const Bounds& boundsWorld,
                    double unitLux, const LightSize& size);
 
-    // For frames to come.
+    // The next update() uses the new size, pose or state.
     void setSize(const LightSize& size);
-    // Moves those that move, in frames to come.
     void setPose(const Pose& pose);
-    // Switches one on or off, in frames to come.
     void setOn(std::size_t light, bool on) { states_.at(light).on = on; }
-    // Of all, as they are now.
+    // The present states of all lights.
     const std::vector<PunctualLightState>& states() const { return states_; }
-    // Where each is, in volume space; for a directional one the direction towards it, and w 0.
-    std::vector<glm::dvec4> places() const;
+    // Positions in volume space with w = 1; for directional lights the direction towards the light and w = 0.
+    std::vector<glm::dvec4> positions() const;
 
-    // Draws the maps of those lights that have changed, or in whose reach something has.
+    // Draws the shadow maps of the lights that are on if the light, or a dynamic object within its range, has
+    // changed.
     void update(const GpuScene& scene, const SceneState& now, bool forceRebuild, StepTimer& timer);
-    // The next update draws all maps: a frame failed, so they may be wrong.
+    // Marks all maps as out of date. Call it after a frame that failed.
     void invalidate();
-    // For shaders that include shared/punctual_lights.glsl.
+    // Binds lights and maps for shaders that include shared/punctual_lights.glsl.
     void bind() const;
 
     Resources resources() const;
 
   private:
     struct Light {
-        PunctualLight asGiven;
+        PunctualLight definition;
         bool usesCube;
         int firstMap;
-        // The state that its maps show, and the placements in its reach.
+        // The state and the placements in range that the maps were drawn for.
         std::optional<PunctualLightState> cachedFor;
         std::vector<Placement> cachedPlacements;
     };
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
-    std::vector<Placement> inReach(const Light& light, const PunctualLightState& state,
-                                   const std::vector<Placement>& placements) const;
+    std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
+                                             const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
 
     std::vector<Light> lights_;
@@ -74,20 +74,20 @@ class PunctualLights {
     double unitLux_;
     LightSize size_;
     int maps_ = 0;
-    int mapSize_ = 0;  // texels along a side of each
+    int mapSize_ = 0;  // texels along a side of a map
     MaterialPrograms programs_;
     shared::PunctualLightBlock values_{};
     gl::Buffer uniforms_;
-    gl::Texture depth_;  // a layer for each map
+    gl::Texture depth_;  // one layer per map
     std::vector<gl::Framebuffer> framebuffers_;
 };
 
-// The light that reaches surfaces straight from its sources, with the maps for its shadows.
+// The sun and the punctual lights with their shadow maps.
 struct DirectLight {
-    ShadowTextures sun;                              // null if the picture does not read them
+    ShadowTextures sun;                              // null textures if no output reads them
     const PunctualLights* punctualLights = nullptr;  // null if the sun is the only light
 
-    // Binds all of it for the shaders that read it.
+    // Binds everything for the shaders that read it.
     void bind() const {
         sun.bind();
         if (punctualLights != nullptr) punctualLights->bind();

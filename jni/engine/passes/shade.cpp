@@ -26,10 +26,10 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     if (punctual && read.softShadow && settings.lightRadius > 0.0F) defines.emplace_back("VCT_SOFT_LIGHTS");
     if (read.softShadow && settings.shadow == Shadow::softMap)
         append({"VCT_SOFT_SHADOW", "VCT_FILTER_TAPS " + std::to_string(settings.filterTaps)});
-    // Only reflections meet emitters here: face irradiance has their light already.
+    // Emitters matter to reflections only, because face irradiance includes their light.
     append(lightDefines({false, lights.environment, lights.emitters && reflects}));
     const bool gathers = read.ambientVisibility || read.indirectLight;
-    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_RECEIVED");
+    if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_FACE_IRRADIANCE");
     if (reflects) append(gatherDefines(settings.gather));
     return {"shade " + number, {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }

@@ -1,4 +1,4 @@
-// The last pass: each pixel's light, or the part of it that an output shows (thesis 4.6).
+// The last pass: computes the light of each pixel, or the part of it that an output shows (thesis 4.6).
 #pragma once
 
 #include <map>
@@ -20,12 +20,12 @@ class Shade {
   public:
     Shade(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings);
 
-    // Textures that the output does not read may be null. Returns RGBA16F: rgb relative to E/pi, a 1 on
-    // surfaces.
+    // Textures that the output does not read may be null. Returns texture(): RGBA16F, rgb relative to E/pi,
+    // a = 1 on surfaces, 0 on the sky.
     const gl::Texture& draw(Output output, const GBuffer::Targets& surface, const DirectLight& direct,
                             const VoxelLight& indirect);
 
-    // Makes a texture of that size; the programs stay.
+    // Recreates the texture in another size, in pixels. The programs are kept.
     void resize(glm::ivec2 size);
     const gl::Texture& texture() const { return radiance_; }
 
@@ -35,7 +35,7 @@ class Shade {
     gl::ShaderLibrary shaders_;
     LightFeatures lights_;
     Settings settings_;
-    std::map<std::tuple<Output, bool, bool, bool>, gl::Program> programs_;  // compiled when first asked for
+    std::map<std::tuple<Output, bool, bool, bool>, gl::Program> programs_;  // compiled on first use
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;

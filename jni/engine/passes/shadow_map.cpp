@@ -12,7 +12,7 @@
 namespace vct {
 
 gl::ProgramDescription shadowMapProgram(unsigned features) {
-    // An opaque surface's texture does not matter to its shadow.
+    // The texture of an opaque surface does not affect its shadow.
     if (!(features & featureAlphaMask)) features = 0;
     return {"shadow_map",
             {"passes/shadow_map.vert", "passes/shadow_map.frag"},
@@ -29,7 +29,7 @@ gl::ProgramDescription nextShadowMomentsProgram() {
 
 namespace {
 
-// Down to 16 texels a side, as wide as a hundredth of any scene.
+// Number of mip levels of the moments. The coarsest one has at least 16 texels along a side.
 int momentLevels(int mapSize) {
     int levels = 1;
     while (mapSize >> (levels + 1) >= 16)
@@ -51,11 +51,12 @@ void ShadowTextures::bind() const {
 ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft)
     : shaders_(shaders),
       programs_(shaders, scene, shadowMapProgram),
-      // A texel of a map is 16 times as wide as a step of 16 bits; the thesis's bias is left as it was.
+      // 16 bits are enough for the soft shadow, because a texel is at least 16 times as wide as a step of
+      // depth. For the hard one they would add a rounding error to the thesis's bias.
       depth_(
           gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, size, size)),
       framebuffer_("shadow map", {}, &depth_) {
-    // With a comparison: four taps, weighted.
+    // With a comparison, the linear filter averages four comparisons.
     depth_.setFilter(GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
@@ -102,7 +103,7 @@ void ShadowMap::drawMoments() {
     momentsProgram_->use();
     for (int level = 0; level < moments_->levels(); ++level) {
         if (level == 1) nextMomentsProgram_->use();
-        // What is drawn to must be out of the shader's reach.
+        // The shader may sample only the level below the one that is drawn to.
         for (const GLenum limit : {GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_MAX_LEVEL})
             moments_->setParameter(limit, std::max(level - 1, 0));
         const gl::RenderPass pass(momentTargets_[static_cast<std::size_t>(level)], gl::Load::invalidate);

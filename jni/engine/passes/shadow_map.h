@@ -1,4 +1,4 @@
-// Depth of the scene from the light (thesis 4.2).
+// The sun's shadow map (thesis 4.2), and its moments for the soft shadow.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ gl::ProgramDescription shadowMomentsProgram();
 gl::ProgramDescription nextShadowMomentsProgram();
 
 struct ShadowTextures {
-    const gl::Texture* depth = nullptr;    // compare function LEQUAL, hardware filter, ready to be sampled
-    const gl::Texture* moments = nullptr;  // shaders/shared/moments.glsl; null without a soft shadow
+    const gl::Texture* depth = nullptr;            // compare function LEQUAL, linear filter
+    const gl::Texture* moments = nullptr;          // shaders/shared/moments.glsl; null without a soft shadow
     const gl::PlainSampler* plainDepth = nullptr;  // reads `depth` without comparison
 
     // Binds the textures that are not null.
@@ -30,14 +30,14 @@ class ShadowMap {
   public:
     ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false);
 
-    // Draws the map where pose or sun have changed since it was drawn, or where `forceRebuild` asks for it,
-    // and the moments where `output` reads a soft shadow.
+    // Draws the map if the state differs from the one that it was drawn for, or if `forceRebuild` is set.
+    // Draws the moments if `output` has a soft shadow.
     ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool forceRebuild,
                           StepTimer& timer);
-    // The next update draws the map: a frame failed, so it may be wrong.
+    // Marks the map as out of date. Call it after a frame that failed.
     void invalidate() { cachedFor_.reset(); }
 
-    // Returns the depth texture: compare function LEQUAL, hardware filter, ready to be sampled.
+    // Draws the map and returns its depth texture: compare function LEQUAL, linear filter.
     const gl::Texture& draw(const GpuScene& scene);
 
     const gl::Texture& texture() const { return depth_; }
@@ -55,7 +55,7 @@ class ShadowMap {
     std::optional<gl::Program> momentsProgram_, nextMomentsProgram_;
     gl::PlainSampler plainDepth_;
     gl::VertexArray noVertices_;
-    std::optional<SceneState> cachedFor_;  // the state that the map shows, if it is valid
+    std::optional<SceneState> cachedFor_;  // the state that the map was drawn for, if it is valid
     bool momentsAreDrawn_ = false;
 };
 
