@@ -49,9 +49,8 @@ def neutral(linear: np.ndarray) -> np.ndarray:
 
 
 def run(vct: Path, command: str, *options: object) -> str:
-    """Runs `vct COMMAND` on the scene as the picture shows it, and returns what it prints."""
-    view = ("--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA, "--light", LIGHT, "--environment", ENVIRONMENT)
-    words = [vct, command, SCENE, *view, *options]
+    """Runs `vct COMMAND` on the scene from the picture's camera, and returns what it prints."""
+    words = [vct, command, SCENE, "--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA, *options]
     try:
         return subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout
     except OSError as error:
@@ -63,7 +62,8 @@ def run(vct: Path, command: str, *options: object) -> str:
 def rendered(vct: Path) -> np.ndarray:
     """Returns the picture of `mobile`, mode gi-cone-shadow, linear RGB."""
     with tempfile.TemporaryDirectory() as folder:
-        run(vct, "render", "--preset", "mobile", "--mode", "gi-cone-shadow", "--samples", SAMPLES, "--exposure", "1", "--out", folder)
+        run(vct, "render", "--preset", "mobile", "--mode", "gi-cone-shadow", "--light", LIGHT, "--environment", ENVIRONMENT,
+            "--samples", SAMPLES, "--exposure", "1", "--out", folder)
         return read_exr(Path(folder) / "gi-cone-shadow.exr")
 
 
