@@ -1,6 +1,6 @@
-# The app: libvct.so, which Gradle packs (app/build.gradle), or the target `apk` (cmake/apk.cmake).
+# Builds the app's library libvct.so. Gradle (app/build.gradle) or the target `apk` (cmake/apk.cmake) packs it.
 
-# The NDK's, so not under our warnings.
+# This code belongs to the NDK, so it is built without the project's warnings.
 set(glue ${ANDROID_NDK}/sources/android/native_app_glue)
 add_library(vct_native_app_glue OBJECT ${glue}/android_native_app_glue.c)
 target_include_directories(vct_native_app_glue SYSTEM PUBLIC ${glue})
@@ -10,11 +10,11 @@ add_library(vct SHARED ${VCT_APP_SOURCES})
 target_link_libraries(vct PRIVATE vct_core vct_imgui vct_native_app_glue android log EGL)
 target_link_options(vct PRIVATE
     -Wl,--no-undefined -Wl,--gc-sections
-    # Nothing is exported but ANativeActivity_onCreate, which Android calls.
+    # The only exported function is ANativeActivity_onCreate, which Android calls.
     -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map
-    # Phones with pages of 16 KiB load nothing less aligned; NDKs before r28 link for 4 KiB.
+    # Phones with pages of 16 KiB require this alignment; NDKs before r28 align to 4 KiB.
     -Wl,-z,max-page-size=16384)
-# No folder of the machine that built it in what assert() prints.
+# Removes the folders of the build machine from the messages of assert().
 foreach(target vct vct_library vct_core vct_single_headers vct_imgui vct_draco vct_meshoptimizer vct_webp)
     target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections
         -ffile-prefix-map=${CMAKE_BINARY_DIR}/= -ffile-prefix-map=${CMAKE_SOURCE_DIR}/=)

@@ -1,10 +1,10 @@
-# Target `apk`: a signed APK of libvct.so, shaders/ and assets/*.glb, without Gradle. Needs the build tools of Android's
-# SDK (of the folder that ANDROID_HOME names, or Debian's packages aapt apksigner android-framework-res), a JDK's keytool
-# and Python.
+# The target `apk` packs libvct.so, shaders/ and assets/*.glb into a signed APK, without Gradle. It needs the build
+# tools of Android's SDK (in the folder ANDROID_HOME, or Debian's packages aapt, apksigner and android-framework-res),
+# a JDK's keytool and Python.
 find_package(Python3 COMPONENTS Interpreter)
 file(GLOB sdk_tools $ENV{ANDROID_HOME}/build-tools/*)
 file(GLOB sdk_platforms $ENV{ANDROID_HOME}/platforms/android-*)
-# The newest first.
+# The newest version comes first.
 list(SORT sdk_tools COMPARE NATURAL ORDER DESCENDING)
 list(SORT sdk_platforms COMPARE NATURAL ORDER DESCENDING)
 find_program(VCT_AAPT2 aapt2 HINTS ${sdk_tools})
@@ -18,7 +18,7 @@ foreach(tool Python3_EXECUTABLE VCT_AAPT2 VCT_APKSIGNER VCT_KEYTOOL VCT_ANDROID_
     endif()
 endforeach()
 if(missing)
-    # Gradle needs none of them.
+    # Only this target fails, because a build by Gradle needs none of these tools.
     add_custom_target(apk VERBATIM
         COMMAND ${CMAKE_COMMAND} -E echo "apk: not found: ${missing}. Install Android's SDK and set ANDROID_HOME, or on \
 Debian: apt install aapt apksigner android-framework-res default-jdk-headless python3. Then configure again."
@@ -33,8 +33,8 @@ foreach(name minSdk targetSdk)
     file(STRINGS ${versions} line REGEX "^${name} = ")
     string(REGEX MATCH "[0-9]+" ${name} "${line}")
 endforeach()
-# What Gradle takes from app/build.gradle and refuses in the manifest. The libraries are mapped from the APK where they
-# lie, uncompressed and aligned: nothing is unpacked on the phone's storage.
+# Adds the attributes that Gradle takes from app/build.gradle and does not allow in the manifest. The libraries are
+# stored uncompressed and aligned, so Android maps them directly from the APK and unpacks nothing.
 file(READ ${manifest} text)
 string(REPLACE "<manifest " "<manifest package=\"vct.app\" " text "${text}")
 string(REPLACE "<application" "<application android:extractNativeLibs=\"false\"" text "${text}")
@@ -52,7 +52,8 @@ add_custom_command(OUTPUT ${stage}/base.apk VERBATIM
         --version-code 1 --version-name ${PROJECT_VERSION} ${stage}/resources.zip
     DEPENDS ${stage}/resources.zip ${stage}/AndroidManifest.xml)
 
-# Shared libraries: ours without debug information (the one beside it keeps it, for ndk-stack), and the C++ library.
+# The shared libraries: libvct.so without debug information (the unstripped file stays in the build folder for
+# ndk-stack), and the C++ library.
 set(libraries ${stage}/libvct.so)
 add_custom_command(OUTPUT ${stage}/libvct.so VERBATIM
     COMMAND ${CMAKE_STRIP} --strip-unneeded -o ${stage}/libvct.so $<TARGET_FILE:vct>
@@ -61,7 +62,7 @@ if(ANDROID_STL STREQUAL "c++_shared")
     list(APPEND libraries ${CMAKE_SYSROOT}/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/libc++_shared.so)
 endif()
 
-# The key that Android Studio uses too, so that either way's APK installs over the other's.
+# Android Studio signs with the same key, so that its APK and this one can replace each other.
 set(android_user $ENV{ANDROID_USER_HOME})
 if(NOT android_user)
     file(TO_CMAKE_PATH "$ENV{HOME}/.android" android_user)

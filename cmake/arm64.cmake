@@ -1,5 +1,5 @@
-# Toolchain of the preset arm64: Linux on 64-bit ARM, the phone's processor without the phone. scripts/arm64.sh unpacks
-# Debian's packages for it into the build folder, and runs what is built under QEMU's user-mode emulation.
+# Toolchain of the preset arm64: Linux on 64-bit ARM, the architecture of phones. scripts/arm64.sh unpacks Debian's
+# packages for it into the build folder, and runs the programs in QEMU's user-mode emulation.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,5 +1,5 @@
-# cmake -DKEYTOOL=... -DKEYSTORE=... -P debug_key.cmake: makes the debug key where there is none, with the names and the
-# password that Android's tools expect of one.
+# cmake -DKEYTOOL=... -DKEYSTORE=... -P debug_key.cmake: creates the debug key if it does not exist, with the names and
+# the password that Android's tools expect.
 if(EXISTS ${KEYSTORE})
     return()
 endif()

@@ -1,6 +1,6 @@
-# Third-party libraries, behind the targets vct_headers (all that the library needs), vct_dependencies and vct_imgui. A
-# desktop has packages of them; Android has none, so there they are fetched, in the versions that Debian 12 packages
-# unless newer ones repair faults.
+# Third-party libraries, as the targets vct_headers (for the library), vct_dependencies (for everything else) and
+# vct_imgui (for the app's panel). On a desktop they are packages of the system. For Android they are fetched, in the
+# versions of Debian 12 unless newer ones repair faults.
 if(ANDROID)
     include(cmake/dependencies_android.cmake)
     include(cmake/packings_android.cmake)

@@ -1,5 +1,4 @@
-# Third-party libraries of a desktop, all from the system's packages (scripts/setup.sh installs them), behind the
-# targets vct_headers, vct_dependencies and vct_imgui.
+# Third-party libraries on a desktop, all from packages of the system (scripts/setup.sh installs them).
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -27,7 +26,7 @@ target_link_libraries(vct_dependencies INTERFACE vct_headers
 find_library(EGL_LIBRARY EGL REQUIRED)
 target_link_libraries(vct_dependencies INTERFACE ${EGL_LIBRARY})
 
-# The app's display. Without Dear ImGui's own back ends: Debian's OpenGL one is built for desktop GL.
+# Dear ImGui for the app's panel, without its own back ends: Debian's OpenGL back end is built for desktop GL.
 add_library(vct_imgui INTERFACE)
 target_include_directories(vct_imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR})
 target_link_libraries(vct_imgui INTERFACE ${IMGUI_LIBRARY} ${STB_LIBRARY})

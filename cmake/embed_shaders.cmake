@@ -1,4 +1,4 @@
-# cmake -DSHADERS=<folder> -DOUTPUT=<file>.cpp -P embed_shaders.cmake: the shaders as text in C++
+# cmake -DSHADERS=FOLDER -DOUTPUT=FILE.cpp -P embed_shaders.cmake: writes the shaders as string literals into a C++ file
 # (jni/api/embedded_shaders.h).
 file(GLOB_RECURSE files RELATIVE ${SHADERS} ${SHADERS}/*)
 list(SORT files)

@@ -1,7 +1,7 @@
-# The libraries of what scenes may be packed with. A build without one of them refuses what needs it, and says so: where
-# its option is OFF, and on a desktop where it is not installed.
+# Libraries for compressed scenes and textures. A build lacks one if its option is OFF or, on a desktop, if it is not
+# installed. Such a build refuses files that need the library, with a message.
 function(vct_packing name library header)
-    option(VCT_${name} "Read what needs the library ${library}" ON)
+    option(VCT_${name} "Read files that need the library ${library}" ON)
     if(NOT VCT_${name})
         return()
     endif()
@@ -24,6 +24,6 @@ vct_packing(DRACO draco draco/compression/decode.h)
 vct_packing(MESHOPT meshoptimizer meshoptimizer.h)
 vct_packing(WEBP webp webp/decode.h)
 if(NOT ANDROID)
-    # No package of Debian: whoever installs it has it.
+    # Debian has no package of libktx, so it is used only if it was installed otherwise.
     vct_packing(KTX ktx ktx.h)
 endif()

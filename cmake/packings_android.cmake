@@ -1,10 +1,10 @@
-# What cmake/packings.cmake links, built from the sources: of each library only what unpacks. libwebp and draco are newer than
-# Debian 12's, which has repaired its own.
+# Builds, from sources, the decoders of the libraries that cmake/packings.cmake links. libwebp and draco are
+# newer than in Debian 12, whose packages have the fixes of newer versions.
 vct_fetch(draco https://github.com/google/draco.git 8786740086a9f4d83f44aa83badfbea4dce7a1b5)                 # 1.5.7
 vct_fetch(meshoptimizer https://github.com/zeux/meshoptimizer.git e62c41e47cfdaf014c1e2a98dfeb571dd60c271f)   # 0.18
 vct_fetch(webp https://github.com/webmproject/libwebp.git ca332209cb5567c9b249c86788cb2dbf8847e760)           # 1.3.2
 
-# EXCLUDE_FROM_ALL: one whose option is OFF is not built.
+# EXCLUDE_FROM_ALL avoids building a library whose option is OFF.
 function(vct_unpacker name include)
     set(CMAKE_UNITY_BUILD OFF)
     add_library(vct_${name} STATIC EXCLUDE_FROM_ALL ${ARGN})
@@ -15,10 +15,10 @@ endfunction()
 set(draco ${draco_SOURCE_DIR}/src/draco)
 file(GLOB_RECURSE sources ${draco}/attributes/*.cc ${draco}/compression/*.cc ${draco}/core/*.cc ${draco}/mesh/*.cc
     ${draco}/metadata/*.cc ${draco}/point_cloud/*.cc)
-# By the files' names alone: a folder above may be called anything.
+# The filter matches only file names, because a folder above the sources may have any name.
 list(FILTER sources EXCLUDE REGEX "/[^/]*(_test|test_|encod|scene|texture|material|features)[^/]*\\.cc$")
 vct_unpacker(draco ${draco_SOURCE_DIR}/src ${sources})
-# What its own CMake would choose.
+# Draco's own CMake build would choose the same features.
 file(WRITE ${CMAKE_BINARY_DIR}/draco/draco/draco_features.h "
 #define DRACO_MESH_COMPRESSION_SUPPORTED
 #define DRACO_NORMAL_ENCODING_SUPPORTED

@@ -1,4 +1,4 @@
-// The code of the header-only libraries, where no system library has it (Android).
+// Compiles the code of the header-only libraries for Android. On a desktop the system's libraries have it.
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION

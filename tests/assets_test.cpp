@@ -1,4 +1,4 @@
-// The scenes in assets/ are what tools/make_assets.py makes, byte for byte.
+// tools/make_assets.py makes the scenes in assets/ again, byte for byte.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -40,7 +40,7 @@ glm::dvec3 vectorAt(std::span<const float> numbers, std::uint32_t vertex) {
 
 Material materialOf(const MaterialDescription& description, const std::string& name) {
     require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
-    require(within(description.emission, 0.0, 1e30), name + ": give an emission from 0 on, below 1e30");
+    require(within(description.emission, 0.0, 1e30), name + ": give an emission between 0 and 1e30");
     const float surface[] = {description.metallic, description.roughness};
     require(within(surface, 0.0, 1.0), name + ": give metallic and roughness between 0 and 1");
     Material material;
@@ -56,15 +56,16 @@ Material materialOf(const MaterialDescription& description, const std::string& n
 Mesh meshOf(const MeshDescription& description, std::size_t materials, const std::string& name) {
     const std::size_t vertices = description.positions.size() / 3;
     require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
-            name + ": give three numbers per position, of at most 2^32 vertices");
+            name + ": give three numbers per position, and at most 2^32 vertices");
     require(description.normals.size() == description.positions.size(),
-            name + ": it has " + std::to_string(description.normals.size()) + " numbers of normals for " +
-                std::to_string(description.positions.size()) + " of positions; give as many");
+            name + ": its normals have " + std::to_string(description.normals.size()) +
+                " numbers and its positions " + std::to_string(description.positions.size()) +
+                "; give as many normals as positions");
     require(!description.indices.empty() && description.indices.size() % 3 == 0,
             name + ": it has " + std::to_string(description.indices.size()) +
                 " indices; give three per triangle, and at least one triangle");
     require(description.material < materials, name + ": there is no material " +
-                                                  std::to_string(description.material) + ", but " +
+                                                  std::to_string(description.material) + "; the scene has " +
                                                   std::to_string(materials) + " materials");
     Mesh mesh;
     mesh.name = name;
@@ -72,7 +73,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
     mesh.indices.assign(description.indices.begin(), description.indices.end());
     Bounds bounds = noBounds;
     for (const std::uint32_t index : mesh.indices) {
-        require(index < vertices, name + ": an index is " + std::to_string(index) + ", and there are " +
+        require(index < vertices, name + ": an index is " + std::to_string(index) + ", but the mesh has " +
                                       std::to_string(vertices) + " vertices");
         const glm::dvec3 position = vectorAt(description.positions, index);
         const double numbers[] = {position.x, position.y, position.z};
@@ -98,9 +99,9 @@ DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
     light.directionToLight = direction(sun.directionToSun, "the direction towards the sun");
     require(within(sun.color, 0.0, 1.0) && *std::max_element(sun.color.begin(), sun.color.end()) == 1.0F,
-            "the sun's colour: give three numbers from 0 on, the largest of which is 1");
+            "the sun's colour: give three numbers between 0 and 1, the largest of them 1");
     const float illuminance[] = {sun.illuminance};
-    require(within(illuminance, 0.0, 1e30), "the sun's illuminance: give a number from 0 on, below 1e30");
+    require(within(illuminance, 0.0, 1e30), "the sun's illuminance: give a number between 0 and 1e30");
     light.color = color(sun.color);
     light.intensity = sun.illuminance;
     return light;
@@ -123,13 +124,13 @@ glm::dmat4 affine(const Matrix& matrix, const std::string& what) {
 glm::dvec3 direction(const std::array<double, 3>& vector, const std::string& what) {
     const glm::dvec3 v(vector[0], vector[1], vector[2]);
     const double length = glm::length(v);
-    require(length > 0.0 && std::isfinite(length), what + " has no length, or one that is not finite");
+    require(length > 0.0 && std::isfinite(length), what + " has no length, or is not finite");
     return v / length;
 }
 
 Scene sceneOf(const SceneDescription& description) {
     Scene scene;
-    scene.path = "that the program describes";
+    scene.path = "described by the program";
     for (const MaterialDescription& material : description.materials)
         scene.materials.push_back(materialOf(material, indexed("material", scene.materials.size())));
     for (const MeshDescription& mesh : description.meshes)
@@ -139,20 +140,20 @@ Scene sceneOf(const SceneDescription& description) {
     for (const InstanceDescription& instance : description.instances) {
         const std::string name = indexed("instance", scene.instances.size());
         require(instance.mesh < scene.meshes.size(), name + ": there is no mesh " +
-                                                         std::to_string(instance.mesh) + ", but " +
+                                                         std::to_string(instance.mesh) + "; the scene has " +
                                                          std::to_string(scene.meshes.size()) + " meshes");
         scene.instances.push_back({static_cast<int>(instance.mesh),
                                    affine(instance.worldFromObject, "the transform of " + name),
                                    instance.moves ? movers++ : -1});
     }
-    require(!scene.instances.empty(), "the scene has no instances; give it one at least");
+    require(!scene.instances.empty(), "the scene has no instances; give it at least one");
     scene.lights.push_back(lightOf(description.sun));
     computeBounds(scene);
     if (description.bounds) {
         const auto& [min, max] = *description.bounds;
         require(within(min, -maxCoordinate, maxCoordinate) && within(max, -maxCoordinate, maxCoordinate) &&
                     min[0] <= max[0] && min[1] <= max[1] && min[2] <= max[2],
-                "the scene's bounds: give finite numbers, max not below min");
+                "the scene's bounds: give finite numbers, and no component of max below that of min");
         scene.boundsWorld.include({min[0], min[1], min[2]});
         scene.boundsWorld.include({max[0], max[1], max[2]});
     }

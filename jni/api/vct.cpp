@@ -20,7 +20,7 @@ std::shared_ptr<const Environment> environmentOf(const SkyPicture& sky) {
     const std::size_t pixels = sky.radiance.size() / 3;
     if (sky.width < 1 || sky.height < 1 || sky.radiance.size() % 3 != 0 ||
         pixels != static_cast<std::size_t>(sky.width) * static_cast<std::size_t>(sky.height))
-        throw Error("SceneDescription::sky: give three numbers of each of its width times height pixels");
+        throw Error("SceneDescription::sky: give three numbers for each of its width x height pixels");
     Image image(sky.width, sky.height);
     for (std::size_t i = 0; i < pixels; ++i)
         image.pixels[i] = {sky.radiance[3 * i], sky.radiance[3 * i + 1], sky.radiance[3 * i + 2]};
@@ -35,7 +35,7 @@ Settings settingsOf(const Options& options, const SceneDescription& scene) {
     for (int i = 0; i < 3; ++i) {
         const float sky = scene.skyRadiance[i];
         if (!(sky >= 0.0F && sky <= 1e30F))
-            throw Error("the sky's radiance: give numbers from 0 on, below 1e30");
+            throw Error("the sky's radiance: give numbers between 0 and 1e30");
         settings.skyRadiance[i] = sky;
     }
     if (scene.sky) settings.environment = environmentOf(*scene.sky);
@@ -44,7 +44,7 @@ Settings settingsOf(const Options& options, const SceneDescription& scene) {
 
 gl::Capabilities capabilitiesOf(GetProcAddress getProcAddress) {
     if (getProcAddress == nullptr)
-        throw Error("getProcAddress is null; give the function that finds GL's entry points");
+        throw Error("getProcAddress is null; give the function that returns the addresses of GL functions");
     gl::load(
         [](const char* name, const void* user) {
             return reinterpret_cast<gl::Proc>((*static_cast<const GetProcAddress*>(user))(name));
@@ -65,7 +65,9 @@ std::vector<Output> outputsFor(const Options& options) {
     if (options.irradiance) outputs.push_back(Output::irradiance);
     if (options.ambientVisibility) outputs.push_back(Output::ambientVisibility);
     if (options.sunVisibility) outputs.push_back(Output::sunVisibility);
-    if (outputs.empty()) throw Error("the options ask for no picture; ask for one at least");
+    if (outputs.empty())
+        throw Error(
+            "the options ask for no picture; set radiance, irradiance, ambientVisibility or sunVisibility");
     return outputs;
 }
 
@@ -77,16 +79,17 @@ glm::dmat4 projectionOf(const Matrix& matrix) {
         result[i / 4][i % 4] = matrix.columns[i];
     const double volume = glm::determinant(result);
     if (volume == 0.0 || !std::isfinite(volume))
-        throw Error("View::clipFromCamera has no inverse; give a projection");
+        throw Error("View::clipFromCamera has no inverse; give a projection matrix");
     const glm::dvec4 lastRow(result[0][3], result[1][3], result[2][3], result[3][3]);
     const auto endsWith = [&](const glm::dvec4& row) { return glm::length(lastRow - row) < 1e-4; };
     const bool perspective = endsWith({0, 0, -1, 0});
     if (!perspective && !endsWith({0, 0, 0, 1}))
         throw Error(
-            "View::clipFromCamera is no projection: its last row must be 0 0 -1 0 (perspective) or 0 0 0 1 "
+            "View::clipFromCamera is not a projection: its last row must be 0 0 -1 0 (perspective) or 0 0 0 "
+            "1 "
             "(orthographic); matrices are in column-major order");
     if (result[perspective ? 3 : 2][2] > 0.0)
-        throw Error("View::clipFromCamera reverses depth; give a projection by which it grows with distance");
+        throw Error("View::clipFromCamera reverses depth; give a projection whose depth grows with distance");
     return result;
 }
 
@@ -97,7 +100,7 @@ Camera cameraOf(const View& view) {
     for (int i = 0; i < 3; ++i)
         if (glm::length(product[i] - glm::dmat3(1.0)[i]) > 1e-4 || glm::determinant(axes) < 0.0)
             throw Error(
-                "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirror");
+                "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirroring");
     Camera camera;
     camera.worldFromCamera = glm::inverse(cameraFromWorld);
     camera.clipFromWorld = projectionOf(view.clipFromCamera) * cameraFromWorld;
@@ -115,14 +118,16 @@ void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initi
     }
     const bool isOne = gl::GetError() == GL_NO_ERROR && width > 0;
     const std::string texture = std::string("GBufferTextures::") + what;
-    if (!isOne) throw Error(texture + " is " + std::to_string(name) + ", which is no 2D texture with texels");
+    if (!isOne)
+        throw Error(texture + " is " + std::to_string(name) +
+                    ", which is not a 2D texture with storage; give the name of one");
     if (width != size.x || height != size.y)
         throw Error(texture + " has " + std::to_string(width) + "x" + std::to_string(height) +
-                    " texels for pictures of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                    "; give it that size, or call resize()");
+                    " texels, but the pictures have " + std::to_string(size.x) + "x" +
+                    std::to_string(size.y) + "; give it that size, or call resize()");
     if (std::find(formats.begin(), formats.end(), format) == formats.end())
         throw Error(texture + " has the internal format " + std::to_string(format) +
-                    "; give it one of those that vct.h names");
+                    "; use one of the formats that vct.h lists");
 }
 
 }  // namespace
@@ -182,10 +187,10 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
     const std::vector<int>& nodes = implementation_->nodes;
     const std::string name = "instance " + std::to_string(instance);
     if (instance >= nodes.size())
-        throw Error("setTransform: there is no " + name + ", but " + std::to_string(nodes.size()) +
+        throw Error("setTransform: there is no " + name + "; the scene has " + std::to_string(nodes.size()) +
                     " instances");
     if (nodes[instance] < 0)
-        throw Error("setTransform: " + name + " was not declared to move (InstanceDescription::moves)");
+        throw Error("setTransform: " + name + " was not declared to move; set InstanceDescription::moves");
     implementation_->pose.worldFromNode[nodes[instance]] =
         affine(worldFromObject, "setTransform: the transform of " + name);
     implementation_->renderer->setPose(implementation_->pose);
@@ -234,7 +239,7 @@ gl::ReadShader embeddedShaders() {
     return [](const std::string& path) {
         for (const EmbeddedFile* file = embeddedFiles; file->path != nullptr; ++file)
             if (path == file->path) return std::string(file->text);
-        throw Error("the shader " + path + " is not in the library; build it again");
+        throw Error("the shader " + path + " is not in the library; build the library again");
     };
 }
 

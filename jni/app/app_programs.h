@@ -1,5 +1,5 @@
-// The app's own programs: the picture in a window, sRGB-encoded and scaled, and the head-up display, which
-// also compiles in ESSL 3.00.
+// The app's own programs. One shows the picture in the window, scaled and sRGB-encoded; the other draws the
+// panel, and also compiles in ESSL 3.00.
 #pragma once
 
 #include "gl/program.h"

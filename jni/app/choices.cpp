@@ -18,9 +18,9 @@ const Resolution& resolutionOf(const Choices& choices) {
 
 const std::vector<Resolution>& resolutions() {
     static const std::vector<Resolution> all{
-        {"as the time allows", "auto", 0, {}}, {"as the window", "1", 1, {}},
-        {"1/2 of the window", "2", 2, {}},     {"1/3 of the window", "3", 3, {}},
-        {"1/4 of the window", "4", 4, {}},     {"400x400, as the thesis", "thesis", 0, {400, 400}}};
+        {"automatic", "auto", 0, {}},      {"size of the window", "1", 1, {}},
+        {"1/2 of the window", "2", 2, {}}, {"1/3 of the window", "3", 3, {}},
+        {"1/4 of the window", "4", 4, {}}, {"400x400, as in the thesis", "thesis", 0, {400, 400}}};
     return all;
 }
 
@@ -36,11 +36,11 @@ const char* skyName(Sky sky) {
 ShowRequest showRequestFromText(const std::string& text) {
     ShowRequest request;
     Choices& choices = request.choices;
-    std::optional<int> grid;  // over the preset's, in whichever order they stand
+    std::optional<int> grid;  // replaces the preset's, in whatever order both are given
     const auto setSwitch = [](const char* name, bool& on) {
         return [name, &on](const std::string& value) {
             if (value != "on" && value != "off")
-                throw Error(std::string("show: ") + name + " is on or off, not '" + value + "'");
+                throw Error(std::string("show: ") + name + "='" + value + "' is not valid; use on or off");
             on = value == "on";
         };
     };
@@ -49,18 +49,20 @@ ShowRequest showRequestFromText(const std::string& text) {
             std::find_if(resolutions().begin(), resolutions().end(),
                          [&](const Resolution& resolution) { return value == resolution.word; });
         if (found == resolutions().end())
-            throw Error("show: pixels is auto, 1, 2, 3, 4 or thesis, not '" + value + "'");
+            throw Error("show: pixels='" + value + "' is not valid; use auto, 1, 2, 3, 4 or thesis");
         choices.resolution = static_cast<int>(found - resolutions().begin());
     };
     const auto setTime = [&](const std::string& value) {
         request.timeS = numberFromText("show: time", value);
-        if (request.timeS < 0.0) throw Error("show: time is a number of seconds from 0 on, not " + value);
+        if (request.timeS < 0.0)
+            throw Error("show: time='" + value + "' is not valid; use a number of seconds of 0 or more");
         choices.play = false;
     };
     const auto setSky = [&](const std::string& value) {
         const auto found =
             std::find_if(skies().begin(), skies().end(), [&](Sky sky) { return value == skyName(sky); });
-        if (found == skies().end()) throw Error("show: sky is scene, dark or plain, not '" + value + "'");
+        if (found == skies().end())
+            throw Error("show: sky='" + value + "' is not valid; use scene, dark or plain");
         choices.sky = *found;
     };
     const auto setLightsOff = [&](const std::string& value) {
@@ -120,7 +122,7 @@ glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, cons
 DirectionalLight lightFor(const Choices& choices, DirectionalLight light) {
     if (choices.lightAnglesDeg) {
         const glm::dvec2 angles = glm::radians(glm::dvec2(*choices.lightAnglesDeg));
-        light.node = -1;  // stays there
+        light.node = -1;  // an animation of the scene no longer moves it
         light.directionToLight = {std::cos(angles.y) * std::sin(angles.x), std::sin(angles.y),
                                   std::cos(angles.y) * std::cos(angles.x)};
     }

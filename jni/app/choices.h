@@ -1,4 +1,4 @@
-// What the display lets a person change, and what it means for the renderer.
+// The choices in the panel, and the settings of the renderer that follow from them.
 #pragma once
 
 #include <bitset>
@@ -13,18 +13,18 @@
 
 namespace vct::app {
 
-// The pixels that are rendered, which the window then shows larger.
+// A choice for the size of the rendered picture, which is then scaled to the window.
 struct Resolution {
-    const char* name;
-    const char* word;  // as in ShowRequest
-    int divisor;       // of the window's sides; 0: `fixed`, or where that is 0 too, ResolutionScale's
-    glm::ivec2 fixed;  // keeps its shape
+    const char* name;  // in the panel
+    const char* word;  // in the text of a ShowRequest
+    int divisor;       // the window's sides are divided by it; 0: see `fixed`
+    glm::ivec2 fixed;  // fixed size, shown with its own aspect ratio; 0: ResolutionScale chooses the size
 };
 const std::vector<Resolution>& resolutions();
 
-// What is outside the scene.
+// The sky outside the scene.
 enum class Sky {
-    scene,  // dark, but a plain sky around a scene in which nothing shines (scene/camera.h)
+    scene,  // the scene's own: dark, or a plain sky if the scene has no light (chooseSky())
     dark,
     plain,
 };
@@ -34,24 +34,25 @@ const char* skyName(Sky sky);  // "scene", "dark", "plain"
 struct Choices {
     std::string preset = defaultPreset;
     Output mode = Output::giConeShadow;
-    int grid = presetSettings(preset).grid;  // voxels along a side
+    int grid = presetSettings(preset).grid;  // voxels per side
     float coneAngleDeg = 5.0F;
     int resolution = 0;  // index into resolutions()
-    // Where the light comes from: degrees from +Z towards +X, and above the horizon. Empty: as in the scene.
+    // Direction to the sun: degrees from +Z towards +X, and degrees above the horizon. Empty: as in the
+    // scene.
     std::optional<glm::vec2> lightAnglesDeg;
-    std::bitset<VCT_MAX_PUNCTUAL_LIGHTS> lightsOff;  // of Scene::punctualLights
+    std::bitset<VCT_MAX_PUNCTUAL_LIGHTS> lightsOff;  // one bit per light of Scene::punctualLights
     Sky sky = Sky::scene;
     bool timeSteps = true;
-    bool play = true;  // the scene's animation; else it stands still
+    bool play = true;  // play the scene's animation
     bool revoxelize = false;
 
     bool operator==(const Choices& other) const = default;
 };
 
-// What to begin with: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5 pixels=1 display=off
-// steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3", each but the first word may be left out;
-// pixels: auto, 1 to 4, the divisor of the window's sides, or thesis; time: where the animation stands still,
-// in seconds; lights-off: which of the lights besides the sun, counted from 1.
+// The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5
+// pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3". Each word but the first
+// may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or thesis; `time` stops the
+// animation at this second; `lights-off` has the numbers of lights besides the sun, counted from 1.
 struct ShowRequest {
     std::string scene;
     Choices choices;
@@ -61,21 +62,23 @@ struct ShowRequest {
 // Throws vct::Error.
 ShowRequest showRequestFromText(const std::string& text);
 
-// With the preset's own grid: six faces per voxel take six times the memory of a word. Throws
-// vct::Error.
+// Chooses a preset and its grid: presets differ so much in memory per voxel that a grid that fits with one
+// may not fit with another. Throws vct::Error.
 void choosePreset(Choices& choices, const std::string& name);
 
-// Whether the size of pictures follows the time that they take.
+// True if the size of the picture follows the time that frames take.
 bool scaleFollowsTime(const Choices& choices);
 
-// But for the sky. `divisor`: of the window's sides, for a size that follows the time.
+// The renderer's settings, except for the sky. `divisor` divides the window's sides if the size follows the
+// time.
 Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor);
 
-// The sky's radiance: `sceneSky` where the scene's own was chosen; a plain sky is as of `light`.
+// The sky's radiance: `sceneSky` if the scene's own sky was chosen, 0, or a plain sky that suits `light`.
 glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light);
 
-// A scene's light, turned to where it was chosen to come from.
+// The scene's sun `light`, turned to the chosen direction.
 DirectionalLight lightFor(const Choices& choices, DirectionalLight light);
+// The direction to the light, as in Choices::lightAnglesDeg.
 glm::vec2 lightAnglesDeg(const DirectionalLight& light);
 
 }  // namespace vct::app

@@ -12,11 +12,11 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     try {
         gl::load([](const char* name, const void*) { return eglGetProcAddress(name); }, nullptr);
     } catch (const Error& error) {
-        missing_ = error.what();  // the display needs none of those that may be absent
+        missing_ = error.what();  // the panel can be drawn without these functions
     }
     capabilities_ = gl::queryCapabilities();
     capabilities_.texturesInMainMemory = true;  // a phone's GPU has no memory of its own
-    // Asking an old driver for limits that it does not know is an error to it.
+    // An old driver reports errors for queries of limits that it does not know. They are ignored here.
     for (int i = 0; i < 64 && gl::GetError() != GL_NO_ERROR; ++i) {
     }
     gl::installDebugCallback();
@@ -29,7 +29,7 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     if (!missing_.empty()) log(LogLevel::error, missing_);
     hud_.emplace(gl::ShaderLibrary{shaders_, gl::Language::essl300});
     if (missing_.empty()) presenter_.emplace(gl::ShaderLibrary{shaders_, capabilities_.language()});
-    gl::checkErrors("setting up the display");
+    gl::checkErrors("setting up the panel");
 }
 
 std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {
@@ -46,7 +46,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         settings.grid != renderer_->settings().grid ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
         settings.environment != renderer_->settings().environment) {
-        // The old one goes first: a phone may not have room for the voxels of both.
+        // The old renderer is freed first, because a phone may not have memory for the voxels of both.
         renderer_.reset();
         if (const std::string note = voxelizationNote(settings.voxels, capabilities_); !note.empty())
             log(note);

@@ -1,4 +1,4 @@
-// Everything of the app that lives in a GL context, and goes with it.
+// All GL objects of the app. They are destroyed with the context.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@ namespace vct::app {
 
 class GlObjects {
   public:
-    // In the current context. Where the driver lacks what the pipeline needs, `missing()` says so and only
-    // the display can be drawn.
+    // Makes the objects in the current context. If the driver lacks something that the renderer needs,
+    // missing() names it, and only the panel can be drawn.
     explicit GlObjects(const gl::ReadShader& shaders);
 
     const gl::Capabilities& capabilities() const { return capabilities_; }
@@ -24,10 +24,11 @@ class GlObjects {
     const HudRenderer& hud() const { return *hud_; }
     const Presenter& presenter() const { return *presenter_; }
 
-    // The renderer for a scene and its settings, with the preset and the lamps of `choices`; the last one
-    // where these need no other. Throws vct::Error, and then there is none.
-    // For a renderer in place of the present one, which goes before another comes.
+    // Returns the grids that the driver and the free memory allow. Counts the memory of the current renderer
+    // as free, because it is destroyed before a new one is made.
     std::vector<int> possibleGrids(const Settings& settings) const;
+    // Returns a renderer for the scene and its settings, with the preset and the lights of `choices`.
+    // Rebuilds it only if they require that. Throws vct::Error, and then there is no renderer.
     Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
                           const Settings& settings, const Choices& choices);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
@@ -40,7 +41,7 @@ class GlObjects {
     std::optional<HudRenderer> hud_;
     std::optional<Presenter> presenter_;
     std::optional<Renderer> renderer_;
-    // What renderer_ was made for.
+    // Scene and preset that renderer_ was made for.
     std::shared_ptr<const Scene> scene_;
     std::string preset_;
 };

@@ -13,7 +13,7 @@ namespace vct::app {
 
 namespace {
 
-constexpr float fontPixels = 13.0F;  // the built-in font is drawn for whole multiples of it
+constexpr float fontPixels = 13.0F;  // height of the built-in font, which is sharp at whole multiples of it
 constexpr float panelCharacters = 48.0F;
 
 ImVec4 warningColor() {
@@ -24,7 +24,7 @@ std::string titleOf(const SceneFile& scene) {
     return scene.bundled ? scene.name : scene.name + " (files)";
 }
 
-// A list to choose from; returns another item than the current one where that was chosen, else null.
+// Draws a list to choose from. Returns the chosen item, or null if the current one was kept.
 template <typename Items, typename NameOf>
 auto choose(const char* label, const Items& items, const std::string& current, const NameOf& nameOf)
     -> decltype(std::data(items)) {
@@ -43,7 +43,7 @@ auto choose(const char* label, const Items& items, const std::string& current, c
 Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // a phone's working folder cannot be written
+    io.IniFilename = nullptr;  // on a phone the working folder is not writable
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     scale_ = std::max(1.0F, std::round(1.1F * pixelsPerDp));
     ImFontConfig font;
@@ -89,8 +89,8 @@ void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(window.x), static_cast<float>(window.y));
     io.DeltaTime = static_cast<float>(std::max(secondsPassed, 1e-4));
-    // This version of Dear ImGui sees the finger once a frame: a tap that began and ended since the last one
-    // would be lost if both were told at once.
+    // This version of Dear ImGui reads the finger's state once per frame. A tap that began and ended since
+    // the last frame is therefore passed on over two frames.
     while (!touches_.empty()) {
         const TouchEvent event = touches_.front();
         touches_.pop_front();
@@ -100,7 +100,7 @@ void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
         if (changed) break;
     }
     io.MouseDown[0] = touchDown_;
-    // A wheel turns what is under the cursor, which is known of in this frame only.
+    // The wheel scrolls the widget under the cursor, so the cursor's position is set for this frame.
     if (wheelClicks_ != 0.0F && !touchDown_) {
         io.MousePos = ImVec2(wheelAt_.x, wheelAt_.y);
         io.MouseWheel = wheelClicks_;
@@ -111,7 +111,8 @@ void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
 
 void Hud::endFrame() {
     ImGui::Render();
-    // A finger that was lifted points at nothing, or what it touched last would stay highlighted.
+    // After the finger is lifted there is no position, otherwise the widget that it touched last would stay
+    // highlighted.
     if (!touchDown_ && touches_.empty()) ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
 }
 
@@ -120,7 +121,7 @@ const ImDrawData& Hud::drawData() const {
     return *ImGui::GetDrawData();
 }
 
-// A panel in the corner, as high as its contents or the screen.
+// Begins a panel in the upper left corner, as high as its contents but no higher than the screen.
 void Hud::beginPanel(const char* name, const glm::ivec4& free, float widest) {
     const ImVec2 room(static_cast<float>(free.z - free.x), static_cast<float>(free.w - free.y));
     const float width = std::min(widest, room.x);
@@ -147,7 +148,7 @@ HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::i
         if (ImGui::Button("Hide")) hidden_ = true;
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
-        ImGui::Text("%.1f ms, %.1f a second", content.frameMs,
+        ImGui::Text("%.1f ms, %.1f frames/s", content.frameMs,
                     content.frameMs > 0.0 ? 1000.0 / content.frameMs : 0.0);
         if (!content.status.empty()) ImGui::TextWrapped("%s", content.status.c_str());
         if (!content.message.empty()) {
@@ -183,7 +184,7 @@ void Hud::buildMessage(const std::string& title, const std::string& text, glm::i
 void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
     if (content.divisor)
-        ImGui::TextWrapped("1/%g of the window's sides: what %g ms a frame allow, but at least 1/%g",
+        ImGui::TextWrapped("Automatic: 1/%g of the window's sides, for at most %g ms a frame (lowest: 1/%g)",
                            *content.divisor, ResolutionScale::maxMs, ResolutionScale::maxDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
@@ -199,7 +200,7 @@ void Hud::buildTimes(const HudContent& content) const {
         cell(title.c_str(), (*content.stepMs)[i]);
         total += (*content.stepMs)[i];
     }
-    cell("all", total);
+    cell("total", total);
     ImGui::EndTable();
 }
 
@@ -221,7 +222,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     if (const Resolution* chosen = choose("pixels", all, all[choices.resolution].name,
                                           [](const Resolution& resolution) { return resolution.name; }))
         choices.resolution = static_cast<int>(chosen - all.data());
-    ImGui::SliderFloat("cone", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
+    ImGui::SliderFloat("sun size", &choices.coneAngleDeg, 1.0F, 30.0F, "%.1f degrees",
                        ImGuiSliderFlags_AlwaysClamp);
     buildLight(content);
     if (!content.lights.empty()) buildLights(content);
@@ -232,14 +233,14 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
         ImGui::SameLine();
         ImGui::Checkbox("play", &choices.play);
     }
-    if (ImGui::Button("Reset view and light")) {
+    if (ImGui::Button("Reset view and sun")) {
         actions.resetView = true;
         choices.lightAnglesDeg.reset();
     }
     ImGui::SameLine();
 }
 
-// Which grids there are is asked while the list is open only, as it depends on how much memory is free.
+// The possible grids depend on the free memory, so they are queried only while the list is open.
 void Hud::buildGrid(const HudContent& content) const {
     const auto name = [](int grid) { return std::to_string(grid) + "^3"; };
     int& chosen = content.choices->grid;
@@ -251,9 +252,9 @@ void Hud::buildGrid(const HudContent& content) const {
 
 void Hud::buildLight(const HudContent& content) const {
     glm::vec2 angles = content.choices->lightAnglesDeg.value_or(content.sceneLightDeg);
-    bool changed = ImGui::SliderFloat("light from", &angles.x, -180.0F, 180.0F, "%.0f degrees",
+    bool changed = ImGui::SliderFloat("sun from", &angles.x, -180.0F, 180.0F, "%.0f degrees",
                                       ImGuiSliderFlags_AlwaysClamp);
-    changed |= ImGui::SliderFloat("light up", &angles.y, -90.0F, 90.0F, "%.0f degrees",
+    changed |= ImGui::SliderFloat("sun height", &angles.y, -90.0F, 90.0F, "%.0f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) content.choices->lightAnglesDeg = angles;
 }
@@ -265,17 +266,17 @@ void Hud::buildLights(const HudContent& content) const {
     for (std::size_t i = 0; i < count; ++i)
         shining += off.test(i) ? 0 : 1;
     const std::string on = std::to_string(shining) + " of " + std::to_string(count) + " on";
-    if (!ImGui::BeginCombo("lamps", on.c_str(), ImGuiComboFlags_HeightLargest)) return;
+    if (!ImGui::BeginCombo("lights", on.c_str(), ImGuiComboFlags_HeightLargest)) return;
     for (std::size_t i = 0; i < count; ++i) {
         bool shines = !off.test(i);
-        // Two lights may have one name, which ImGui would take for one widget.
+        // The number makes labels unique. ImGui would treat two widgets with the same label as one.
         const std::string label = std::to_string(i + 1) + " " + content.lights[i];
         if (ImGui::Checkbox(label.c_str(), &shines)) off.set(i, !shines);
     }
     ImGui::EndCombo();
 }
 
-// A finger that began on no widget moves a panel that is higher than the screen.
+// Scrolls a panel that is higher than the screen by a finger that touches none of its widgets.
 void Hud::scrollByTouch() const {
     const ImGuiIO& io = ImGui::GetIO();
     if (touchDown_ && ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())

@@ -1,4 +1,4 @@
-// The head-up display: what is measured, and what can be changed, by touch. Knows nothing of GL or Android.
+// The panel: shows times and messages, and changes the choices by touch. Knows nothing of GL or Android.
 #pragma once
 
 #include <array>
@@ -18,29 +18,29 @@ struct ImGuiContext;
 
 namespace vct::app {
 
-// What is shown. `choices` and `scene` are changed by the person.
+// Content of the panel. The user changes `choices` and `scene`.
 struct HudContent {
     Choices* choices = nullptr;
     int* scene = nullptr;  // index into scenes, or -1
     const std::vector<SceneFile>* scenes = nullptr;
-    glm::vec2 sceneLightDeg{0.0F};                          // where the scene's light comes from
-    double frameMs = 0.0;                                   // between two frames on the screen
-    const std::array<double, stepCount>* stepMs = nullptr;  // null: not timed
-    glm::ivec2 renderSize{0};
-    std::optional<double> divisor;                    // of the window's sides, where it follows the time
-    std::function<std::vector<int>()> possibleGrids;  // of the scene and the driver, now
-    bool animated = false;                            // the scene
-    std::vector<std::string> lights;                  // of the scene besides the sun, by name
-    std::string status;                               // what is going on: loading, measuring
-    std::string message;                              // what went wrong
+    glm::vec2 sceneLightDeg{0.0F};                          // direction to the scene's sun
+    double frameMs = 0.0;                                   // time between two frames on the screen
+    const std::array<double, stepCount>* stepMs = nullptr;  // time of each step; null: not timed
+    glm::ivec2 renderSize{0};                               // pixels
+    std::optional<double> divisor;  // divisor of the window's sides, if the size follows the time
+    std::function<std::vector<int>()> possibleGrids;  // grids that driver and free memory allow now
+    bool animated = false;                            // the scene has an animation
+    std::vector<std::string> lights;                  // names of the scene's lights besides the sun
+    std::string status;                               // current activity: loading, measuring
+    std::string message;                              // last error or result
     bool measuring = false;
 };
 
 struct HudActions {
     bool resetView = false;
     bool rescan = false;
-    bool measure = false;  // start, or stop where one is going on
-    bool dismiss = false;  // the message has been read
+    bool measure = false;  // start a measurement, or stop the running one
+    bool dismiss = false;  // remove the message
 };
 
 class Hud {
@@ -51,25 +51,25 @@ class Hud {
     Hud(const Hud&) = delete;
     Hud& operator=(const Hud&) = delete;
 
-    // Whether a finger put down there is meant for the display, as it was last drawn.
+    // True if the panel covered this position when it was last drawn.
     bool covers(const glm::vec2& position) const;
-    // One finger, that began where covers() said so; pixels from the top left.
+    // Reports one finger, which touched the screen first at a position that covers() accepted. Pixels from
+    // the top left.
     void touch(const glm::vec2& position, bool down);
-    // The mouse's wheel; clicks upwards.
+    // Reports the mouse wheel; positive clicks are upwards.
     void scroll(const glm::vec2& position, float clicks);
 
     // `free`: left, top, right, bottom of the window's part that no system bar covers.
     HudActions build(const HudContent& content, glm::ivec2 window, const glm::ivec4& free,
                      double secondsPassed);
-    // One message over all of the window, instead of the display.
+    // Builds one message over the whole width of the window, instead of the panel.
     void buildMessage(const std::string& title, const std::string& text, glm::ivec2 window,
                       const glm::ivec4& free);
-    // Of the last build.
+    // Triangles of the last build.
     const ImDrawData& drawData() const;
 
-    // A hidden display is only a button; without one there is not even that.
-    void turnOff() { off_ = true; }
-    void toggle() { hidden_ = !hidden_; }
+    void turnOff() { off_ = true; }        // draws nothing at all
+    void toggle() { hidden_ = !hidden_; }  // a hidden panel is a button that shows it again
 
   private:
     void beginFrame(glm::ivec2 window, double secondsPassed);

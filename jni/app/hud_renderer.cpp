@@ -9,9 +9,9 @@ namespace vct::app {
 
 namespace {
 
-constexpr int fontUnit = 0;  // a sampler's default
+constexpr int fontUnit = 0;  // texture unit; 0 is a sampler's default
 
-enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // as in app/hud.vert
+enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // locations in app/hud.vert
 
 gl::Texture fontTexture() {
     unsigned char* pixels = nullptr;
@@ -30,8 +30,8 @@ gl::Texture fontTexture() {
 HudRenderer::HudRenderer(const gl::ShaderLibrary& shaders)
     : program_(shaders, hudProgram()), windowUniform_(program_.uniform("window")), font_(fontTexture()) {
     vertexArray_.bind();
-    vertices_ = gl::Buffer("display vertices", GL_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
-    indices_ = gl::Buffer("display indices", GL_ELEMENT_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
+    vertices_ = gl::Buffer("panel vertices", GL_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
+    indices_ = gl::Buffer("panel indices", GL_ELEMENT_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
     const auto attribute = [](Attribute location, GLint components, GLenum type, bool normalized,
                               std::size_t offset) {
         gl::EnableVertexAttribArray(location);
@@ -44,7 +44,7 @@ HudRenderer::HudRenderer(const gl::ShaderLibrary& shaders)
 }
 
 void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
-    const gl::DebugGroup group("head-up display");
+    const gl::DebugGroup group("panel");
     gl::Enable(GL_BLEND);
     gl::BlendEquation(GL_FUNC_ADD);
     gl::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -54,7 +54,7 @@ void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
                   0.0F, 0.0F);
     font_.bind(fontUnit);
     vertexArray_.bind();
-    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // a driver fault requires this: see GpuScene::bindGeometry()
     vertices_.bind(GL_ARRAY_BUFFER);
     for (int n = 0; n < data.CmdListsCount; ++n) {
         const ImDrawList& list = *data.CmdLists[n];

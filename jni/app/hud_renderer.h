@@ -1,5 +1,5 @@
-// Draws Dear ImGui's triangles through gl::. (Its own back ends load a desktop GL by themselves.) All that it
-// needs is OpenGL ES 3.0, so that it can say what a driver lacks.
+// Draws Dear ImGui's triangles through gl::, because ImGui's own back ends load desktop OpenGL. It needs only
+// OpenGL ES 3.0, so that the app can show what a driver lacks.
 #pragma once
 
 #include <imgui.h>

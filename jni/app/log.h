@@ -1,5 +1,5 @@
-// What the app and `vct view` say: on Android to its log, under the tag `vct` (`adb logcat -s vct`), on a
-// desktop to stderr, but for details.
+// Messages of the app and of `vct view`. On Android they go to the system log under the tag `vct` (`adb
+// logcat -s vct`), on a desktop to stderr, without those of level `detail`.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace vct::app {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double highestRad = 0.49 * pi;  // short of straight up or down, where left and right change places
+constexpr double highestRad = 0.49 * pi;  // beyond the vertical, left and right would be exchanged
 
 }  // namespace
 
@@ -39,8 +39,8 @@ void OrbitView::start(const Camera& camera) {
     if (!start_.aspectRatio) start_.aspectRatio = 1.0;
     const glm::dvec3 eye(camera.worldFromCamera[3]);
     const glm::dvec3 forward(-camera.worldFromCamera[2]);
-    // The point of the view axis nearest to the scene's centre; a camera that looks away turns around a point
-    // close before it.
+    // The view turns around the point of the view axis nearest to the scene's centre, or around a point close
+    // to the camera if it looks away from the scene.
     startDistance_ = std::max(glm::dot(centre_ - eye, forward), 0.1 * size_);
 }
 
@@ -55,9 +55,9 @@ void OrbitView::apply(const Gesture& gesture, glm::ivec2 viewport) {
     if (gesture.orbit == glm::vec2(0.0F) && gesture.pan == glm::vec2(0.0F) && gesture.zoom == 1.0F) return;
     moved_ = true;
     const double height = std::max(viewport.y, 1);
-    // The height of the window turns by half a turn, as if the scene lay in a ball of that size.
+    // Moving a finger over the window's height turns the view by half a turn, like a ball of that diameter.
     orbit(-gesture.orbit.x * pi / height, -gesture.orbit.y * pi / height);
-    // What is orbited stays under the fingers.
+    // The point that the view turns around stays under the fingers.
     const double verticalFovRad = camera(std::max(viewport.x, 1) / height).verticalFovRad;
     const double metresPerPixel = 2.0 * distance_ * std::tan(0.5 * verticalFovRad) / height;
     const glm::dvec3 moved = glm::dmat3(now_.worldFromCamera) *
@@ -77,18 +77,18 @@ void OrbitView::orbit(double yawRad, double pitchRad) {
     if (yawRad == 0.0 && pitchRad == 0.0) return;
     const glm::dvec3 target =
         glm::dvec3(now_.worldFromCamera[3]) - distance_ * glm::dvec3(now_.worldFromCamera[2]);
-    // The eye's height over the target as an angle; positive pitch lowers it, as the scene follows the
-    // finger.
+    // The elevation is the eye's height above the target, as an angle. Positive pitch lowers the eye, because
+    // the scene follows the finger.
     const double elevation = std::asin(std::clamp(now_.worldFromCamera[2].y, -1.0, 1.0));
-    const double limit =
-        std::max(highestRad, std::abs(elevation));  // a scene's camera may look straight down
+    // A scene's camera may look straight down.
+    const double limit = std::max(highestRad, std::abs(elevation));
     const double pitch = elevation - std::clamp(elevation - pitchRad, -limit, limit);
     const glm::dvec3 right(now_.worldFromCamera[0]);
     glm::dmat4 turn = glm::translate(glm::dmat4(1.0), target);
     turn = glm::rotate(turn, yawRad, glm::dvec3(0.0, 1.0, 0.0));
     turn = glm::rotate(turn, pitch, right);
     now_.worldFromCamera = glm::translate(turn, -target) * now_.worldFromCamera;
-    // Thousands of turns must not add up to a scale.
+    // Orthonormalizes the axes, because rounding errors of many turns would add up.
     glm::dvec3 z = glm::normalize(glm::dvec3(now_.worldFromCamera[2]));
     glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(now_.worldFromCamera[1]), z));
     now_.worldFromCamera[0] = glm::dvec4(x, 0.0);

@@ -1,4 +1,4 @@
-// The camera under the fingers. Starts exactly as the scene's.
+// The camera that gestures move. It starts exactly as the scene's camera.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,24 @@ namespace vct::app {
 
 class OrbitView {
   public:
-    // `first`, else the scene's first camera, else one that sees all of it, in a picture of `aspect` (width
-    // over height).
+    // Starts with `first` if it is given, else with the scene's first camera, else with a view of the whole
+    // scene for a picture of `aspect` (width over height).
     OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect);
 
-    // The scene's camera, where an animation has moved it: the view goes with it until fingers move the view,
-    // and again after a double tap.
+    // Follows the scene's animated camera, until a gesture moves the view. A double tap makes it follow
+    // again.
     void follow(const Camera& camera);
 
-    // `viewport`: pixels in which the gesture was made.
+    // `viewport`: size of the window in which the gesture was made, in pixels.
     void apply(const Gesture& gesture, glm::ivec2 viewport);
 
-    // By shares of the scene's size to the right, up and back, with the point that is orbited.
+    // Moves the camera, and the point that it turns around, to the right, up and back, in shares of the
+    // scene's size.
     void walk(const glm::dvec3& shares);
 
-    // In a picture of `aspect`. One that is narrower than the scene's camera is made for shows all that it
-    // frames: at least a square, or a phone held upright would see a slit.
+    // Returns the camera for a picture of `aspect`. If the picture is narrower than the camera is made for,
+    // the field of view is widened to show the same width, so that a phone held upright does not show a
+    // narrow strip.
     Camera camera(double aspect) const;
 
   private:
@@ -34,11 +36,11 @@ class OrbitView {
     void start(const Camera& camera);
     void reset();
 
-    glm::dvec3 centre_;  // the scene's
-    double size_;        // its diagonal, metres
+    glm::dvec3 centre_;  // centre of the scene
+    double size_;        // diagonal of the scene, metres
     Camera start_, now_;
-    double startDistance_, distance_;  // metres from the eye to the point that is orbited
-    bool moved_ = false;               // by fingers
+    double startDistance_, distance_;  // metres from the eye to the point that the view turns around
+    bool moved_ = false;               // a gesture has moved the view
 };
 
 }  // namespace vct::app

@@ -11,12 +11,13 @@ namespace vct::app {
 
 namespace {
 
-// The names of app/present.frag's layout qualifiers.
+// Bindings and locations in app/present.frag.
 constexpr int radianceUnit = 0;
 constexpr GLint scaleUniform = 0;
 constexpr GLint rectangleUniform = 1;
 
-// Where in the window the frame goes: origin and size. The rounding of a resolution is no other shape.
+// The part of the window that shows the frame: origin and size. Differences of the aspect ratio by rounding
+// are ignored.
 glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
     const glm::dvec2 ratio = glm::dvec2(window) / glm::dvec2(frame);
     glm::ivec2 size = window;
@@ -39,7 +40,7 @@ void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window
     const gl::DebugGroup group("present");
     const gl::Texture& frame = renderer.output();
     const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
-    // Nothing is between the pixels of a frame that is as large as its place, but a filter's rounding.
+    // At its own size the frame needs no interpolation, and linear filtering would only add rounding errors.
     const bool same = rectangle.z == frame.width() && rectangle.w == frame.height();
     const GLenum filter = same ? GL_NEAREST : GL_LINEAR;
     frame.setFilter(filter, filter);

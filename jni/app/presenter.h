@@ -1,4 +1,4 @@
-// A frame into the window.
+// Shows a rendered frame in the window.
 #pragma once
 
 #include "engine/renderer.h"
@@ -7,12 +7,12 @@
 
 namespace vct::app {
 
-// Of a scene: as that of `vct render` by its first picture, and again by the one in which its light stands
-// still. Then it stays, so that a light that is switched off is seen to be off; and reading a picture back
-// takes too long for every frame.
+// The exposure of a scene, chosen as `vct render` does: by the first picture, and again by the one after
+// lightFrames frames, when indirect light has converged. Then it stays fixed, so that switching a light off
+// makes the picture darker, and because reading a picture back in every frame would take too long.
 class Exposure {
   public:
-    // After each frame.
+    // Must be called after each frame.
     void follow(const Renderer& renderer);
     float value() const { return value_; }
 
@@ -25,9 +25,9 @@ class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
 
-    // Scales the renderer's last frame to the window of the current pass, `window` pixels, multiplies it by
-    // the exposure, and maps and encodes it for the screen: the picture that a PNG of it holds. A frame of
-    // another shape keeps it and leaves the rest of the window alone.
+    // Scales the renderer's last frame to the window of the current pass (`window` pixels), and applies
+    // exposure, tone mapping and sRGB encoding, as for a PNG. A frame with another aspect ratio keeps it; the
+    // rest of the window is not touched.
     void draw(const Renderer& renderer, float exposure, glm::ivec2 window) const;
 
   private:
@@ -35,7 +35,7 @@ class Presenter {
     gl::VertexArray noVertices_;
 };
 
-// The pass that draws the current window. It starts with one sRGB-encoded colour.
+// The render pass of the current window. It first clears the window to an sRGB-encoded colour.
 gl::RenderPass windowPass(glm::ivec2 window, const glm::vec3& color);
 
 }  // namespace vct::app

@@ -9,12 +9,13 @@ namespace vct::app {
 
 namespace {
 
-// From one to the next the number of pixels changes by about a half.
+// From each divisor to the next the number of pixels changes by a factor of 1.4 to 1.8.
 constexpr std::array<double, 7> divisors{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, ResolutionScale::maxDivisor};
 
 constexpr std::size_t framesToFall = 10, framesToRise = 30;
 
-// The finest level at which a frame is expected to take `limitMs`, where it takes `ms` with `divisor`.
+// The finest level at which a frame is expected to take at most `limitMs`, given that it takes `ms` with
+// `divisor`.
 std::size_t finestWithin(double limitMs, double ms, double divisor) {
     std::size_t level = 0;
     while (level + 1 < divisors.size() &&

@@ -1,30 +1,31 @@
-// How many pixels a frame's time allows: the window's sides over a divisor that follows measured times.
+// Chooses the size of rendered pictures by measured frame times: the window's sides over a divisor.
 #pragma once
 
 #include <vector>
 
 namespace vct::app {
 
-// Decides by medians, so that one slow frame changes nothing. What a finer scale would take is expected as if
-// all of a frame's time grew with its pixels, which is more than it does: the scale does not rise where it
-// would have to fall again. Between the time that lets it rise and the one that makes it fall there is a gap
-// too, so that noise does not move it to and fro.
+// Decides by medians, so that one slow frame changes nothing. To predict the time at a finer resolution, it
+// assumes that the whole time of a frame grows with its pixels. That overestimates, so the resolution never
+// rises only to fall again. The two limits also lie apart, so that noise does not make it oscillate.
 class ResolutionScale {
   public:
-    static constexpr double maxMs = 15.0;     // of 60 frames a second, less what the system needs to show one
-    static constexpr double enoughMs = 12.0;  // up to which it rises
-    static constexpr double maxDivisor = 4.0;  // where it stays however long frames take
+    // Above this the resolution falls: a frame at 60 Hz (16.7 ms) less the system's time to show it.
+    static constexpr double maxMs = 15.0;
+    // The resolution rises if the predicted time is below this.
+    static constexpr double enoughMs = 12.0;
+    static constexpr double maxDivisor = 4.0;  // the resolution falls no further
 
-    // Takes a frame's time in ms, from its start until the GPU has finished it. Returns whether frames to
-    // come have another size.
+    // Takes a frame's time in ms, from its start until the GPU has finished it. Returns true if the following
+    // frames have another size.
     bool follow(double frameMs);
 
-    // Of the window's sides, from 1 to maxDivisor.
+    // Divisor of the window's sides, from 1 to maxDivisor.
     double divisor() const;
 
   private:
-    std::size_t level_ = 5;        // 1/3: what can do more rises within a second
-    std::vector<double> timesMs_;  // of the last frames, all of them at this level
+    std::size_t level_ = 5;        // begins at 1/3; a fast GPU rises within a second
+    std::vector<double> timesMs_;  // times of the last frames at this level
 };
 
 }  // namespace vct::app

@@ -1,5 +1,5 @@
-// The scenes that can be chosen, and the loading of one on a thread of its own, so that the app goes on
-// answering events.
+// Lists the scenes that can be chosen, and loads one on a thread of its own, so that the app stays
+// responsive.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@ namespace vct::app {
 // A scene that can be chosen.
 struct SceneFile {
     std::string name;           // "cornell.glb"
-    std::string path;           // in the APK, or a file's
-    bool bundled = false;       // in the APK
-    bool allowOutside = false;  // as GltfOptions has it
+    std::string path;           // path of the file, or within the APK
+    bool bundled = false;       // the file is in the APK
+    bool allowOutside = false;  // see GltfOptions
 };
 
 using FindScenes = std::function<std::vector<SceneFile>()>;
-// What reads the files of a scene. Once `cancelled` is true it throws vct::Error instead, so that loading
-// ends soon.
+// Returns a function that reads the files of a scene. It throws vct::Error once `cancelled` is true, so that
+// loading ends soon.
 using ReadScene = std::function<ReadFile(const SceneFile& file, const std::atomic<bool>& cancelled)>;
 
 class Scenes {
@@ -37,13 +37,14 @@ class Scenes {
     void rescan() { all_ = find_(); }
     int find(const std::string& nameOrPath) const;  // index into all(), or -1
 
-    // Any scene that is being loaded is given up.
+    // Begins to load a scene, and cancels any loading in progress.
     void load(const SceneFile& file);
     void cancel();
     bool loading() const { return loaded_.valid(); }
-    const SceneFile& loaded() const { return file_; }  // the last one that was asked for
+    const SceneFile& loaded() const { return file_; }  // the file of the last load()
 
-    // Once per load(), when it is done; null before. Throws what made loading fail.
+    // Returns the scene once per load(), when it is loaded, and null otherwise. Throws the error if loading
+    // failed.
     std::shared_ptr<const Scene> take();
 
   private:

@@ -7,7 +7,8 @@ namespace vct::app {
 
 namespace {
 
-// Android's ViewConfiguration: a longer touch is no tap, and taps further apart are two.
+// As in Android's ViewConfiguration: the longest touch that is a tap, and the longest time between the taps
+// of a double tap.
 constexpr double longestTapS = 0.3;
 constexpr double longestDoubleTapS = 0.3;
 
@@ -25,7 +26,7 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
     if (points.size() > 2) points.resize(2);
 
     if (!sameFingers(points, points_)) {
-        // A finger more or less moves nothing by itself: the next positions are compared with these.
+        // When a finger is put down or lifted nothing moves yet; the next positions are compared with these.
         if (points_.empty() && points.size() == 1) {
             mayBeTap_ = true;
             touchPosition_ = points[0].position;
@@ -46,7 +47,7 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
         const glm::vec2 after = points[0].position - points[1].position;
         gesture_.pan +=
             0.5F * (points[0].position + points[1].position - points_[0].position - points_[1].position);
-        // Fingers closer than the slop say nothing about a ratio.
+        // The ratio of distances below the slop would be too inexact.
         if (std::min(glm::length(before), glm::length(after)) > slop_)
             gesture_.zoom *= glm::length(after) / glm::length(before);
     }
@@ -59,7 +60,7 @@ void Touch::finishTap(double timeS) {
     const bool second = lastTapS_ >= 0.0 && touchStartS_ - lastTapS_ <= longestDoubleTapS &&
                         glm::distance(touchPosition_, lastTapAt_) <= tapDistance_;
     gesture_.doubleTap = gesture_.doubleTap || second;
-    lastTapS_ = second ? -1.0 : timeS;  // a third tap begins anew
+    lastTapS_ = second ? -1.0 : timeS;  // a third tap counts as a first one
     lastTapAt_ = touchPosition_;
 }
 

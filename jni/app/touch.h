@@ -1,4 +1,5 @@
-// Fingers into gestures: one orbits, two pinch and pan, a double tap resets. Knows nothing of Android.
+// Turns fingers into gestures: one finger orbits, two zoom and pan, a double tap resets. Knows nothing of
+// Android.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,11 +12,11 @@ struct TouchPoint {
     glm::vec2 position{0.0F};  // pixels from the top left
 };
 
-// What the fingers did, in pixels; y points down.
+// A movement of fingers, in pixels; y points down.
 struct Gesture {
     glm::vec2 orbit{0.0F};
     glm::vec2 pan{0.0F};
-    float zoom = 1.0F;  // above 1: the fingers moved apart
+    float zoom = 1.0F;  // above 1 if the fingers moved apart
     bool doubleTap = false;
 };
 
@@ -26,18 +27,18 @@ class Touch {
 
     // `points`: every finger that is down after an event, in any order.
     void update(const std::vector<TouchPoint>& points, double timeS);
-    // The system took the fingers away (a system gesture): no tap.
+    // Forgets the fingers, because the system has taken them for a gesture of its own.
     void cancel();
 
-    // Everything since the last call.
+    // Returns the gesture since the last call.
     Gesture take();
 
   private:
     void finishTap(double timeS);
 
     float slop_, tapDistance_;
-    std::vector<TouchPoint> points_;  // by id, at most the first two
-    bool mayBeTap_ = false;           // one finger, that has not moved yet
+    std::vector<TouchPoint> points_;  // sorted by id, at most two
+    bool mayBeTap_ = false;           // one finger that has not moved yet
     glm::vec2 touchPosition_{0.0F};
     double touchStartS_ = 0.0, lastTapS_ = -1.0;
     glm::vec2 lastTapAt_{0.0F};

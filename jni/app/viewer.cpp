@@ -61,7 +61,7 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     if (renderer != nullptr && !measuring && scaleFollowsTime(choices_)) followTime(window, now);
 }
 
-// On a driver that lacks something.
+// Draws the message of a driver that lacks something the renderer needs.
 void Viewer::drawMessage(glm::ivec2 window, const glm::ivec4& free) {
     if (request_) endMeasuring(gl_->missing());
     const gl::RenderPass pass = windowPass(window, background);
@@ -102,14 +102,14 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.message = message_;
     const HudActions actions = hud_.build(content, window, free, passedS);
     gl_->hud().draw(hud_.drawData(), window);
-    gl::checkErrors("display");
+    gl::checkErrors("panel");
 
     if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
     if (actions.rescan) scenes_.rescan();
     if (actions.resetView) reset();
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
-        endMeasuring("stopped by hand");
+        endMeasuring("stopped by the user");
     else if (actions.measure)
         startMeasuring("bench preset=" + choices_.preset);
 }
@@ -151,8 +151,9 @@ glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
     return settingsFor(choices_, window, scale_.divisor()).size;
 }
 
-// Of the frame that began at `start`. Waiting for the GPU is the one clock that every driver has: its own is
-// off on many (gl/driver_faults.h), and the time between two frames is never below the display's refresh.
+// Adapts the resolution to the time of the frame that began at `start`. The time is taken by waiting for the
+// GPU, which works with every driver: GPU clocks are wrong on many (gl/driver_faults.h), and the time between
+// two frames is never below the display's refresh.
 void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start) {
     gl::Finish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
@@ -210,7 +211,7 @@ void Viewer::dropRenderer() {
     if (gl_) gl_->dropRenderer();
 }
 
-// Back to what could be rendered.
+// Goes back to the last choices and scene that could be rendered.
 void Viewer::revert(const std::string& why, glm::ivec2 window) {
     fail(why);
     gl_->dropRenderer();
@@ -240,7 +241,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
         const double aspect = aspectOf(sizeIn(window));
         const ViewDefaults look = host_.defaultsFor(*loaded, aspect);
-        if (scene_) choices_.lightsOff.reset();  // else it is as was asked for at the start
+        if (scene_) choices_.lightsOff.reset();  // the first scene keeps the lights of the ShowRequest
         show(loaded, look, window);
         if (!defaults_.camera) {
             const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
@@ -302,7 +303,7 @@ std::optional<Viewer::Seen> Viewer::seen() {
     return seen;
 }
 
-// Whoever a touch began with gets all of it.
+// A touch belongs to the panel or to the view, whichever it began on, until all fingers are lifted.
 void Viewer::finger(const std::vector<TouchPoint>& points, double timeS) {
     if (!touching_ && !points.empty()) {
         touchesHud_ = hud_.covers(points[0].position);

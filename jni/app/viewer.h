@@ -1,6 +1,6 @@
-// A scene in a window, with the display over it, between two events: what it was told, what it holds, and its
-// frame. Read draw() in viewer.cpp first. It knows neither Android nor a desktop: the app (android/app.h) and
-// `vct view` (desktop/window.h) give it a context to draw in, fingers, and files.
+// The viewer: draws a scene and the panel over it, and handles input. Read draw() in viewer.cpp first. It
+// knows neither Android nor a desktop: the app (android/app.h) and `vct view` (desktop/window.h) provide the
+// context to draw in, the fingers and the files.
 #pragma once
 
 #include <array>
@@ -22,89 +22,92 @@
 
 namespace vct::app {
 
-// How a scene is shown before anybody touches anything.
+// How a scene is shown before the user changes anything.
 struct ViewDefaults {
-    std::optional<Camera> camera;  // for the window's shape; else OrbitView's
+    std::optional<Camera> camera;  // fitted to the window; empty: OrbitView chooses it
     DirectionalLight light;
-    // The scene's own sky, which may be replaced by a dark or a plain one.
+    // The scene's own sky. The user may replace it by a dark or a plain one.
     glm::vec3 skyRadiance{0.0F};
     std::shared_ptr<const Environment> environment;
-    std::optional<float> exposure;  // else by the picture
-    std::optional<int> grid;        // else as chosen
+    std::optional<float> exposure;  // empty: chosen by the picture
+    std::optional<int> grid;        // empty: as in Choices
 };
 
-// What a viewer asks of where it runs.
+// Services of the platform that the viewer runs on.
 struct ViewerHost {
     std::string backend;       // driver.backend of timings.json
-    std::string folder;        // of what is measured; the person's scenes are there too
+    std::string folder;        // folder for results; on Android also for the user's scenes
     float pixelsPerDp = 1.0F;  // screen density over 160 dpi
     gl::ReadShader shaders;
     FindScenes findScenes;
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
-    // Of a scene that was just loaded, for a window of `aspect`. May throw vct::Error.
+    // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
 
 class Viewer {
   public:
     Viewer(ViewerHost host, const ShowRequest& request);
-    ~Viewer();  // in its context
+    ~Viewer();  // its context must be current
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
-    // A frame into the context's framebuffer 0, `window` pixels in size; `free`: left, top, right, bottom of
-    // the part that nothing covers. Throws gl::ContextLost, and vct::Error where nothing can be drawn at all.
+    // Draws a frame into framebuffer 0 of the current context, `window` pixels in size. `free`: left, top,
+    // right, bottom of the part that no system bar covers. Throws gl::ContextLost, and vct::Error if nothing
+    // can be drawn at all.
     void draw(glm::ivec2 window, const glm::ivec4& free);
-    void shown() { ++shownFrames_; }
+    void shown() { ++shownFrames_; }  // must be called after the frame was shown
 
-    // Everything in the context goes, as it was lost, or as nothing can be drawn (`why`); the next frame
-    // makes it anew.
+    // Destroy all GL objects, because the context was lost or because nothing can be drawn (`why`). The next
+    // frame rebuilds them.
     void loseContext();
     void halt(const std::string& why);
     bool hasObjects() const { return gl_ != nullptr; }
-    void dropRenderer();  // memory is short, and nothing is on the screen
-    void resume() { lastFrame_ = std::chrono::steady_clock::now(); }
+    void dropRenderer();  // frees its memory; the next frame rebuilds it
+    void resume() {
+        lastFrame_ = std::chrono::steady_clock::now();
+    }  // a pause does not advance the animation
 
-    // Every finger that is down after an event, in pixels from the top left.
+    // `points`: every finger that is down after an event, in pixels from the top left.
     void finger(const std::vector<TouchPoint>& points, double timeS);
     void cancelTouch() { touch_.cancel(); }
     bool hudCovers(const glm::vec2& position) const { return hud_.covers(position); }
 
-    // The mouse's wheel over the display; clicks upwards.
+    // The mouse wheel over the panel; positive clicks are upwards.
     void scrollHud(const glm::vec2& position, float clicks) { hud_.scroll(position, clicks); }
 
-    // What fingers choose in the display can be chosen by keys, too.
+    // For keys, which can change the same choices as the panel.
     Choices& choices() { return choices_; }
     void toggleHud() { hud_.toggle(); }
-    void showOtherScene(int step);         // of the list
-    void reset();                          // view, light and exposure
-    void turnLight(const glm::vec2& deg);  // around, and up
-    // Right, up and back, in shares of the scene's size.
+    void showOtherScene(int step);         // the scene `step` places further in the list
+    void reset();                          // resets view, sun and exposure
+    void turnLight(const glm::vec2& deg);  // turns the sun around the vertical and upwards
+    // Moves the camera to the right, up and back, in shares of the scene's size.
     void walk(const glm::dvec3& shares);
 
-    void startMeasuring(const std::string& command);  // "bench ...", lab/bench_run.h
-    void fail(const std::string& message);            // shows it, and logs it
+    void startMeasuring(const std::string& command);  // "bench ...", see lab/bench_run.h
+    void fail(const std::string& message);            // shows the message in the panel and logs it
 
-    // Whether the scene that it began with could not be loaded, and no other is there.
+    // True if the first scene could not be loaded and there is no other.
     bool hasNothingToShow() const { return !scene_ && !scenes_.loading() && !message_.empty(); }
 
-    // What is on the screen, but for the display. Nothing where no scene is shown.
+    // The picture on the screen without the panel, and everything that it depends on.
     struct Seen {
-        std::string path;  // of the scene's file
-        glm::ivec2 size;   // of the picture
+        std::string path;  // path of the scene's file
+        glm::ivec2 size;   // size of the picture
         Camera camera;
         DirectionalLight light;
         Settings settings;
         float exposure;
-        std::optional<double> timeS;  // of the scene's animation
-        std::string cameraOption;
+        std::optional<double> timeS;  // time of the scene's animation, if it has one
+        std::string cameraOption;     // text for --camera
         Image radiance;
     };
-    std::optional<Seen> seen();
+    std::optional<Seen> seen();  // empty if no scene is shown
 
   private:
-    // What a picture depends on that needs another renderer, or another try.
+    // If any of these changes, a picture that failed is tried again.
     struct Wanted {
         Choices choices;
         std::shared_ptr<const Scene> scene;
@@ -115,24 +118,24 @@ class Viewer {
     void drawMessage(glm::ivec2 window, const glm::ivec4& free);
     void drawScene(glm::ivec2 window);
     void drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS);
-    // Runs a part of a frame; returns why it failed, or "". Throws gl::ContextLost where that is the reason:
-    // a driver that has lost the context may complain of anything first.
+    // Runs a part of a frame. Returns why it failed, or "". Throws gl::ContextLost if the context was lost,
+    // even if the driver reported another error first.
     static std::string failureOf(const std::function<void()>& part);
     void revert(const std::string& why, glm::ivec2 window);
 
-    glm::ivec2 sizeIn(glm::ivec2 window) const;    // of pictures
-    Settings settingsOf(glm::ivec2 window) const;  // of the scene
+    glm::ivec2 sizeIn(glm::ivec2 window) const;    // size of the rendered picture
+    Settings settingsOf(glm::ivec2 window) const;  // settings of the renderer
     void followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start);
-    DirectionalLight light() const;  // at rest
+    DirectionalLight light() const;  // the sun in the scene's rest pose, turned as chosen
     double sceneTimeS() const;
     float exposure() const;
 
-    // In viewer_measuring.cpp.
+    // These are defined in viewer_measuring.cpp.
     void testDriver();
     void measure();
-    void endMeasuring(const std::string& failure);  // "": all is written
+    void endMeasuring(const std::string& failure);  // "": the measurement is complete
 
-    std::string scenePath() const;  // of what is being loaded or shown
+    std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
     void takeLoadedScene(glm::ivec2 window);
     void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
 
@@ -141,21 +144,21 @@ class Viewer {
     std::shared_ptr<const Scene> scene_;
     ViewDefaults defaults_;
     std::optional<OrbitView> view_;
-    double aspect_ = 1.0;  // of the last picture
+    double aspect_ = 1.0;  // aspect ratio of the last picture
 
     Choices choices_;
     ResolutionScale scale_;
-    double animationS_ = 0.0;       // what has been played, of any scene
-    std::optional<Wanted> good_;    // of the last frame that could be rendered
-    ViewDefaults goodDefaults_;     // likewise
-    std::optional<Wanted> failed_;  // could not be rendered, and is not tried again
-    Exposure exposure_;             // unless the look has one
-    std::string message_;
+    double animationS_ = 0.0;       // playing time so far, of all scenes together
+    std::optional<Wanted> good_;    // the last frame that could be rendered
+    ViewDefaults goodDefaults_;     // the look of that frame
+    std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
+    Exposure exposure_;             // used if the look has none
+    std::string message_;           // shown in the panel
 
     std::optional<SelfTest> selfTest_;
-    std::unique_ptr<ResultsFolder> results_;  // while something is measured
-    std::optional<BenchRequest> request_;     // what is to be measured once its scene is there
-    std::unique_ptr<BenchRun> bench_;         // in the context, as gl_
+    std::unique_ptr<ResultsFolder> results_;  // set during a measurement
+    std::optional<BenchRequest> request_;     // set during a measurement, from before its scene is loaded
+    std::unique_ptr<BenchRun> bench_;         // holds GL objects, as gl_ does
     int shownFrames_ = 0;
 
     Hud hud_;

@@ -1,5 +1,5 @@
-// What a viewer measures: the driver, once, and what it is started with or a finger asks for, a frame at a
-// time.
+// The viewer's measurements, one frame at a time: the self-test of the driver at the start, and the benchmark
+// that a command or the panel asks for.
 #include "app/log.h"
 #include "app/viewer.h"
 #include "core/error.h"
@@ -9,7 +9,7 @@
 
 namespace vct::app {
 
-// Once, and not before the window has shown something: it takes a moment.
+// Runs the self-test once, after the first frame was shown, because it takes a moment.
 void Viewer::testDriver() {
     if (selfTest_ || shownFrames_ == 0) return;
     selfTest_ = runSelfTest(gl_->capabilities(), host_.shaders);
@@ -28,7 +28,8 @@ void Viewer::startMeasuring(const std::string& command) {
         BenchRequest request = benchRequestFromText(command);
         scenes_.rescan();
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
-        if (index < 0) throw Error("there is no scene " + request.scene + "; copy it into " + host_.folder);
+        if (index < 0)
+            throw Error("there is no scene '" + request.scene + "'; copy it into the folder " + host_.folder);
         const SceneFile& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
@@ -39,7 +40,7 @@ void Viewer::startMeasuring(const std::string& command) {
     }
 }
 
-// A frame of it.
+// Renders one frame of the measurement.
 void Viewer::measure() {
     bool more = true;
     const std::string failure = failureOf([&] {
@@ -64,7 +65,7 @@ void Viewer::endMeasuring(const std::string& failure) {
     request_.reset();
     host_.keepScreenOn(false);
     if (failure.empty()) {
-        message_ = "measured: " + host_.folder + "/results";
+        message_ = "measured: the results are in the folder " + host_.folder + "/results";
         log(message_);
     } else {
         fail("measuring failed: " + failure);

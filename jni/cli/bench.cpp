@@ -1,4 +1,4 @@
-// vct bench: the thesis's tables 5.2 to 5.5 measured here, or presets side by side, as the app measures them.
+// vct bench: measures the thesis's tables 5.2 to 5.5 or compares presets, in the same way as the app.
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -68,35 +68,39 @@ void bench(BenchOptions& options) {
 
 void addBench(CLI::App& app, int&) {
     CLI::App* command =
-        app.add_subcommand("bench", "Measure the thesis's tables 5.2 to 5.5, or presets side by side");
+        app.add_subcommand("bench", "Measure the thesis's tables 5.2 to 5.5, or compare presets");
     auto options = std::make_shared<BenchOptions>();
     BenchRequest& request = options->request;
     command->footer(
-        "Prints the thesis's tables, each with its rows beside those measured here, in 5 renderers for each "
-        "--repeat.\n"
-        "Of other or several presets it prints what each step takes, and how many times that of the first "
-        "preset:\n"
-        "  vct bench assets/cornell.glb --preset thesis,mobile,quality\n"
-        "Every frame makes shadow maps, voxels and light anew. A sky is what cones see where they leave the "
-        "scene, and "
-        "the background: --environment FILE measures with a picture of it, --sky with a plain one.\n"
-        "Use the machine for nothing else meanwhile. docs/timings.md says more.");
+        "With the preset thesis alone, at its grid of 256, it prints the tables of the thesis with the rows "
+        "measured here above those of the thesis. It measures 5 configurations, each --repeat times.\n"
+        "With any other choice it prints a row of step times for each preset, and the ratios of the first "
+        "preset's times to those of the others.\n"
+        "Every frame rebuilds shadow map, voxels and light, as if everything in the scene had changed.\n"
+        "Do not use the machine for anything else meanwhile. docs/timings.md explains the method and the "
+        "files.\n"
+        "Examples:\n"
+        "  vct bench assets/cornell.glb\n"
+        "  vct bench assets/cornell.glb --preset thesis,mobile,quality --json out/presets.json");
     command->add_option("--out", options->out,
-                        "Folder for the tables as JSON and as text, and for the first run's timings and "
-                        "pictures; made if missing");
-    command->add_option("--json", options->json, "Write the tables and every measurement to FILE");
-    command->add_option("--repeat", request.repeat, "Fresh renderers for each configuration")
+                        "Folder for the tables (JSON and text) and for the timings and pictures of the first "
+                        "run; created if missing");
+    command->add_option("--json", options->json, "File for the tables and every measurement, as JSON");
+    command->add_option("--repeat", request.repeat, "Runs of each configuration, each with a new renderer")
         ->check(CLI::Range(1, 100))
         ->capture_default_str();
     command
-        ->add_option(
-            "--preset", request.presets,
-            "Sets of settings, several with commas: " + presetList() + "; thesis alone gives the tables")
+        ->add_option("--preset", request.presets,
+                     std::string(presetHelp) +
+                         "; several separated by commas. Only thesis alone gives the tables of the thesis")
         ->delimiter(',')
         ->capture_default_str();
     options->scene.addTo(*command)->required();
     options->sky.addTo(*command);
-    command->add_option("--shadow-map", request.shadowMap, "Texels along a side")->capture_default_str();
+    command
+        ->add_option("--shadow-map", request.shadowMap,
+                     "Size of the shadow map, the same for all presets: texels per side, 16 to 8192")
+        ->capture_default_str();
     command->callback([options] { bench(*options); });
 }
 

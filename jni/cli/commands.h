@@ -1,5 +1,6 @@
-// The commands of `vct`, one file each. A command declares its options on `app` and runs from its callback;
-// it throws vct::Error for what goes wrong and sets `exitCode` for what is expected (two pictures differ).
+// The commands of `vct`, one file each. A command declares its options on `app` and runs from its callback.
+// It throws vct::Error if it fails, and sets `exitCode` for an expected negative result (two pictures
+// differ).
 #pragma once
 
 #include <CLI/CLI.hpp>

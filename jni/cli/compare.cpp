@@ -1,3 +1,4 @@
+// vct compare: compares two pictures with a tolerance.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -26,14 +27,14 @@ struct Picture {
 };
 
 const char* const example =
-    "\nThe tolerance is two numbers: a pixel differs when a channel of it differs by more than\n"
-    "--max-difference, and the pictures differ when more than --max-fraction of the pixels do.\n"
-    "PNGs are compared as stored (sRGB, 1 = full scale), EXRs by their linear values.\n"
-    "\nExample: up to five steps of 255 anywhere, more in at most one pixel of a thousand\n"
-    "  vct compare out.png golden.png --max-difference 5/255 --max-fraction 0.001 --diff diff.png\n"
-    "Exit status: 0 the pictures agree, 1 they differ or cannot be compared.";
+    "A pixel differs if one of its channels differs by more than --max-difference. The pictures differ if "
+    "more than --max-fraction of their pixels do.\n"
+    "PNGs are compared by their stored values (sRGB, full scale is 1), EXRs by their linear values.\n"
+    "Exit code: 0 if the pictures agree, 1 if they differ or cannot be compared.\n"
+    "Example: allows differences of up to 5/255 everywhere, and larger ones in one pixel of a thousand\n"
+    "  vct compare out.png golden.png --max-difference 5/255 --max-fraction 0.001 --diff diff.png";
 
-// Reads "0.02" or "5/255"; returns what is wrong with it, nothing where it is right.
+// Reads "0.02" or "5/255". Returns what is wrong with the text; empty if it is valid.
 std::string parseNumber(const std::string& text, double& value) {
     char* end = nullptr;
     value = std::strtod(text.c_str(), &end);
@@ -52,7 +53,7 @@ Picture read(const std::string& path) {
     const ImageFormat format = imageFormat(path, bytes);
     if (format == ImageFormat::exr) return {decodeExr(path, bytes), format};
     Image image = decodePng(path, bytes);
-    // Back to the stored steps, which the way through linear values has only blurred by rounding.
+    // decodePng() returns linear values. Rounding restores the stored 8-bit values exactly.
     for (glm::vec3& pixel : image.pixels) {
         for (int c = 0; c < 3; ++c)
             pixel[c] = std::round(srgbEncode(pixel[c]) * 255.0F) / 255.0F;
@@ -62,12 +63,13 @@ Picture read(const std::string& path) {
 
 int compare(const Options& options) {
     double maxDifference = 0.0;
-    parseNumber(options.maxDifference, maxDifference);  // valid: checked on the command line
+    parseNumber(options.maxDifference, maxDifference);  // never fails: CLI11 has checked the option
     const Picture a = read(options.first);
     const Picture b = read(options.second);
     const std::string pair = "'" + options.first + "' and '" + options.second + "'";
     if (a.format != b.format) {
-        throw Error("cannot compare " + pair + ": one is a PNG, the other an EXR; give two of one kind");
+        throw Error("cannot compare " + pair +
+                    ": one is a PNG, the other an EXR; give two pictures of the same format");
     }
     const bool png = a.format == ImageFormat::png;
     if (png && maxDifference > 1.0) {
@@ -82,7 +84,7 @@ int compare(const Options& options) {
     }
     if (!difference.comparable) {
         throw Error("cannot compare " + pair + ": " + difference.reason +
-                    "; render the one that is wrong again");
+                    "; give two pictures of one size, without NaN and infinity");
     }
     const bool agree = difference.fraction <= options.maxFraction;
     std::printf("%s: largest difference %.6g", agree ? "agree" : "DIFFER", double(difference.largest));
@@ -99,11 +101,11 @@ void addCompare(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand("compare", "Compare two pictures within a tolerance");
     command->footer(example);
     command->add_option("A", options->first, "First picture, PNG or EXR")->required();
-    command->add_option("B", options->second, "Second picture, of the same kind and size")->required();
+    command->add_option("B", options->second, "Second picture, of the same format and size")->required();
     command
         ->add_option("--max-difference", options->maxDifference,
-                     "Largest difference of a channel that is no difference: for PNGs 0 to 1 or n/255, "
-                     "for EXRs in linear units")
+                     "Largest difference of a channel that is allowed in every pixel: for PNGs 0 to 1 or "
+                     "n/255, for EXRs in linear units")
         ->required()
         ->check([](const std::string& text) {
             double value = 0.0;
@@ -111,11 +113,12 @@ void addCompare(CLI::App& app, int& exitCode) {
         });
     command
         ->add_option("--max-fraction", options->maxFraction,
-                     "Fraction of the pixels that may differ by more, 0 to 1")
+                     "Fraction of the pixels that may exceed --max-difference, 0 to 1")
         ->required()
         ->check(CLI::Range(0.0, 1.0));
-    command->add_option("--diff", options->diff,
-                        "Write |A - B| as a PNG: mid-grey is --max-difference, magenta a NaN or infinity");
+    command->add_option(
+        "--diff", options->diff,
+        "File for |A - B| as a PNG: mid-grey means --max-difference, magenta NaN or infinity");
     command->callback([options, &exitCode] { exitCode = compare(*options); });
 }
 

@@ -25,16 +25,18 @@ struct InfoOptions {
 };
 
 constexpr const char* infoFooter =
-    "Exit code: 0 if everything that is required is there, 1 if something is missing or no context can be "
-    "made.\n"
+    "Without a scene it checks the driver. With a scene it prints the scene's size, its voxels, and its "
+    "features: a frame has passes, programs and memory only for these.\n"
+    "Exit code: 0 if the driver has everything that is required, 1 if something is missing or no OpenGL "
+    "context can be created.\n"
     "Examples:\n"
-    "  vct info                     the default driver\n"
-    "  vct info --list-devices      the indices that --device takes\n"
-    "  vct info --backend zink      OpenGL over Vulkan (lavapipe where there is no GPU)\n"
+    "  vct info                     checks the default driver\n"
+    "  vct info --list-devices      lists the indices for --device\n"
+    "  vct info --backend zink      checks OpenGL over Vulkan (lavapipe if there is no GPU)\n"
     "  vct info assets/courtyard.glb --grid auto\n"
-    "                               the scene's size, its features, and its voxels\n"
+    "                               prints the scene's size, voxels and features\n"
     "  vct info my.glb --print-camera --size 640x360\n"
-    "                               where it is seen from";
+    "                               prints the camera that a picture of this size uses";
 
 void printDevices() {
     const std::vector<std::string> devices = eglDevices();
@@ -49,9 +51,11 @@ bool printCapabilities(const InfoOptions& options) {
     const gl::Capabilities& capabilities = context.capabilities;
     std::printf("back end:  %s, %s\n%s", backendName(backend.backend),
                 context.platform->description().c_str(), gl::describe(capabilities).c_str());
-    // A driver library without access to its GPU is a common surprise in containers.
+    // In containers the driver's library often has no access to the GPU, so Mesa's software driver runs.
     if (capabilities.softwareDriver && backend.device < 0 && eglDevices().size() > 1)
-        std::puts("EGL lists more than one device; --list-devices shows whether one of them is a GPU.");
+        std::puts(
+            "This is a software driver. EGL lists other devices: `vct info --list-devices` shows whether one "
+            "of them is a GPU, and --device INDEX uses it.");
     for (const gl::Requirement& row : capabilities.requirements) {
         if (row.required && !row.met) return false;
     }
@@ -92,7 +96,7 @@ void printScene(const InfoOptions& options) {
         say(note);
 }
 
-// For tools: they need not know how a view is chosen. Without a driver.
+// Prints the camera as JSON, so that other tools need not know how a camera is chosen. Needs no driver.
 void printCamera(const InfoOptions& options) {
     const Scene scene = options.scene.load();
     const Camera camera = options.scene.cameraOf(scene);
@@ -117,13 +121,13 @@ void addInfo(CLI::App& app, int& exitCode) {
                                            "or the size and the features of a scene");
     const auto options = std::make_shared<InfoOptions>();
     command->add_flag("--list-devices", options->listDevices,
-                      "List the EGL devices with their indices, and stop");
+                      "List the EGL devices and their indices, then exit");
     command->add_option("--preset", options->preset, "Chooses the grid of a scene: " + presetList())
         ->capture_default_str();
     CLI::Option* scene = options->scene.addTo(*command);
     command->add_flag("--print-camera", options->printCamera,
-                      "Print as JSON the camera by which --camera and --size see the scene, with the option "
-                      "that repeats it, and stop");
+                      "Print, as JSON, the camera that --camera and --size result in, and the --camera text "
+                      "that reproduces it, then exit");
     for (const char* sceneOption :
          {"--preset", "--grid", "--voxel-size", "--size", "--camera", "--light", "--print-camera"})
         command->get_option(sceneOption)->needs(scene);

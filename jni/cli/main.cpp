@@ -1,4 +1,4 @@
-// vct: voxel cone tracing on the desktop, by the shaders that the phone runs.
+// vct: the command-line tool. It runs the same shaders as the Android app.
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,10 +14,19 @@
 
 namespace {
 
-// By what options to follow the advice of an error: the engine knows no command line.
+// Names the options that an error's advice refers to. The engine's messages speak of settings, because it
+// knows nothing of the command line.
 std::string optionsOf(const std::string& error) {
     std::string options;
     for (const auto& [advice, option] : {std::pair{"make room for", "--active-voxels"},
+                                         {"lightFrames", "--light-frames"},
+                                         {"ask for an animation", "--animation"},
+                                         {"the back end egl", "--backend"},
+                                         {"choose no device", "--device"},
+                                         {"cone angle", "--cone-angle"},
+                                         {"shadow map must", "--shadow-map"},
+                                         {"the shadow 'cone'", "--shadow"},
+                                         {"the specular 'cone'", "--specular"},
                                          {"coarser grid", "--grid"},
                                          {"smaller picture", "--size"},
                                          {"allow files outside", "--allow-outside"}})
@@ -26,7 +35,8 @@ std::string optionsOf(const std::string& error) {
     return options.empty() ? "" : " (" + options + ")";
 }
 
-// As if there were no handler, but for what is half made: nobody shall find an empty folder.
+// Removes unfinished files and empty new folders, then lets the signal end the process as it would without a
+// handler.
 void endTidily(int signal) {
     vct::removeAfterInterruption();
     std::signal(signal, SIG_DFL);
@@ -36,11 +46,16 @@ void endTidily(int signal) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Writing beyond `ulimit -f` shall be an error that is reported and tidied up after, as on a full disk.
+    // Writing beyond `ulimit -f` becomes an error that is reported, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, endTidily) == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup
+        if (std::signal(signal, endTidily) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
     CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
+    app.footer(
+        "`vct COMMAND --help` explains a command and its options. For a first picture:\n"
+        "  vct render assets/cornell.glb --out out\n"
+        "The thesis that commands and options refer to, and that the preset `thesis` reproduces: C. Wahlén, "
+        "Global Illumination in Real-Time using Voxel Cone Tracing on Mobile Devices, Linköping 2016.");
     app.set_version_flag("--version", "vct " VCT_VERSION);
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
@@ -64,17 +79,18 @@ int main(int argc, char** argv) {
         return 1;
     } catch (const std::bad_alloc&) {
         std::fputs(
-            "vct: error: there is not enough memory; ask for a smaller picture (--size) or a coarser "
-            "grid (--grid), or free memory\n",
+            "vct: error: not enough memory; ask for a smaller picture (--size) or a coarser grid (--grid), "
+            "or "
+            "free memory\n",
             stderr);
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vct: error: %s%s\n", error.what(), optionsOf(error.what()).c_str());
         return 1;
     }
-    // What was printed may still be in the buffer.
+    // The last output may still be in the buffer.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        std::fprintf(stderr, "vct: error: cannot write to standard output: %s; send it elsewhere\n",
+        std::fprintf(stderr, "vct: error: cannot write to standard output: %s; redirect it elsewhere\n",
                      std::strerror(errno));
         return 1;
     }

@@ -33,7 +33,7 @@ void addSize(CLI::App& command, glm::ivec2& size) {
     command
         .add_option_function<std::string>(
             "--size", [&size](const std::string& text) { size = sizeFromText(text); },
-            "Picture, WIDTHxHEIGHT")
+            "Size of the picture in pixels, WIDTHxHEIGHT")
         ->default_str(std::to_string(size.x) + "x" + std::to_string(size.y));
 }
 }  // namespace
@@ -42,13 +42,16 @@ void BackendOption::addTo(CLI::App& command) {
     command
         .add_option_function<std::string>(
             "--backend", [this](const std::string& name) { backend = backendFromName(name); },
-            "Where the context comes from: egl, osmesa (software, desktop context), zink (over "
+            "How to create the OpenGL context: egl, osmesa (desktop OpenGL in software) or zink (OpenGL over "
             "Vulkan)")
-        ->default_str(backendName(backend));
+        ->default_str(backendName(backend))
+        ->group(driverGroup);
     command
         .add_option("--device", device,
-                    "EGL device by index (`vct info --list-devices`; default: the driver's choice)")
-        ->check(CLI::Range(0, 1000));
+                    "Index of an EGL device, as listed by `vct info --list-devices` (default: the driver's "
+                    "choice)")
+        ->check(CLI::Range(0, 1000))
+        ->group(driverGroup);
 }
 
 Context BackendOption::open() const {
@@ -58,11 +61,11 @@ Context BackendOption::open() const {
 }
 
 CLI::Option* SceneFileOption::addFileTo(CLI::App& command) {
-    CLI::Option* const option = command.add_option("scene", path, "Scene, .gltf or .glb");
+    CLI::Option* const option = command.add_option("scene", path, "glTF file of the scene, .gltf or .glb");
     command
         .add_flag("--allow-outside", allowOutside,
-                  "Let the scene name buffers and images outside of its folder and those below it (links are "
-                  "resolved first); only for files that you trust")
+                  "Read buffers and images of the scene even if they lie outside of its folder (links are "
+                  "resolved first). Use it only for scenes that you trust")
         ->needs(option);
     return option;
 }
@@ -84,23 +87,29 @@ CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
         command
             .add_option(
                 "--grid", grid,
-                "Voxels along a side, or auto, by the scene's narrowest parts (default: the preset's)")
-            ->check(CLI::IsMember({"64", "128", "256", "512", "auto"}));
+                "Voxels per side of the volume around the scene, or auto, which chooses by the scene's "
+                "narrowest parts (default: the preset's)")
+            ->check(CLI::IsMember({"64", "128", "256", "512", "auto"}))
+            ->group(voxelGroup);
     command
         .add_option("--voxel-size", voxelSize,
-                    "Largest voxel in metres: the smallest grid with such voxels around the scene")
+                    "Largest voxel size in metres; selects the smallest grid that satisfies it")
         ->check(positive)
-        ->excludes(gridOption);
+        ->excludes(gridOption)
+        ->group(voxelGroup);
     addSize(command, size);
     command.add_option(
         "--camera", camera,
-        "eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z, all but eye may be left out; or a camera of the "
-        "scene by name or index (default: its first; where it has none, a view of all of it, "
-        "or of a closed room's inside, which is printed)");
-    command.add_option(
-        "--light", light,
-        "direction=X,Y,Z (the way it travels),color=R,G,B,intensity=LUX over the scene's light; "
-        "each part may be left out");
+        "Camera as eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z, in metres and degrees, of which only eye is "
+        "required (target: 0,0,0, fov: 45); or the name or index of one of the scene's cameras. Default: the "
+        "scene's first camera; if it has none, a view of the whole scene or of the inside of a closed room, "
+        "and vct prints the --camera that reproduces it");
+    command
+        .add_option("--light", light,
+                    "Changes the sun, the scene's first directional light: "
+                    "direction=X,Y,Z,color=R,G,B,intensity=LUX. The direction is the one in which the light "
+                    "travels; each part may be left out")
+        ->group(lightGroup);
     return sceneOption;
 }
 
@@ -122,7 +131,7 @@ Settings SceneOptions::settings(const std::string& preset) const {
 void SceneOptions::fitGrid(Settings& settings, const Scene& loaded,
                            const gl::Capabilities& capabilities) const {
     if (grid == "auto") {
-        // Only of main memory can be asked how much there is.
+        // OpenGL does not tell how much GPU memory is free, so only main memory limits the choice.
         const std::size_t bytes =
             capabilities.texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
         const GridChoice choice = chooseGrid(loaded, settings, capabilities, bytes);

@@ -13,35 +13,45 @@
 
 namespace vct::cli {
 
-// Checks of options whose value is a number. They return what is wrong, or nothing. CLI11 takes NaN and
-// infinity for numbers, and knows no float's limits.
-std::string finite(const std::string& text);
-std::string positive(const std::string& text);  // and above 0
+// Headings of options in --help.
+constexpr const char* lightGroup = "Light";
+constexpr const char* voxelGroup = "Voxels";
+constexpr const char* driverGroup = "Driver";
+constexpr const char* measuringGroup = "Measuring and testing";
+// Description of --preset.
+constexpr const char* presetHelp =
+    "Set of settings: mobile (made for phones, the fastest), quality (finer voxels and more cones) or thesis "
+    "(the pipeline of the thesis)";
 
-// Reads shaders of the folder VCT_SHADER_DIR from the environment, or of the source tree that built the
-// program.
+// Checks of options whose value is a number. They return what is wrong with the text; empty if it is valid.
+// They are needed because CLI11 accepts NaN, infinity and numbers that no float holds.
+std::string finite(const std::string& text);
+std::string positive(const std::string& text);  // finite and above 0
+
+// Reads shaders from the folder in the environment variable VCT_SHADER_DIR, otherwise from the source tree
+// that built the program.
 gl::ReadShader shaders();
 
 struct BackendOption {
     Backend backend = Backend::egl;
-    int device = -1;  // the driver's choice
+    int device = -1;  // -1: the driver's choice
 
     void addTo(CLI::App& command);
-    // Throws vct::Error where the driver lacks what the pipeline requires.
+    // Throws vct::Error if the driver lacks something that the renderer requires.
     Context open() const;
 };
 
-// A glTF file, of the commands that load one.
+// The scene's file, for commands that load one.
 struct SceneFileOption {
     std::string path;
     bool allowOutside = false;
 
-    CLI::Option* addFileTo(CLI::App& command);  // returns the path's
-    // Says that it is at it where that takes long. `animation` as GltfOptions has it.
+    CLI::Option* addFileTo(CLI::App& command);  // returns the option of the path
+    // Prints progress if loading takes long. `animation`: see GltfOptions.
     Scene load(const std::string& animation = "") const;
 };
 
-// A scene, how it is seen, and in which voxels.
+// A scene with its camera, sun, picture size and voxels.
 struct SceneOptions : SceneFileOption {
     std::string camera, light;
     glm::ivec2 size{400, 400};
@@ -49,13 +59,15 @@ struct SceneOptions : SceneFileOption {
     std::optional<double> voxelSize;  // metres
     BackendOption backend;
 
-    CLI::Option* addTo(CLI::App& command);       // returns the scene's
-    CLI::Option* addSceneTo(CLI::App& command);  // likewise
-    // Says what is to be said of it.
+    // Both return the option of the scene's path.
+    CLI::Option* addTo(CLI::App& command);
+    CLI::Option* addSceneTo(CLI::App& command);
+    // Chooses the camera, and prints a note if vct had to frame the scene itself.
     Camera cameraOf(const Scene& loaded) const;
-    // The preset's, with the size and a grid that is given as a number.
+    // The settings of the preset, with the picture size and a grid that is given as a number.
     Settings settings(const std::string& preset) const;
-    // Sets a grid that follows from the scene. Prints how large the voxels are, and why.
+    // Sets the grid if it depends on the scene (--grid auto, --voxel-size). Prints the voxel size and the
+    // reason for the choice, or a warning if the voxels are too coarse.
     void fitGrid(Settings& settings, const Scene& loaded, const gl::Capabilities& capabilities) const;
 };
 

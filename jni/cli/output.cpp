@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
         removeCreated();
-        throw Error("cannot write into the folder '" + path + "': " + cause + "; choose another --out");
+        throw Error("cannot write into the folder '" + path + "': " + cause +
+                    "; choose another folder with --out");
     };
     std::error_code error;
     if (fs::exists(path, error) && !fs::is_directory(path, error)) fail("it is not a folder");
@@ -21,7 +22,8 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     for (fs::path folder = fs::path(path).lexically_normal(); !folder.empty() && !fs::exists(folder, error);
          folder = folder.parent_path())
         missing.push_back(folder);
-    // Each before it is made, the outermost first: an interruption may come in between.
+    // Each folder is registered for removal before it is created, because a signal may come in between. The
+    // outermost comes first.
     for (auto folder = missing.rbegin(); folder != missing.rend() && !error; ++folder) {
         created_.emplace_back(folder->string());
         fs::create_directory(*folder, error);
@@ -45,7 +47,7 @@ void requireWritableFile(const std::string& path) {
     const fs::file_status found = fs::status(path, ignored);
     std::string cause;
     if (fs::exists(found) && !fs::is_regular_file(found))
-        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it is there, and not a file";
+        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it exists but is not a file";
     else if (const int error = causeNotWritable(path))
         cause = std::strerror(error);
     if (!cause.empty())

@@ -1,4 +1,5 @@
-// Where a command will write: found out before anything slow, and left as it was where the command fails.
+// Output folders and files of commands: checked before any slow work, and left as they were if the command
+// fails.
 #pragma once
 
 #include <string>
@@ -8,12 +9,12 @@
 
 namespace vct::cli {
 
-// A folder that is there, and can be written to, from the constructor on. Folders that it had to make go away
-// again (if nothing is in them) unless keep() is called: a command that fails or is interrupted leaves
-// nothing behind.
+// A folder that the constructor creates if necessary and that can be written to. The destructor removes the
+// folders that were created, if they are empty, unless keep() was called: a command that fails or is
+// interrupted leaves nothing behind.
 class OutputFolder {
   public:
-    // Throws vct::Error where `path` cannot be made or written to.
+    // Throws vct::Error if `path` cannot be created or written to.
     explicit OutputFolder(const std::string& path);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
@@ -27,10 +28,10 @@ class OutputFolder {
     void removeCreated();
 
     std::string path_;
-    std::vector<RemovedOnInterruption> created_;  // outermost first
+    std::vector<RemovedOnInterruption> created_;  // the created folders, outermost first
 };
 
-// Throws vct::Error where a file could not be written at `path`; writes nothing.
+// Throws vct::Error if no file can be written at `path`. Writes nothing.
 void requireWritableFile(const std::string& path);
 
 }  // namespace vct::cli

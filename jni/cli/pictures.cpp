@@ -15,17 +15,19 @@ void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMa
     command
         .add_option(
             "--exposure", exposure,
-            "Scales the PNGs, never the EXRs: a factor, or auto, which brings the mean of the last mode's "
-            "first picture (of logarithms, so that a lamp hardly counts) to middle grey, and says the "
-            "factor. All pictures of a run have the same one")
+            "Brightness of the PNGs: a factor, or auto, which brings the geometric mean of the last mode's "
+            "first picture to middle grey and prints the factor. All PNGs of a run use the same factor; EXRs "
+            "are never scaled")
         ->check([](const std::string& text) { return text == "auto" ? std::string() : positive(text); })
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(picturesGroup);
     command
         .add_option(
             "--tone-map", toneMap,
-            "Of the PNGs: neutral (Khronos PBR neutral: colours up to 0.8 stay, brighter ones are pressed "
-            "below white), or none (cut off at 1)")
-        ->capture_default_str();
+            "Tone mapping of the PNGs: neutral (Khronos PBR Neutral, which keeps colours up to 0.8 and "
+            "compresses brighter ones) or none (values above 1 are clamped)")
+        ->capture_default_str()
+        ->group(picturesGroup);
 }
 
 PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
@@ -38,8 +40,8 @@ PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exp
 
 void PictureWriter::chooseExposure(const Image& image) {
     exposure_ = automaticExposure(image);
-    say("exposure " + numberText(exposure_) + " for all PNGs, as --exposure " + numberText(exposure_) +
-        " repeats it");
+    say("exposure of all PNGs: " + numberText(exposure_) + " (--exposure " + numberText(exposure_) +
+        " repeats it)");
 }
 
 void PictureWriter::write(const std::string& name, const Image& image, bool isShare) {
@@ -73,14 +75,14 @@ void PictureWriter::nameOlderPictures() const {
             older.insert(path.filename().string());
     }
     if (!older.empty())
-        say("note: not of this run, but in " + folder_.path() + ": " +
-            listText({older.begin(), older.end()}));
+        say("note: " + folder_.path() +
+            " also has files of earlier runs: " + listText({older.begin(), older.end()}));
 }
 
 void PictureWriter::warnIfWhite(const std::string& name, const Image& image) {
-    constexpr float overWhite = 1.1F;      // a sheet of paper in full light may be white
-    constexpr double largeShare = 0.25;    // a window or a lamp may be too bright for the picture
-    constexpr double advisedShare = 0.95;  // that the advised exposure keeps below white
+    constexpr float overWhite = 1.1F;      // white paper in full light may slightly exceed 1
+    constexpr double largeShare = 0.25;    // windows and emitters may be too bright for the picture
+    constexpr double advisedShare = 0.95;  // share of pixels that the advised exposure keeps below white
     if (warned_) return;
     std::vector<float> brightest;
     std::ptrdiff_t cutOff = 0;
@@ -96,7 +98,7 @@ void PictureWriter::warnIfWhite(const std::string& name, const Image& image) {
     char text[200];
     std::snprintf(text, sizeof text,
                   "warning: %s.png: %.0f %% of the pixels are brighter than white; try --exposure %.1g (the "
-                  "EXR has all of it)",
+                  "EXR keeps all values)",
                   name.c_str(), 100.0 * static_cast<double>(cutOff) / count, 1.0 / double{*limit});
     say(text);
 }

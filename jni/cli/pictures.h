@@ -1,4 +1,4 @@
-// The files that `vct render` makes of what it has rendered.
+// Writes the picture files of `vct render`.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,28 +14,32 @@
 
 namespace vct::cli {
 
-// --exposure and --tone-map.
+constexpr const char* picturesGroup = "Pictures";  // heading in --help
+
+// Adds --exposure and --tone-map.
 void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMap);
 
 class PictureWriter {
   public:
-    // `exposure`: of PNGs; without it chooseExposure() comes first. Throws vct::Error where the folder cannot
-    // be made or written to.
+    // `exposure` applies to the PNGs. Without it, chooseExposure() must be called before write(). Throws
+    // vct::Error if the folder cannot be created or written to.
     PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
                   bool contactSheet);
 
-    // Takes the exposure that a picture asks for, for all PNGs of the run: nothing flickers, and modes can be
-    // compared. Says it.
+    // Chooses the exposure for `image` and uses it for all PNGs of the run, so that sequences do not flicker
+    // and modes can be compared. Prints it.
     void chooseExposure(const Image& image);
 
-    // NAME.png and NAME.exr. Warns of the first picture whose PNG is white over much of its area by an
-    // exposure that was given. `isShare`: of 1, no light, so its PNG is as it is.
+    // Writes NAME.png and NAME.exr. If the exposure was given by the user, warns about the first PNG that is
+    // white over much of its area. `isShare`: the values are shares of 1 and not light, so no exposure is
+    // applied.
     void write(const std::string& name, const Image& image, bool isShare = false);
-    // The pictures so far side by side, where that was asked for and there are several.
+    // Writes the pictures so far on one sheet, if that was asked for and there are several.
     void writeContactSheet();
     void writeDebugViews(const std::vector<DebugView>& views);
 
-    // Nothing is deleted from a folder that was used before, so what is older than this run is named.
+    // Prints a note with the pictures in the folder that are older than this run, because nothing is deleted
+    // from a folder that was used before.
     void nameOlderPictures() const;
 
   private:
@@ -46,7 +50,7 @@ class PictureWriter {
     float exposure_;
     ToneMap toneMap_;
     bool contactSheet_, warned_;
-    std::vector<std::pair<std::string, Image>> sheet_;  // as in the PNGs
+    std::vector<std::pair<std::string, Image>> sheet_;  // with the values of the PNGs
 };
 
 }  // namespace vct::cli

@@ -1,4 +1,4 @@
-// What is being done, on stderr: stdout is for results.
+// Progress messages on stderr; stdout is for results.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace vct::cli {
 
 void say(const std::string& line);
 
-// Says what is being done, and while it lasts, after 2, 4, 8 and so on seconds, that it still is.
+// Prints `what` at the beginning, and again after 2, 4, 8 and so on seconds until the object is destroyed.
 class Progress {
   public:
-    // Work that is usually done at once need not be announced.
+    // `afterTwoSeconds` is for work that is usually quick: nothing is printed at the beginning.
     enum class Begin { atOnce, afterTwoSeconds };
     explicit Progress(const std::string& what, Begin begin = Begin::atOnce);
 

@@ -1,4 +1,4 @@
-// vct render: a scene in; pictures, debug views and step timings out.
+// vct render: renders a scene to pictures, debug views and step timings.
 #include <cstdio>
 #include <optional>
 
@@ -31,18 +31,18 @@ struct RenderOptions {
     std::string preset = defaultPreset;
     std::string toneMap = "neutral";
     SkyOption sky;
-    // Over the preset's, where given.
+    // These replace the preset's settings if they are given.
     std::optional<std::string> shadow, specular;
     std::optional<int> shadowMap, lightFrames;
     std::optional<unsigned> activeVoxels;
     std::optional<float> coneAngleDeg;
     float lightRadius = 0.0F;
     float emission = 1.0F;
-    // Which moments of an animated scene.
+    // Moments of an animated scene.
     std::optional<double> timeS, fps;
     std::optional<int> frames;
-    std::string exposure = "auto";  // of PNGs; or a number
-    int samples = 1;                // per pixel, of pictures of one moment
+    std::string exposure = "auto";  // exposure of the PNGs: a number or "auto"
+    int samples = 1;                // samples per pixel of a still picture
     unsigned seedOrder = 0;
     bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
@@ -62,20 +62,20 @@ Settings settingsFrom(const RenderOptions& options) {
     return settings;
 }
 
-// Seconds, one per frame. Empty: the scene at rest, one frame.
+// Animation time of each frame, in seconds. Empty if the scene is rendered at rest, in one frame.
 std::vector<double> momentsOf(const RenderOptions& options, const Scene& scene) {
     if (!options.timeS && !options.frames) return {};
     if (scene.animation.channels.empty())
         throw Error("the scene " + scene.path +
-                    " has no animation of its nodes, so it looks the same at all times; leave out --time, "
-                    "--frames and --fps");
+                    " has no animation, so it looks the same at all times; leave out --time, --frames and "
+                    "--fps");
     std::vector<double> moments;
     for (int frame = 0; frame < options.frames.value_or(1); ++frame)
         moments.push_back(options.timeS.value_or(0.0) + (frame == 0 ? 0.0 : frame / *options.fps));
     return moments;
 }
 
-// A scene, and a camera and a light as they are at rest, on a renderer.
+// A renderer with its scene, and the camera and the sun in the scene's rest pose.
 struct Placed {
     const RenderOptions& options;
     const Scene& scene;
@@ -83,7 +83,7 @@ struct Placed {
     DirectionalLight light;
     Renderer& renderer;
 
-    // Moves the renderer's scene and light to a moment; returns the camera there.
+    // Moves the renderer's scene and sun to a moment of the animation; returns the camera at that moment.
     Camera moveTo(double seconds) const {
         const Pose pose = poseAt(scene.animation, seconds);
         renderer.setPose(pose);
@@ -92,8 +92,9 @@ struct Placed {
     }
 };
 
-// The mean of `count` pictures whose samples lie all over each pixel's square: the R2 sequence (Roberts 2018,
-// "The Unreasonable Effectiveness of Quasirandom Sequences"), from the middle on. The light must stand still.
+// Returns the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges. The shifts
+// cover the pixel's square evenly, beginning at its centre (R2 sequence; Roberts 2018, "The Unreasonable
+// Effectiveness of Quasirandom Sequences"). The light must have converged.
 Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count) {
     const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
     Image sum = renderer.radiance();
@@ -110,8 +111,8 @@ Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int c
     return sum;
 }
 
-// The driver's targets of a picture in main memory, and its copies while it is encoded: 50 bytes per pixel
-// with llvmpipe and mode 1, and some more for other modes.
+// Throws if main memory is too small for a picture of this size: the driver's render targets, and the copies
+// while it is encoded. They take 50 bytes per pixel with llvmpipe in mode 1, and more in other modes.
 void requirePictureMemory(glm::ivec2 size) {
     constexpr std::size_t bytesPerPixel = 64;
     requireMainMemory(bytesPerPixel * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y),
@@ -119,8 +120,8 @@ void requirePictureMemory(glm::ivec2 size) {
                       "ask for a smaller picture");
 }
 
-// One mode, seen by a camera that comes to a scene whose light is there. With timings a still picture is
-// drawn several times; of a sequence each frame is one sample. Reading back and writing is not timed.
+// Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
+// in a sequence each frame is one sample. Reading back and writing are not timed.
 void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
                 PictureWriter& pictures, TimingsReport& report) {
     const RenderOptions& options = placed.options;
@@ -128,7 +129,7 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
     const std::string name = outputName(mode);
     const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
     const auto write = [&](const std::string& file) {
-        report.activeVoxels = renderer.activeVoxels();  // throws where the list overflowed
+        report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
         pictures.write(file, meanOfSamples(renderer, mode, camera, options.samples));
     };
     {
@@ -147,7 +148,7 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
         }
         if (!options.frames) write(name);
     }
-    // Written frame by frame: a sequence may be longer than the memory.
+    // Each frame is written at once, because a long sequence may not fit into memory.
     for (std::size_t frame = 0; options.frames && frame < moments.size(); ++frame) {
         char line[96], suffix[32];
         std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", name.c_str(), frame + 1,
@@ -165,14 +166,15 @@ void render(const RenderOptions& options) {
     Settings settings = settingsFrom(options);
     if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
-            "--debug-views, --light-parts and --contact-sheet are of one moment; leave out --frames and "
-            "--fps, "
-            "and choose it by --time");
+            "--debug-views, --light-parts and --contact-sheet work for one moment only, not for a sequence; "
+            "leave out --frames and --fps, and choose the moment with --time");
     if (options.frames && options.samples > 1)
-        throw Error("--samples is of one moment; leave it out, or leave out --frames and --fps");
+        throw Error(
+            "--samples works for one moment only, not for a sequence; leave it out, or leave out --frames "
+            "and --fps");
     std::optional<float> exposure;
     if (options.exposure != "auto") exposure = std::stof(options.exposure);
-    // Before anything slow: an output that cannot be written should be known at once.
+    // Checks the outputs before any slow work.
     PictureWriter pictures(options.out, exposure, parsed("--tone-map", toneMapFromText, options.toneMap),
                            options.contactSheet);
     if (!options.timings.empty()) requireWritableFile(options.timings);
@@ -193,12 +195,12 @@ void render(const RenderOptions& options) {
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
-        say("note: the scene is animated and shown at rest; --time S shows a moment of its " +
-            numberText(scene.animation.durationS) + " s, --frames N --fps F a sequence");
+        say("note: the scene is animated and shown at rest; --time S renders a moment of its " +
+            numberText(scene.animation.durationS) + " s, --frames N --fps F renders a sequence");
 
     if (settings.specular == Specular::none && featuresOf(scene).glossy)
-        say("warning: glossy materials (roughness below 1) are drawn diffuse; --preset mobile and quality "
-            "can reflect (--specular cone)");
+        say("warning: glossy materials (roughness below 1) are rendered without reflections; use --preset "
+            "mobile or quality with --specular cone");
 
     const Context context = options.scene.backend.open();
     say(context.capabilities.renderer + ", " + context.capabilities.version);
@@ -208,16 +210,16 @@ void render(const RenderOptions& options) {
     Renderer renderer(scene, light, settings, context.capabilities, shaders());
 
     if (settings.voxels == Voxels::directional)
-        say("indirect light settles in " + std::to_string(settings.lightFrames) +
-            " frames (--light-frames), and is refined in " +
+        say("indirect light converges over " + std::to_string(settings.lightFrames) +
+            " frames (--light-frames) and " +
             std::to_string(GatherSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
                            settings.lightFrames) +
-            " more; pictures show the refined light");
+            " frames of refinement before the first picture");
     TimingsReport report;
     const Placed placed{options, scene, camera, light, renderer};
     if (!exposure) {
-        // By the mode that has the most of the light, where all are asked for.
-        const Progress progress(std::string("the exposure, by mode ") + outputName(modes.back()));
+        // If all modes are rendered, the last one has the most complete light.
+        const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
         renderer.render(
             {{modes.back()}, moments.empty() ? camera : placed.moveTo(moments.front()), LightSteps::all});
         pictures.chooseExposure(renderer.radiance());
@@ -245,16 +247,14 @@ void render(const RenderOptions& options) {
     writeJson(options.timings, timingsJson(report, context.capabilities));
     std::fputs(timingsTable(report.modes).c_str(), stdout);
     if (!settings.revoxelize && !options.frames)
-        say("Nothing moved: shadow map (CS) and voxels (V, M) were made once, before these frames; "
-            "--revoxelize times them too");
+        say("note: nothing moved, so shadow map (CS) and voxels (V, M) were built before the timed frames "
+            "and "
+            "took no time in them; --revoxelize times them too");
 }
 
 constexpr const char* renderFooter =
-    "Writes DIR/<mode>.png (to look at: exposed, tone-mapped, sRGB) and DIR/<mode>.exr (linear radiance) for "
-    "each mode, "
-    "with --frames "
-    "DIR/<mode>_0000.png "
-    "and so on.\nOther pictures in DIR stay.\n"
+    "Writes two files for each mode: DIR/MODE.png (with exposure and tone mapping, sRGB) and DIR/MODE.exr "
+    "(linear radiance). With --frames they are DIR/MODE_0000.png and so on. Deletes nothing in DIR.\n"
     "Examples:\n"
     "  vct render assets/cornell.glb --out out --mode all --debug-views --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
@@ -267,85 +267,124 @@ constexpr const char* renderFooter =
 
 void addRender(CLI::App& app, int&) {
     CLI::App* command =
-        app.add_subcommand("render", "Render a glTF scene: pictures, debug views, step timings");
+        app.add_subcommand("render", "Render a glTF scene to pictures, debug views and step timings");
     auto options = std::make_shared<RenderOptions>();
     command->footer(renderFooter);
-    command->add_option("--out", options->out, "Folder for the pictures; made if missing")->required();
+    command->add_option("--out", options->out, "Folder for the pictures (DIR below); created if missing")
+        ->required();
     command
-        ->add_option("--mode", options->mode,
-                     "phong, shadow-map, ao, gi, gi-cone-shadow (or 1 to 5), several with commas, or all")
+        ->add_option(
+            "--mode", options->mode,
+            "Light to render: phong (1: direct light, no shadow), shadow-map (2: with hard shadows), "
+            "ao (3: and ambient occlusion), gi (4: indirect light in place of ambient occlusion), "
+            "gi-cone-shadow (5: and the sun's shadow soft); several separated by commas, or all")
         ->capture_default_str();
-    command->add_option("--preset", options->preset, "Set of settings: " + presetList())
-        ->capture_default_str();
+    command->add_option("--preset", options->preset, presetHelp)->capture_default_str();
     options->scene.addTo(*command)->required();
-    command->add_option("--shadow-map", options->shadowMap, "Texels along a side (default: the preset's)");
-    command->add_option("--cone-angle", options->coneAngleDeg,
-                        "The sun's full angle for mode 5 in degrees, 0.1 to 170 (default: the preset's)");
+    command
+        ->add_option("--shadow-map", options->shadowMap,
+                     "Size of the shadow map: texels per side, 16 to 8192 (default: the preset's)")
+        ->group(lightGroup);
+    command
+        ->add_option("--cone-angle", options->coneAngleDeg,
+                     "Angular diameter of the sun in degrees, 0.1 to 170, for its soft shadow in mode 5 "
+                     "(default: the preset's)")
+        ->group(lightGroup);
     command
         ->add_option("--light-radius", options->lightRadius,
-                     "Radius of point and spot lights in metres, for soft shadows in mode 5; other "
-                     "directional lights than the sun then have the sun's angle (default: hard shadows)")
-        ->check(positive);
-    command->add_option("--shadow", options->shadow,
-                        "Soft shadow of mode 5: cone (through the voxels) or soft-map (the shadow map, "
-                        "filtered as wide as the penumbra); default: the preset's");
-    command->add_option(
-        "--specular", options->specular,
-        "What materials with a roughness below 1 reflect besides diffuse light: none, or cone "
-        "(the sun, and one cone along the mirror direction); default: the preset's");
-    command->add_option("--light-frames", options->lightFrames,
-                        "Frames after a change until indirect light has settled (default: the preset's). "
-                        "Still pictures also wait "
-                        "for its refinement, which follows if these frames hold two rounds of directions");
+                     "Radius of point and spot lights in metres, for soft shadows in mode 5; directional "
+                     "lights besides the sun then get the sun's --cone-angle (default: hard shadows)")
+        ->check(positive)
+        ->group(lightGroup);
+    command
+        ->add_option("--shadow", options->shadow,
+                     "How mode 5 finds the sun's soft shadow: cone (a cone through the voxels, only with the "
+                     "preset thesis) or soft-map (the shadow map, filtered over the penumbra's width) "
+                     "(default: the preset's)")
+        ->group(lightGroup);
+    command
+        ->add_option("--specular", options->specular,
+                     "Reflections of materials with a roughness below 1 in modes 4 and 5: none, or cone (the "
+                     "sun's highlight, and one cone in the mirror direction; not with the preset thesis) "
+                     "(default: the preset's)")
+        ->group(lightGroup);
+    command
+        ->add_option("--light-frames", options->lightFrames,
+                     "Frames after a change until indirect light has converged, 1 to 1000 (default: the "
+                     "preset's). With 16 or more, a refinement with more directions follows. Still pictures "
+                     "show the light after all of these frames. The preset thesis ignores this option")
+        ->group(lightGroup);
+    const char* const animationGroup = "Animation";
     command
         ->add_option("--time", options->timeS,
-                     "The moment of the scene's animation, in seconds; before its first key and after its "
-                     "last it stands still (default: at rest, as the file puts the nodes)")
-        ->check(CLI::Range(0.0, 1e6));
+                     "Moment of the scene's animation, in seconds; before the first key and after the last "
+                     "one nothing moves (default: at rest, as the file places the nodes)")
+        ->check(CLI::Range(0.0, 1e6))
+        ->group(animationGroup);
     CLI::Option* const frames =
         command
             ->add_option("--frames", options->frames,
-                         "A sequence of so many pictures, from --time (default 0) on, --fps of them a second")
-            ->check(CLI::Range(1, 10000));  // as many as four digits count
+                         "Render a sequence of so many pictures, beginning at --time (default: 0)")
+            ->check(CLI::Range(1, 10000))  // file names have four digits
+            ->group(animationGroup);
     CLI::Option* const fps =
-        command->add_option("--fps", options->fps, "Pictures for each second of the animation")
-            ->check(positive);
+        command->add_option("--fps", options->fps, "Pictures of the sequence per second of the animation")
+            ->check(positive)
+            ->group(animationGroup);
     frames->needs(fps);
     fps->needs(frames);
-    command->add_option("--animation", options->animation,
-                        "Which of the scene's animations to play, by name or index (default: its first)");
+    command
+        ->add_option("--animation", options->animation,
+                     "Animation to play, by name or index (default: the scene's first)")
+        ->group(animationGroup);
     options->sky.addTo(*command);
     command
-        ->add_option("--emission", options->emission, "Scales what all surfaces emit; 0 switches lamps off")
+        ->add_option("--emission", options->emission,
+                     "Factor for the light that surfaces emit; 0 switches all emitters off")
         ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(lightGroup);
     addPngOptions(*command, options->exposure, options->toneMap);
     command
-        ->add_option(
-            "--samples", options->samples,
-            "Pictures of one moment that differ by parts of a pixel, of which the mean is written: smooth "
-            "edges, in so many times the time of G-buffer and last pass; 16 is plenty")
+        ->add_option("--samples", options->samples,
+                     "Samples per pixel of a still picture, for smooth edges: the mean of so many pictures, "
+                     "each shifted by a part of a pixel. 16 is plenty")
         ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
-    command->add_flag("--debug-views", options->debugViews,
-                      "Also write every intermediate into DIR/debug_views/");
-    command->add_flag(
-        "--light-parts", options->lightParts,
-        "Also write indirect_light, ambient_occlusion and cone_shadow, each alone, as PNG and EXR");
-    command->add_flag("--contact-sheet", options->contactSheet,
-                      "Also write DIR/contact_sheet.png, the modes side by side");
-    command->add_option("--timings", options->timings,
-                        "Time each step over 5 frames (docs/timings.md) and write FILE.json; "
-                        "--revoxelize for those that nothing changes");
-    command->add_flag("--revoxelize", options->revoxelize,
-                      "Make shadow map and voxels anew in every frame, also where neither light nor pose has "
-                      "changed: to measure what that takes");
+        ->capture_default_str()
+        ->group(picturesGroup);
+    command
+        ->add_flag("--debug-views", options->debugViews,
+                   "Also write every intermediate result into DIR/debug_views/")
+        ->group(picturesGroup);
+    command
+        ->add_flag("--light-parts", options->lightParts,
+                   "Also write parts of the light as PNG and EXR: indirect_light, ambient_occlusion, "
+                   "cone_shadow (the visible share of the sun) and, with reflections, specular_light")
+        ->group(picturesGroup);
+    command
+        ->add_flag("--contact-sheet", options->contactSheet,
+                   "Also write DIR/contact_sheet.png, all modes side by side")
+        ->group(picturesGroup);
+    command
+        ->add_option("--timings", options->timings,
+                     "Time each step over 5 frames and write the times to this JSON file (docs/timings.md "
+                     "explains it); in a scene without motion add --revoxelize")
+        ->group(measuringGroup);
+    command
+        ->add_flag(
+            "--revoxelize", options->revoxelize,
+            "Rebuild shadow map and voxels in every frame, even if neither light nor pose has changed, "
+            "to measure what that costs")
+        ->group(measuringGroup);
     command
         ->add_option("--active-voxels", options->activeVoxels,
-                     "Room in the active-voxel list (default: 16 grid^2)")
-        ->check(positive);
-    command->add_option("--seed-order", options->seedOrder,
-                        "Shuffle the triangles; the result must not change");
+                     "Capacity of the list of occupied voxels (default: 16 times the grid squared)")
+        ->check(positive)
+        ->group(voxelGroup);
+    command
+        ->add_option("--seed-order", options->seedOrder,
+                     "Shuffle the triangles with this seed, as a test: the pictures must not change")
+        ->group(measuringGroup);
     command->callback([options] { render(*options); });
 }
 

@@ -1,5 +1,6 @@
-// vct shaders: every program of every preset as the ESSL that a phone's driver compiles, and how often each
-// stage and loop runs in a frame. tools/mali.py makes bounds of both.
+// vct shaders: writes the sources (ESSL, the OpenGL ES Shading Language) of every program of every preset as
+// a phone's driver compiles them, and how often each stage and loop runs in a frame. tools/mali.py computes
+// lower bounds of GPU time from both.
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,7 @@ struct ShadersOptions {
     std::vector<std::string> presets;
 };
 
-// A program of one preset, and the modes whose frame of the scene runs it.
+// A program of one preset, and the modes in which this scene's frames run it.
 struct Variant {
     Step step;
     gl::ProgramDescription program;
@@ -49,8 +50,8 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
             if (same(known.program, use.program)) return known;
         return found.emplace_back(Variant{use.step, use.program, {}});
     };
-    // One material that emits, or is glossy, gives every G-buffer a target more: the others are drawn with
-    // and without.
+    // One emissive or glossy material in a scene adds a target to the G-buffer, and so changes the programs
+    // of all other materials. Therefore all four combinations are listed.
     for (Output mode : allModes()) {
         for (const bool emissive : {false, true})
             for (const bool glossy : {false, true}) {
@@ -68,7 +69,7 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
     return found;
 }
 
-// The shaders of phones: half precision where the sources allow it, and ES 3.1.
+// Shaders as phones compile them: half precision if the sources allow it, and OpenGL ES 3.1.
 gl::ShaderLibrary phoneLibrary(const Settings& settings) {
     gl::Capabilities phone;
     phone.softwareDriver = false;
@@ -84,7 +85,7 @@ const char* stageName(const std::string& shader) {
     return names.at(gl::shaderStage(shader));
 }
 
-// Writes the sources into DIR/<preset>/<number>/ and returns the manifest's entries.
+// Writes the sources into DIR/PRESET/NUMBER/ and returns the manifest's entries.
 ordered_json writeSources(const std::vector<Variant>& programs, const Settings& settings,
                           const std::string& preset, OutputFolder& out) {
     const gl::ShaderLibrary library = phoneLibrary(settings);
@@ -168,7 +169,9 @@ void writeShaders(const ShadersOptions& options) {
 }
 
 constexpr const char* shadersFooter =
-    "Writes DIR/manifest.json (docs/mali.md) and each program's shaders below DIR/<preset>/.\n"
+    "Writes the shaders below DIR/PRESET/, and DIR/manifest.json with the programs, the modes that use them "
+    "and how often each shader and loop runs. tools/mali.py computes lower bounds for a Mali GPU from it "
+    "(docs/mali.md).\n"
     "Example:\n"
     "  vct shaders assets/cornell.glb --out out/shaders";
 
@@ -176,12 +179,15 @@ constexpr const char* shadersFooter =
 
 void addShaders(CLI::App& app, int&) {
     CLI::App* command = app.add_subcommand(
-        "shaders", "Write every program's ESSL 3.10 sources, and how often they run in a frame of a scene");
+        "shaders", "Write the shader sources of every program, and how often each runs in a frame");
     const auto options = std::make_shared<ShadersOptions>();
     command->footer(shadersFooter);
     options->scene.addTo(*command)->required();
-    command->add_option("--out", options->out, "Folder for the sources; made if missing")->required();
-    command->add_option("--preset", options->presets, "Sets of settings, with commas (default: all)")
+    command->add_option("--out", options->out, "Folder for the sources (DIR below); created if missing")
+        ->required();
+    command
+        ->add_option("--preset", options->presets,
+                     std::string(presetHelp) + "; several separated by commas (default: all)")
         ->delimiter(',');
     options->sky.addTo(*command);
     command->callback([options] { writeShaders(*options); });

@@ -13,15 +13,18 @@ namespace vct::cli {
 
 void SkyOption::addTo(CLI::App& command) {
     CLI::Option* sky = command.add_option("--sky", radiance,
-                                          "Radiance R,G,B of what lies outside the scene, in all directions "
-                                          "(default: black; of a scene without any "
-                                          "light a plain sky, which is said)");
+                                          "Sky of one colour: radiance R,G,B from all directions outside the "
+                                          "scene (default: black, or a plain sky if neither the scene nor an "
+                                          "option has a light, which vct then prints)");
+    sky->group(lightGroup);
     command
-        .add_option("--environment", environment,
-                    "Picture of all directions outside the scene, in place of --sky: .hdr or .exr, "
-                    "equirectangular (twice as wide as high), of linear radiance. Its centre is towards +X, "
-                    "its top +Y, right of the centre +Z. A sun of a few pixels is better given as --light")
-        ->excludes(sky);
+        .add_option(
+            "--environment", environment,
+            "Sky of a picture, in place of --sky: an equirectangular .hdr or .exr file (twice as wide "
+            "as high) of linear radiance. Its centre is towards +X, its top towards +Y, and +Z is "
+            "right of the centre. Give a sun of a few pixels as --light instead")
+        ->excludes(sky)
+        ->group(lightGroup);
 }
 
 void SkyOption::applyTo(Settings& settings) const {
@@ -43,12 +46,11 @@ void SkyOption::lightScene(const Scene& scene, const std::string& lightText, Dir
     settings.skyRadiance = sky;
     const glm::dvec3 direction = -light.directionToLight / light.directionToLight.y;
     char text[320];
-    std::snprintf(
-        text, sizeof text,
-        "note: the scene has no light of its own; it is lit by a sun and a plain sky, as with --light "
-        "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
-        direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r}, double{sky.g},
-        double{sky.b});
+    std::snprintf(text, sizeof text,
+                  "note: the scene has no light of its own; vct adds a sun and a sky, as with --light "
+                  "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
+                  direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r},
+                  double{sky.g}, double{sky.b});
     say(text);
 }
 

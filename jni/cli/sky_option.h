@@ -1,4 +1,4 @@
-// --sky and --environment, of the commands that take them.
+// The options --sky and --environment.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,15 +11,16 @@
 namespace vct::cli {
 
 struct SkyOption {
-    std::optional<std::string> radiance;  // R,G,B
-    std::string environment;              // file of a picture
+    std::optional<std::string> radiance;  // "R,G,B"
+    std::string environment;              // path of a picture
 
     bool given() const { return radiance || !environment.empty(); }
     void addTo(CLI::App& command);
-    // Sets the sky that is given. Throws vct::Error where its text or its file is no sky.
+    // Sets the sky that was given. Throws vct::Error if its text or its file is not valid.
     void applyTo(Settings& settings) const;
-    // Where no light is given either (`lightText` is empty), what lights the scene: itself, the sky that is
-    // given, or else a sun and a plain sky, which it says.
+    // Chooses the light of a scene that has none, if the user gave no light either (`lightText` is empty):
+    // only the given sky, or only the scene's emitters, or else a sun and a sky of one colour, which it
+    // prints.
     void lightScene(const Scene& scene, const std::string& lightText, DirectionalLight& light,
                     Settings& settings) const;
 };

@@ -1,4 +1,4 @@
-// vct view: a scene in a window, to walk through.
+// vct view: shows a scene in a window to walk through.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +22,7 @@
 namespace vct {
 
 #ifdef VCT_HAS_GLFW
-// What the viewer says.
+// Prints the viewer's messages.
 void app::log(LogLevel level, const std::string& text) {
     if (level == LogLevel::detail) return;
     cli::say((level == LogLevel::error     ? "vct: error: "
@@ -46,7 +46,7 @@ struct ViewOptions {
 #ifdef VCT_HAS_GLFW
 using app::SceneFile;
 
-// The scene, and what else is in its folder.
+// Lists the scene and the other scenes in its folder.
 std::vector<SceneFile> scenesBeside(const std::string& path, bool allowOutside) {
     namespace fs = std::filesystem;
     std::vector<SceneFile> scenes;
@@ -64,7 +64,7 @@ std::vector<SceneFile> scenesBeside(const std::string& path, bool allowOutside) 
     return scenes;
 }
 
-// As short as it may be to read back as the same float.
+// The shortest text that reads back as the same float.
 std::string floatText(float value) {
     char text[32];
     for (int digits = 6; digits <= 9; ++digits) {
@@ -78,7 +78,7 @@ std::string threeText(const glm::vec3& v) {
     return floatText(v.x) + "," + floatText(v.y) + "," + floatText(v.z);
 }
 
-// How `vct render` gives the same picture.
+// The `vct render` command that renders the same picture.
 std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choices,
                        const ViewOptions& options) {
     const Settings& settings = seen.settings;
@@ -88,7 +88,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
                        " --cone-angle " + numberText(settings.shadowConeAngleDeg) + " --camera " +
                        seen.cameraOption;
     const DirectionalLight& light = seen.light;
-    // One that the scene moves, or that there is none, is the scene's.
+    // A sun that the scene animates, or one that is off, comes from the scene again.
     if (light.node < 0 && light.intensity > 0.0F && light.color != glm::vec3(0.0F)) {
         line += " --light direction=" + threeText(-glm::vec3(light.directionToLight)) +
                 ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
@@ -110,13 +110,13 @@ void save(const app::Viewer::Seen& seen, const app::Choices& choices, const View
     std::printf("%s\n", renderLine(seen, choices, options).c_str());
     std::fflush(stdout);
     if (choices.lightsOff.any())
-        say("note: lamps are switched off in the window; vct render has no option for that and shows them "
-            "on");
+        say("note: the window has some emitters switched off; vct render has no option for single emitters "
+            "and renders all of them");
     writePng(file, toneMapped(seen.radiance, ToneMap::neutral, seen.exposure));
     say("saved " + file);
 }
 
-// Returns whether there was something to see.
+// Returns false if the scene could not be loaded.
 bool view(const ViewOptions& options) {
     const std::string& path = options.scene.path;
     desktop::WindowRequest request;
@@ -126,7 +126,7 @@ bool view(const ViewOptions& options) {
     const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();
-    choices.resolution = 1;  // as the window
+    choices.resolution = 1;  // the window's full resolution
     choices.coneAngleDeg = options.coneAngleDeg.value_or(presetSettings(options.preset).shadowConeAngleDeg);
     choices.play = !options.timeS;
     request.show.timeS = options.timeS.value_or(0.0);
@@ -134,7 +134,7 @@ bool view(const ViewOptions& options) {
     validate(app::settingsFor(choices, options.scene.size, 1.0));
     Settings sky;
     options.sky.applyTo(sky);
-    // Before a window opens, what is wrong in the options should be known.
+    // Checks the options before a window opens.
     const std::string& camera = options.scene.camera;
     if (camera.find('=') != std::string::npos) cameraFromText(camera, {});
     lightFromText(options.scene.light, {});
@@ -156,14 +156,15 @@ bool view(const ViewOptions& options) {
         };
     };
     desktop.keepScreenOn = [](bool) {};
-    // Camera, light and grid are of the scene that is named; others of the folder come with their own.
+    // The options for camera, light and grid apply only to the scene on the command line, not to the other
+    // scenes of its folder.
     desktop.defaultsFor = [&options, sky](const Scene& scene, double aspect) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
         app::ViewDefaults look;
         if (named && !options.scene.camera.empty()) {
             look.camera = cameraFromText(options.scene.camera, scene, aspect);
-            look.camera->aspectRatio = aspect;  // to which it was fitted
+            look.camera->aspectRatio = aspect;  // the camera was fitted to this aspect ratio
         }
         Settings settings = sky;
         look.light = lightFromText(light, scene);
@@ -186,29 +187,37 @@ bool view(const ViewOptions& options) {
 #else
 bool view(const ViewOptions&) {
     throw Error(
-        "this vct was built without GLFW, so it opens no window; install libglfw3-dev (scripts/setup.sh "
-        "does) and "
-        "build again");
+        "cannot open a window: this vct was built without GLFW; install libglfw3-dev (scripts/setup.sh does "
+        "that) and build again");
 }
 #endif
 
 }  // namespace
 
 void addView(CLI::App& app, int& exitCode) {
-    CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window, to walk through");
+    CLI::App* command = app.add_subcommand("view", "Show a glTF scene in a window and walk through it");
     const auto options = std::make_shared<ViewOptions>();
     options->scene.size = {800, 600};
     options->scene.addSceneTo(*command)->required();
-    command->add_option("--mode", options->mode, "As for render, one")->capture_default_str();
-    command->add_option("--preset", options->preset, "Set of settings: " + presetList())
+    command
+        ->add_option("--mode", options->mode,
+                     "Mode to begin with: phong, shadow-map, ao, gi or gi-cone-shadow (`vct render --help` "
+                     "explains them)")
         ->capture_default_str();
-    command->add_option("--cone-angle", options->coneAngleDeg,
-                        "The sun's full angle for mode 5 in degrees (default: the preset's)");
+    command->add_option("--preset", options->preset, presetHelp)->capture_default_str();
+    command
+        ->add_option("--cone-angle", options->coneAngleDeg,
+                     "Angular diameter of the sun in degrees, 0.1 to 170, for its soft shadow in mode 5 "
+                     "(default: the preset's)")
+        ->group(lightGroup);
     command
         ->add_option("--time", options->timeS,
-                     "Where the scene's animation stands still, in seconds (default: it plays)")
+                     "Show this moment of the scene's animation, in seconds (default: the animation plays)")
         ->check(CLI::Range(0.0, 1e6));
-    command->add_option("--exposure", options->exposure, "A factor, or auto, by the scene's first picture")
+    command
+        ->add_option("--exposure", options->exposure,
+                     "Brightness of the picture: a factor, or auto, which chooses it by the scene's first "
+                     "picture")
         ->check([](const std::string& text) { return text == "auto" ? std::string() : positive(text); })
         ->capture_default_str();
     options->sky.addTo(*command);

@@ -1,8 +1,8 @@
 // The three kinds of error, and when each is used:
-//   assert       a mistake of the programmer: cannot happen whatever the input
-//   vct::Error   everything that input, the driver or the machine can cause: one sentence that names what
-//                failed, why, and what to do about it; main() prints it and exits with 1
-//   return value what is expected to happen (two pictures differ)
+//   assert        A programming mistake, which no input can cause.
+//   vct::Error    Anything that input, the driver or the machine can cause. The message is one sentence that
+//                 names what failed, why, and what to do about it; main() prints it and exits with 1.
+//   return value  An expected result (two pictures differ).
 #pragma once
 
 #include <string>

@@ -18,17 +18,17 @@
 namespace vct {
 namespace {
 
-// Paths of what a RemovedOnInterruption stands for; null where a slot is free.
+// Paths registered by RemovedOnInterruption objects; null in a free slot.
 std::atomic<const char*> removedOnInterruption[32];
 
-// A file that was not there before, in the folder of another: O_EXCL makes it anew or fails, and follows no
-// link. Removed with this, unless it was renamed.
+// A new, uniquely named file in the folder of the file `beside`. O_EXCL never opens an existing file and
+// follows no link. The destructor removes the file unless it was renamed.
 class NewFile {
   public:
     explicit NewFile(const std::string& beside) {
         static std::atomic<unsigned> count{0};
         const std::string folder = beside.substr(0, beside.find_last_of('/') + 1);  // "" without a slash
-        // A name that is taken is of a process that ended before its end, or of another machine's.
+        // A process that was killed, or one on another machine, may have left a file of the same name.
         for (int attempt = 0; descriptor_ < 0 && attempt < 1000; ++attempt) {
             path_ = folder + ".vct-" + std::to_string(getpid()) + "-" + std::to_string(count++) + ".tmp";
             descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -44,7 +44,7 @@ class NewFile {
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
 
-    int cause() const { return cause_; }  // what went wrong so far, as errno has it, or 0
+    int cause() const { return cause_; }  // errno of the first failure, or 0
 
     void write(const std::string& bytes) {
         for (std::size_t done = 0; cause_ == 0 && done < bytes.size();) {
@@ -56,7 +56,7 @@ class NewFile {
 
     void renameTo(const std::string& path) {
         if (cause_ != 0) return;
-        // A disk on the network may tell only now that it is full.
+        // A network file system may report a full disk only here.
         const int closed = close(descriptor_);
         descriptor_ = -1;
         if (closed != 0 || std::rename(path_.c_str(), path.c_str()) != 0)
@@ -103,11 +103,11 @@ int causeNotWritable(const std::string& path) {
 void replaceFile(const std::string& path, const std::string& bytes) {
     const auto fail = [&](const std::string& cause) {
         throw Error("cannot write '" + path + "': " + cause +
-                    "; choose a file in an existing, writable folder with space left");
+                    "; choose a file in an existing, writable folder with free space");
     };
-    struct stat found {};
+    struct stat found{};
     if (stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
-        fail(S_ISDIR(found.st_mode) ? std::strerror(EISDIR) : "it is there, and not a file");
+        fail(S_ISDIR(found.st_mode) ? std::strerror(EISDIR) : "it exists but is not a file");
     NewFile file(path);
     file.write(bytes);
     file.renameTo(path);

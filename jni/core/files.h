@@ -1,4 +1,4 @@
-// Bytes onto the disk, whole or not at all.
+// Writing files atomically, and removing unfinished ones when the process is interrupted.
 #pragma once
 
 #include <memory>
@@ -7,19 +7,20 @@
 
 namespace vct {
 
-using Bytes = std::vector<unsigned char>;  // what is read from a file
+using Bytes = std::vector<unsigned char>;  // content of a file
 
-// Writes a new file in the folder of `path`, under a name of its own, and renames it, so that nobody sees
-// half a file; leaves no temporary file behind. Throws vct::Error naming the file, the cause and the remedy:
-// also where `path` is there and no file, as a device, which would be replaced.
+// Writes a temporary file in the folder of `path` and renames it to `path`, so that nobody sees half a file.
+// Leaves no temporary file behind. Throws vct::Error naming the file, the cause and the remedy. Also throws
+// if `path` exists and is not a regular file (a device, for example), because the renaming would replace it.
 void replaceFile(const std::string& path, const std::string& bytes);
 
-// Whether a new file can be made in the folder of `path`: 0, or why not, as errno has it. Only an attempt
-// tells: permissions say nothing to root, on a full disk or in /proc. Leaves nothing behind.
+// Returns 0 if a new file can be made in the folder of `path`, otherwise the errno of the failure. It tries
+// to make one, because permission bits tell nothing to root, on a full disk or in /proc. Leaves nothing
+// behind.
 int causeNotWritable(const std::string& path);
 
-// Something that this process has made and that goes away if it is interrupted: a temporary file, or a folder
-// if nothing is in it. Only the first so many at a time are known; the others would stay.
+// Registers a temporary file or a folder for removal when the process is interrupted; a folder is removed
+// only if it is empty. The number of registrations at one time is limited: further paths are not removed.
 class RemovedOnInterruption {
   public:
     explicit RemovedOnInterruption(std::string path);
@@ -30,12 +31,12 @@ class RemovedOnInterruption {
     const std::string& path() const { return *path_; }
 
   private:
-    std::unique_ptr<const std::string> path_;  // does not move: the slot points into it
+    std::unique_ptr<const std::string> path_;  // at a fixed address, because the slot points into it
     int slot_ = -1;
 };
 
-// Removes what is left to be removed, the last first. For a handler of a signal that ends the process: calls
-// nothing that such a one must not.
+// Removes all registered paths, the last one first. Safe to call from a signal handler: it uses only
+// async-signal-safe functions.
 void removeAfterInterruption();
 
 }  // namespace vct

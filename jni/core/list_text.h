@@ -1,4 +1,4 @@
-// Lists in messages, which stay short however long the list is.
+// Text of a list for messages, shortened if the list is long.
 #pragma once
 
 #include <string>

@@ -16,10 +16,11 @@ namespace {
 
 constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 
-// What a driver and its shader compiler take beside the textures; they end the process where they get none.
+// Memory for the driver and its shader compiler besides the textures. They end the process if an allocation
+// fails.
 constexpr std::size_t driverReserve = std::size_t{384} << 20;
 
-// MemAvailable of /proc/meminfo.
+// The value of MemAvailable in /proc/meminfo.
 std::size_t freeMemory() {
     std::ifstream file("/proc/meminfo");
     std::string key, unit;
@@ -31,7 +32,7 @@ std::size_t freeMemory() {
     return unknown;
 }
 
-// What `ulimit -v` leaves of the address space.
+// Address space left below the limit of `ulimit -v`.
 std::size_t freeAddressSpace() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
@@ -56,15 +57,15 @@ void requireMemory(std::size_t bytes, const std::string& what) {
     const std::size_t available = freeBytes();
     if (bytes + driverReserve > available)
         throw Error("not enough memory for " + what + ": " +
-                    (bytes == 0 ? "" : megabytesText(bytes) + ", and ") + megabytesText(driverReserve) +
-                    " for the driver, of which " + megabytesText(available) +
+                    (bytes == 0 ? "it needs " : "it needs " + megabytesText(bytes) + " and ") +
+                    megabytesText(driverReserve) + " for the driver, and " + megabytesText(available) +
                     " are available; use fewer voxels (a coarser grid), or free memory");
 }
 
 void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy) {
     const std::size_t available = freeBytes();
     if (bytes > available)
-        throw Error("not enough memory for " + what + ": " + megabytesText(bytes) + ", of which " +
+        throw Error("not enough memory for " + what + ": it needs " + megabytesText(bytes) + ", and " +
                     megabytesText(available) + " are available; " + remedy + ", or free memory");
 }
 

@@ -1,5 +1,5 @@
-// How much main memory a request may take, for drivers whose textures live there: the kernel promises more
-// than there is and ends the process later, so asking first is the only clear error.
+// Checks that a request fits into main memory, for drivers that keep textures there. The kernel grants more
+// memory than exists and ends the process later, so only a check beforehand gives a clear error.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,17 @@
 
 namespace vct {
 
-// Bytes that textures and buffers may take: what is free, less what the driver takes besides. As many as
-// there can be where the system does not tell.
+// Bytes available to textures and buffers: the free memory less the driver's own needs. The largest possible
+// number if the system does not tell.
 std::size_t availableMemory();
 
-// Throws vct::Error naming `what`, the bytes it needs, those there are and the remedy. Does nothing where the
-// system does not tell.
+// Throws vct::Error naming `what`, the needed and the available bytes and the remedy, if textures and buffers
+// of `bytes` do not fit beside the driver's own needs. Does nothing if the system does not tell how much
+// memory is free.
 void requireMemory(std::size_t bytes, const std::string& what);
 
-// Likewise of what is no driver's: throws where `bytes` more than are available are asked for. `remedy`: what
-// to do about it besides freeing memory.
+// The same check for memory that the program itself allocates, without the driver's share. `remedy` is the
+// advice in the message besides freeing memory.
 void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy);
 
 }  // namespace vct

@@ -7,7 +7,7 @@ std::string oneLine(std::string text) {
     if (text.size() > maxLength) {
         std::size_t end = maxLength;
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-            --end;  // not inside a letter of several bytes
+            --end;  // do not cut a UTF-8 character of several bytes
         text = text.substr(0, end) + "...";
     }
     for (char& c : text) {

@@ -1,14 +1,15 @@
-// Text of others as a part of a message.
+// Makes text from files and libraries fit into a message.
 #pragma once
 
 #include <string>
 
 namespace vct {
 
-// Text of a file as a part of a sentence: one line, not too long.
+// Text of a file as a part of a sentence: control characters become spaces, and long text is cut off.
 std::string oneLine(std::string text);
 
-// What a library or another vct::Error says, likewise, and without a full stop at its end.
+// Message of a library or of another vct::Error as a part of a sentence: as oneLine(), without full stops and
+// spaces at its end.
 std::string asClause(const std::string& message);
 
 }  // namespace vct

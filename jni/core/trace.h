@@ -1,10 +1,10 @@
-// Named sections on a system-wide timeline (Android's ATrace, shown by Perfetto). Nothing happens until
-// somebody says who records them.
+// Named sections on a system-wide timeline (Android's ATrace, shown by Perfetto). They do nothing until
+// traceFunctions is set.
 #pragma once
 
 namespace vct {
 
-// Sections nest and end in the reverse order on the thread that began them.
+// The recorder's functions. Sections nest; a section ends on the thread that began it.
 struct TraceFunctions {
     void (*begin)(const char* name) = nullptr;
     void (*end)() = nullptr;

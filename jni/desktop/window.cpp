@@ -13,37 +13,44 @@
 namespace vct::desktop {
 
 const char* const windowKeys =
-    "Mouse: drag to turn the view (a double click resets it), drag with the middle button to shift it, the "
-    "wheel moves nearer and farther or, over the panel, scrolls it, drag with the right button to turn the "
-    "light.\n"
-    "Keys: W A S D, Q and E walk, go down and up (with Shift faster); 1 to 5 choose the mode, Tab the next "
-    "preset, N and B the next scene of the folder and the one before; Space stops and plays the animation; T "
-    "times the steps; H hides the panel; R resets view and light; P saves the picture as vct-view-N.png and "
-    "prints the `vct render` line that repeats it; Escape closes.";
+    "Mouse:\n"
+    "  left button       drag to turn the view, double click to reset it\n"
+    "  middle button     drag to shift the view\n"
+    "  right button      drag to turn the sun\n"
+    "  wheel             move nearer or farther; over the panel, scroll it\n"
+    "Keys:\n"
+    "  W A S D, Q, E     walk, go down, go up (with Shift: faster)\n"
+    "  1 to 5, Tab       choose the mode, the next preset\n"
+    "  N, B              show the next or the previous scene of the folder\n"
+    "  Space             stop or continue the animation\n"
+    "  T, H              time the steps, hide the panel\n"
+    "  R                 reset view and sun\n"
+    "  P                 save the picture as vct-view-N.png and print the `vct render` command for it\n"
+    "  Escape            close the window";
 
 namespace {
 
 constexpr double walkShareOfSceneAndSecond = 0.15;
 constexpr float lightDegPerPixel = 0.4F;
 
-std::string glfwProblem;  // the last one
+std::string glfwProblem;  // GLFW's last error
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
     return value == nullptr ? "is not set" : std::string("is '") + value + "'";
 }
 
-// GLFW's, from here to the end of the program's window.
+// Initializes GLFW, and terminates it in the destructor.
 struct Glfw {
     Glfw() {
         glfwSetErrorCallback([](int, const char* text) { glfwProblem = text; });
         if (glfwInit() == GLFW_FALSE)
             throw Error(
-                "no window can be opened: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
+                "cannot open a window: " + glfwProblem + " (DISPLAY " + variable("DISPLAY") +
                 ", WAYLAND_DISPLAY " + variable("WAYLAND_DISPLAY") +
-                "); run it on a desktop, or set DISPLAY to one that this user may use (Wayland "
-                "without Xwayland needs the package libglfw3-wayland in place of libglfw3); `vct render` "
-                "needs none");
+                "); run it on a desktop, or set DISPLAY to a display that this user may use (Wayland without "
+                "Xwayland needs the package libglfw3-wayland in place of libglfw3), or use `vct render`, "
+                "which needs no display");
     }
     ~Glfw() { glfwTerminate(); }
     Glfw(const Glfw&) = delete;
@@ -65,16 +72,17 @@ class Window {
                 glfwCreateWindow(request_.size.x, request_.size.y, request_.title.c_str(), nullptr, nullptr);
         }
         if (window_ == nullptr)
-            throw Error("there is no window with OpenGL ES 3.1: " + glfwProblem +
-                        "; `vct info` says what the driver has, and LIBGL_ALWAYS_SOFTWARE=1 takes Mesa's "
-                        "software driver");
+            throw Error("cannot open a window with OpenGL ES 3.1: " + glfwProblem +
+                        "; run `vct info` to see what the driver supports, or set LIBGL_ALWAYS_SOFTWARE=1 to "
+                        "use Mesa's software driver");
         glfwMakeContextCurrent(window_);
         float scale = 1.0F;
         glfwGetWindowContentScale(window_, &scale, nullptr);
         request_.host.pixelsPerDp = std::max(scale, 1.0F);
         viewer_.emplace(request_.host, request_.show);
         glfwSetWindowUserPointer(window_, this);
-        glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE);  // a key that was let go since the last frame
+        // Keys that were pressed and released between two frames count too.
+        glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE);
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
             if (action == GLFW_PRESS) of(window).press(key);
         });
@@ -90,7 +98,7 @@ class Window {
         });
     }
     ~Window() {
-        viewer_.reset();  // in its context
+        viewer_.reset();  // while its OpenGL context still exists
         if (window_ != nullptr) glfwDestroyWindow(window_);
     }
     Window(const Window&) = delete;
@@ -124,14 +132,14 @@ class Window {
         return size;
     }
 
-    // Of an event, and not where the cursor is by now.
+    // Converts an event's position to pixels. The cursor itself may have moved since.
     glm::vec2 inPixels(double x, double y) const {
         glm::ivec2 window(1);
         glfwGetWindowSize(window_, &window.x, &window.y);
         return glm::vec2(glm::dvec2(x, y) * glm::dvec2(pixels()) / glm::dvec2(glm::max(window, 1)));
     }
 
-    // So many fingers, side by side around a place.
+    // Tells the viewer that `count` fingers touch the window, side by side around `at`.
     void fingers(int count, const glm::vec2& at, float apart = 100.0F) {
         std::vector<app::TouchPoint> points;
         for (int i = 0; i < count; ++i)
@@ -143,7 +151,7 @@ class Window {
         if (down ? held_ != -1 : held_ != button) return;
         held_ = down ? button : -1;
         if (button == GLFW_MOUSE_BUTTON_LEFT) fingers(down ? 1 : 0, cursor_);
-        // Two fingers are no hand for the display.
+        // Over the panel, only the left button acts.
         if (button != GLFW_MOUSE_BUTTON_LEFT && down && viewer_->hudCovers(cursor_)) held_ = -1;
         if (button == GLFW_MOUSE_BUTTON_MIDDLE && (held_ != -1 || !down)) fingers(down ? 2 : 0, cursor_);
     }
@@ -203,7 +211,7 @@ class Window {
 
     void walk() {
         const double now = glfwGetTime();
-        const double passedS = std::min(now - lastWalkS_, 0.2);  // a slow frame is no leap through a wall
+        const double passedS = std::min(now - lastWalkS_, 0.2);  // a slow frame must not jump through a wall
         lastWalkS_ = now;
         const auto along = [&](int forth, int back) {
             return (glfwGetKey(window_, forth) == GLFW_PRESS ? 1.0 : 0.0) -
@@ -228,7 +236,7 @@ class Window {
     WindowRequest request_;
     GLFWwindow* window_ = nullptr;
     std::optional<app::Viewer> viewer_;
-    int held_ = -1;  // the mouse's button
+    int held_ = -1;  // mouse button that is held; -1: none
     glm::vec2 cursor_{0.0F};
     bool save_ = false;
     double lastWalkS_ = 0.0;

@@ -1,4 +1,5 @@
-// A viewer in a window of the desktop: the mouse is a finger, and keys choose what the display has.
+// The viewer in a desktop window. The mouse acts as fingers do on a phone, and keys change the panel's
+// choices.
 #pragma once
 
 #include <functional>
@@ -11,16 +12,16 @@ namespace vct::desktop {
 struct WindowRequest {
     std::string title;
     glm::ivec2 size{800, 600};  // pixels
-    app::ViewerHost host;       // but for the screen's density
+    app::ViewerHost host;       // runWindow() sets pixelsPerDp
     app::ShowRequest show;
-    std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // by key
+    std::function<void(const app::Viewer::Seen&, const app::Choices&)> save;  // called by the key P
 };
 
-// Until the window is closed; or until the scene cannot be loaded, which was logged: then it returns false.
-// Throws vct::Error where there is no display, or no context for it.
+// Runs until the window is closed and returns true. Returns false if the scene cannot be loaded; the reason
+// has been logged. Throws vct::Error if there is no display or no OpenGL ES 3.1 context.
 bool runWindow(WindowRequest request);
 
-// What each key and button does, for --help.
+// The mouse buttons and keys, for --help.
 extern const char* const windowKeys;
 
 }  // namespace vct::desktop

@@ -19,21 +19,22 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
     };
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
             faces ? DirectionalVoxels::blocksX * settings.grid : settings.grid,
-            "the voxels at " + cubed + (faces ? ", six faces of each side by side" : "") +
-                ": use a coarser grid");
+            "needed for the voxels at " + cubed + (faces ? ", with six faces per voxel" : "") +
+                "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
             faces ? FaceProjection::sideFor(settings.grid) : settings.grid,
-            "voxelization at " + cubed + ": use a coarser grid");
+            "needed for voxelization at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, std::max(settings.size.x, settings.size.y),
-            "the picture: use a smaller one");
+            "needed for the picture; use a smaller picture");
     atLeast("GL_MAX_TEXTURE_SIZE", limits.texture2d, settings.shadowMapSize,
-            "the shadow map: use a smaller one");
+            "needed for the shadow map; use a smaller shadow map");
     if (!faces) return needs;
     atLeast("GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", limits.fragmentStorageBlocks, 3,
-            "voxels with faces, whose fragments add to sums besides: use the preset thesis");
+            "needed for directional voxels, whose fragments also add to the sums of faces; use the preset "
+            "thesis");
     const std::string& derivatives = capabilities.faults.derivatives;
     needs.push_back({"derivatives in fragment shaders", derivatives.empty() ? "no fault known" : derivatives,
-                     "voxels with faces, whose coverage is made of them: use the preset thesis", true,
+                     "needed for the coverage of directional voxels; use the preset thesis", true,
                      derivatives.empty()});
     return needs;
 }
@@ -44,7 +45,7 @@ void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities
         if (!need.met) missing += "\n  " + need.name + " (found: " + need.found + "): " + need.neededBy;
     if (!missing.empty())
         throw Error("the GL driver (" + capabilities.renderer + ", " + capabilities.version +
-                    ") lacks what these settings need:" + missing);
+                    ") does not support these settings:" + missing);
 }
 
 std::size_t voxelBytes(const Settings& settings, int grid) {

@@ -171,9 +171,8 @@ void requireSky(const Image& picture, const std::string& name) {
         if (!ok) throw Error("the sky " + name + " cannot be used: " + cause);
     };
     const std::string size = std::to_string(picture.width) + " x " + std::to_string(picture.height);
-    require(
-        picture.height > 0 && picture.width == 2 * picture.height,
-        "it is " + size + " pixels; an equirectangular picture of all directions is twice as wide as high");
+    require(picture.height > 0 && picture.width == 2 * picture.height,
+            "it is " + size + " pixels; use an equirectangular picture, which is twice as wide as high");
     require(picture.width <= maxEnvironmentWidth, "it is " + size + " pixels; scale it down to at most " +
                                                       std::to_string(maxEnvironmentWidth) + " x " +
                                                       std::to_string(maxEnvironmentWidth / 2));
@@ -182,7 +181,7 @@ void requireSky(const Image& picture, const std::string& name) {
         const auto isRadiance = [](float value) { return value >= 0.0F && value <= 1e30F; };
         require(isRadiance(pixel.r) && isRadiance(pixel.g) && isRadiance(pixel.b),
                 "its pixel " + std::to_string(i % picture.width) + "," + std::to_string(i / picture.width) +
-                    " is negative, infinite or not a number; give radiance from 0 on, below 1e30");
+                    " is negative, infinite or not a number; give radiance from 0 on, and below 1e30");
     }
 }
 

@@ -78,8 +78,8 @@ std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
     const Narrow narrow = narrowest(scene, settings.voxels);
     if (narrow.across <= 0.0 || narrow.across >= voxelSize(scene.boundsWorld, settings.grid)) return {};
     return "warning: " + narrow.text(settings.voxels) +
-           ", less than a voxel: their light and shadow are wrong; use a finer grid, or leave out of the "
-           "scene what is far away";
+           ", less than a voxel, so their light and shadow are wrong; use a finer grid, or remove distant "
+           "objects from the scene";
 }
 
 int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
@@ -88,7 +88,7 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
     const int finest = allGrids().back();
     throw Error("no grid has voxels of " + lengthText(metres) + ": the finest, " + std::to_string(finest) +
                 "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
-                "; ask for that or more, or render a part of the scene");
+                "; ask for voxels of that size or larger, or render a part of the scene");
 }
 
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
@@ -118,7 +118,8 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
     }
     if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
     std::string reason = gridText(scene.boundsWorld, chosen) + limit;
-    if (needed > 0.0) reason += "; " + narrow.text(settings.voxels) + ", which ask for " + lengthText(needed);
+    if (needed > 0.0)
+        reason += "; " + narrow.text(settings.voxels) + ", which need voxels of " + lengthText(needed);
     return {chosen, reason};
 }
 

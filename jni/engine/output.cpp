@@ -31,7 +31,7 @@ std::vector<Output> modesFromText(const std::string& text) {
             throw Error("'" + part + "' is not a mode; use " + modeNames + ", separated by commas");
         if (std::find(modes.begin(), modes.end(), *named) == modes.end()) modes.push_back(*named);
     }
-    if (modes.empty()) throw Error(std::string("no mode is named; use ") + modeNames);
+    if (modes.empty()) throw Error(std::string("no mode is given; use ") + modeNames);
     return modes;
 }
 

@@ -103,23 +103,23 @@ void validate(const Settings& settings) {
         settings.size.x >= 1 && settings.size.y >= 1 && settings.size.x <= 8192 && settings.size.y <= 8192,
         "the picture's size must be between 1x1 and 8192x8192 pixels");
     require(settings.shadowMapSize >= 16 && settings.shadowMapSize <= 8192,
-            "the shadow map must be between 16 and 8192 texels");
+            "the shadow map must have between 16 and 8192 texels per side");
     require(settings.shadowConeAngleDeg >= 0.1F && settings.shadowConeAngleDeg <= 170.0F,
-            "the cone angle (of the sun's disc) must be between 0.1 and 170 degrees");
+            "the cone angle (the sun's angular diameter) must be between 0.1 and 170 degrees");
     require(settings.lightRadius >= 0.0F && std::isfinite(settings.lightRadius),
             "the radius of lights must be 0 or above");
     require(settings.filterTaps >= 4 && settings.filterTaps % 4 == 0,
-            "filterTaps, the samples of the soft shadow, must be a multiple of 4");
+            "filterTaps (samples of the soft shadow) must be a multiple of 4");
     require(settings.lightFrames >= 1 && settings.lightFrames <= 1000,
             "lightFrames must be between 1 and 1000");
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
-            "the shadow 'cone' goes through the voxels of the preset thesis; use soft-map with the others");
+            "the shadow 'cone' works only with the preset thesis; use soft-map with the other presets");
     require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
-            "glossy reflections: the preset thesis has none; use another preset");
+            "the specular 'cone' does not work with the preset thesis; use another preset, or none");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
-            "the distance of ambient occlusion must be above 0 and at most 1 (the volume's side)");
+            "the distance of ambient occlusion must be above 0 and at most 1, in sides of the voxel volume");
     require(!settings.environment || settings.skyRadiance == glm::vec3(0.0F),
-            "there is one sky: give either its radiance or a picture of it");
+            "the sky has a radiance and a picture; give either its radiance or a picture");
 }
 
 }  // namespace vct

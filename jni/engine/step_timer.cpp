@@ -33,9 +33,8 @@ double median(std::vector<double> samples) {
 
 std::string whyGpuTimesAreWrong(const StepTimes& times) {
     if (times.gpuMs[0].empty())
-        return "the driver has no GL_EXT_disjoint_timer_query, or a clock of 0 bits, or one that is known "
-               "not to be "
-               "sound, or runs on the CPU";
+        return "the driver has no GL_EXT_disjoint_timer_query, its clock has 0 bits or is known to be wrong, "
+               "or it runs on the CPU";
     if (times.gpuDisjoint) return "the driver reported a disjoint operation";
     // Only glFinish's times include the cost of submission, so the times of short steps may differ widely.
     constexpr double longStepMs = 5.0;

@@ -144,8 +144,8 @@ std::vector<std::uint32_t> VoxelPyramid::activeCounts(const shared::CommandLists
         const shared::LevelCommands& c = commands.lists[level];
         if (c.voxelCount > c.capacity)
             throw Error("the scene has " + std::to_string(c.voxelCount) + " active voxels at " +
-                        std::to_string(grid_) + "^3, but the list holds " + std::to_string(c.capacity) +
-                        "; make room for " + std::to_string(c.voxelCount) +
+                        std::to_string(grid_) + "^3, but the list has a capacity of " +
+                        std::to_string(c.capacity) + "; make room for " + std::to_string(c.voxelCount) +
                         " active voxels, or use a coarser grid");
         counts.push_back(c.voxelCount);
     }

@@ -33,9 +33,8 @@ inline std::string voxelizationNote(Voxels voxels, const gl::Capabilities& capab
     if (voxels == Voxels::directional ||
         voxelizationFor(voxels, capabilities) == Voxelization::geometryShader)
         return "";
-    return "note: the driver has no GL_EXT_geometry_shader; triangles are sorted by axis instead, which "
-           "gives "
-           "the same voxels";
+    return "note: the driver has no GL_EXT_geometry_shader, so triangles are sorted by axis; the voxels are "
+           "the same";
 }
 
 }  // namespace vct

@@ -37,11 +37,11 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
     VCT_GL_FUNCTIONS(VCT_GL_LOAD)
 #undef VCT_GL_LOAD
     if (!missing.empty())
-        throw Error("the GL driver lacks " + missing + ": OpenGL ES 3.1 or desktop OpenGL 4.5 is needed");
+        throw Error("the GL driver lacks " + missing + "; use one with OpenGL ES 3.1 or desktop OpenGL 4.5");
 
     if (!GetString(GL_VERSION))
         throw Error(
-            "no GL context is current in this thread (glGetString(GL_VERSION) is null): make one current "
+            "no GL context is current in this thread (glGetString(GL_VERSION) is null); make one current "
             "first, of OpenGL ES 3.1 or desktop OpenGL 4.5, and give the getProcAddress that belongs to it");
 
     // Drivers return stubs for entry points that the context does not have, so a pointer that is not null

@@ -45,8 +45,8 @@ void Capabilities::requireAll() const {
         if (row.required && !row.met) missing += "\n  " + lineOf(row) + ": " + row.neededBy;
     }
     if (missing.empty()) return;
-    throw Error("the GL driver (" + renderer + ", " + version + ") lacks what the pipeline needs:" + missing +
-                "\nA newer driver may have it, or another device; the program `vct info` lists them.");
+    throw Error("the GL driver (" + renderer + ", " + version + ") lacks what the renderer needs:" + missing +
+                "\nUse a newer driver or another device; the program `vct info` lists what is missing.");
 }
 
 bool Capabilities::meets(const std::string& name) const {
@@ -107,7 +107,7 @@ std::string describe(const Capabilities& capabilities) {
             << "\n";
         if (!row.met) ++lost;
     }
-    out << "\n" << (lost == 0 ? "Nothing is missing.\n" : "Missing, and what would be lost:\n");
+    out << "\n" << (lost == 0 ? "Nothing is missing.\n" : "Missing, and what needs it:\n");
     for (const Requirement& row : capabilities.requirements) {
         if (!row.met) out << "  " << lineOf(row) << ": " << row.neededBy << "\n";
     }

@@ -36,9 +36,8 @@ DriverFaults faultsOf(const std::string& renderer, const std::string& version) {
     // flush_queries_before_deleting_or_unbinding_fbo, crbug 534468209).
     if (startsWith(renderer, "Mali-"))
         faults.timerQueries =
-            "they crash on drivers for Mali before r46, and later where framebuffers change meanwhile "
-            "(Filament "
-            "b/233754398, Chromium #247, ANGLE crbug 534468209)";
+            "they crash on Mali drivers before r46, and on later ones if framebuffers change meanwhile "
+            "(Filament b/233754398, Chromium #247, ANGLE crbug 534468209)";
     // On Adreno 4xx queries fail after the 256th, and on 3xx to 5xx they block before Android 8.1, a version
     // that GL does not report (Chromium, gpu_driver_bug_list #113 and #240).
     const int series = adrenoSeries(renderer);

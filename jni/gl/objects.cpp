@@ -50,7 +50,7 @@ void throwIfTooLarge(const std::string& label, GLenum target, int width, int hei
     throw Error(label + " needs " + std::to_string(width) + " x " + std::to_string(height) +
                 (target == GL_TEXTURE_3D ? " x " + std::to_string(depth) : "") +
                 " texels, and the driver allows " + std::to_string(most) +
-                " along a side; use a coarser grid, a smaller picture or smaller textures");
+                " per side; use a coarser grid, a smaller picture or smaller textures");
 }
 
 // Storage buffers are bound as one block. Phones limit the size of a block to 128 MiB or more.
@@ -181,7 +181,8 @@ void Buffer::read(void* destination, std::size_t size, std::size_t offset) const
     BindBuffer(GL_COPY_READ_BUFFER, name());
     const void* mapped = MapBufferRange(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset),
                                         static_cast<GLsizeiptr>(size), GL_MAP_READ_BIT);
-    if (mapped == nullptr) throw Error("the driver could not map buffer '" + label_ + "' for reading");
+    if (mapped == nullptr)
+        throw Error("the driver cannot map the buffer '" + label_ + "' for reading; free memory");
     std::memcpy(destination, mapped, size);
     UnmapBuffer(GL_COPY_READ_BUFFER);
 }
@@ -195,7 +196,7 @@ void Framebuffer::create(const std::string& label) {
 void Framebuffer::check(const std::string& label) const {
     const GLenum status = CheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("the driver cannot draw into framebuffer '" + label + "' (status " +
+        throw Error("the driver cannot draw into the framebuffer '" + label + "' (status " +
                     std::to_string(status) + "); the program `vct info` shows which format it lacks");
 }
 

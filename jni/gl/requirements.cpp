@@ -25,15 +25,15 @@ const Feature features[] = {
     {{"GL_OES_shader_image_atomic"},
      {3, 2, 4, 2},
      true,
-     "voxelization and mipmap: fragments that meet in a voxel are merged with image atomics; no global "
-     "illumination without them"},
+     "voxelization and mip levels: image atomics merge fragments of the same voxel; no global illumination "
+     "without them"},
     // GL_OES_geometry_shader alone is not enough, because the shaders enable the EXT extension, which the
     // Android Extension Pack requires.
     {{"GL_EXT_geometry_shader"},
      {3, 2, 3, 2},
      false,
-     "voxelization, in the preset thesis: turns each triangle along its dominant axis; without it triangles "
-     "are sorted by axis, which gives the same voxels"},
+     "voxelization in the preset thesis: projects each triangle along its dominant axis; without it the CPU "
+     "sorts triangles by axis, which gives the same voxels"},
     {{"GL_EXT_color_buffer_half_float", "GL_EXT_color_buffer_float"},
      {3, 2, 3, 0},
      true,
@@ -41,8 +41,8 @@ const Feature features[] = {
     {{"GL_KHR_debug"},
      {3, 2, 4, 3},
      false,
-     "debugging: without it passes have no names in RenderDoc, and errors carry a code instead of the "
-     "driver's words"},
+     "debugging: without it passes have no names in RenderDoc, and errors are codes without the driver's "
+     "message"},
 };
 
 struct Limit {
@@ -61,30 +61,30 @@ constexpr Limit limits[] = {
      "voxelization: the fragment shader appends to the active-voxel list and counts it in the indirect "
      "commands"},
     {GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS", 3, false,
-     "the presets mobile and quality: the fragment shader adds to the sums of faces, too"},
+     "the presets mobile and quality: the fragment shader also adds to the sums of faces"},
     {GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES, "GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES", 5, true,
-     "clear and mipmap: two images and three storage buffers in one compute shader"},
+     "clearing and mip levels: two images and three storage buffers in one compute shader"},
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
-     "mipmap and clear: read and append the lists of voxels and faces, and write the indirect commands"},
+     "mip levels and clearing: read and append the lists of voxels and faces, and write the indirect "
+     "commands"},
     {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,
-     "mipmap and clear: one level is read or written beside another"},
+     "mip levels and clearing: two levels are accessed in one compute shader"},
     {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS", 64, true,
-     "mipmap and sparse clear: work groups of 64"},
+     "mip levels and clearing: work groups of 64 invocations"},
     {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 256, true,
-     "the voxel grid of 256^3, the default of all measurements"},
+     "the voxel grid of 256^3 of the preset thesis"},
     {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 1536, false,
-     "the voxel grid of 512^3, which the presets mobile and quality need three times as wide: without it "
-     "grids "
-     "are at most that wide, or a third of it"},
+     "the voxel grid of 512^3 in the presets mobile and quality, whose texture is three times as wide as the "
+     "grid; without it their grids are at most a third of the limit"},
     {GL_MAX_TEXTURE_SIZE, "GL_MAX_TEXTURE_SIZE", 2048, true,
      "material textures, the shadow map and the picture"},
     {GL_MAX_COLOR_ATTACHMENTS, "GL_MAX_COLOR_ATTACHMENTS", 4, true, "G-buffer: up to four colour targets"},
     {GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS, "GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS", 1, true,
      "voxel view: the vertex shader reads its voxel from the 3D texture"},
     {GL_MAX_FRAMEBUFFER_WIDTH, "GL_MAX_FRAMEBUFFER_WIDTH", 512, true,
-     "voxelization: draws into a framebuffer without attachments, as wide as the grid"},
+     "voxelization: draws into a framebuffer without attachments that is as wide as the grid"},
     {GL_MAX_SHADER_STORAGE_BLOCK_SIZE, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", 1 << 24, true,
-     "the active-voxel list: 4 bytes for each voxel that is not empty, four million of them"},
+     "the active-voxel list: 4 bytes for each of four million occupied voxels"},
 };
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
@@ -133,7 +133,7 @@ Requirement evaluateLanguage(const Version& version, const DriverReport& driver)
                         : driver.essl310 ? "#version 310 es"
                                          : "neither compiles";
     return {version.desktop ? "GLSL ES 3.20" : "GLSL ES 3.10", found,
-            "every pass: the shaders are written in it", true,
+            "every pass: the language of the shaders", true,
             driver.essl320 || (driver.essl310 && !version.desktop)};
 }
 

@@ -45,7 +45,7 @@ class Assembler {
     void append(const std::string& path, int depth) {
         if (depth > maxIncludeDepth)
             throw Error("shaders/" + path + ": #include nests deeper than " +
-                        std::to_string(maxIncludeDepth) + " files; does a file include itself?");
+                        std::to_string(maxIncludeDepth) + " files; check whether a file includes itself");
         const std::size_t fileNumber = source_.files.size();
         source_.files.push_back(path);
         std::istringstream lines(read_(path));
@@ -92,7 +92,7 @@ ReadShader shadersFromFolder(const std::string& folder) {
             file.open(folder + "/" + path, std::ios::binary);
         if (!file.is_open())
             throw Error("cannot read the shader " + folder + "/" + path +
-                        "; name the project's folder of shaders (vct: VCT_SHADER_DIR)");
+                        "; set the project's folder of shaders (for vct: the variable VCT_SHADER_DIR)");
         std::ostringstream text;
         text << file.rdbuf();
         return text.str();
@@ -115,7 +115,8 @@ GLenum shaderStage(const std::string& path) {
     if (extension == ".geom") return GL_GEOMETRY_SHADER;
     if (extension == ".frag") return GL_FRAGMENT_SHADER;
     if (extension == ".comp") return GL_COMPUTE_SHADER;
-    throw Error("shaders/" + path + ": the extension names no stage (.vert .geom .frag .comp)");
+    throw Error("shaders/" + path +
+                ": its extension is not that of a shader stage; use .vert, .geom, .frag or .comp");
 }
 
 std::string locateInFiles(const std::string& driverLog, const std::vector<std::string>& files) {

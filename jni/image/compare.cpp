@@ -17,7 +17,7 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Where the first value is that is not finite; empty where all are.
+// Error text with the position of the first NaN or infinity; empty if all values are finite.
 std::string firstNonFinite(const Image& image, const char* which) {
     const auto found = std::find_if_not(image.pixels.begin(), image.pixels.end(), isFinite);
     if (found == image.pixels.end()) return {};
@@ -49,8 +49,8 @@ Difference compareImages(const Image& a, const Image& b, float maxDifference) {
             const double x = a.pixels[i][c];
             const double y = b.pixels[i][c];
             const double difference = std::abs(x - y);
-            // x, y and the limit are each rounded to float: 10/255 - 5/255 must not exceed 5/255 for that. A
-            // limit of 0 stays exact.
+            // x, y and the limit are each rounded to float; 10/255 - 5/255 must not exceed 5/255 because of
+            // that. A limit of 0 stays exact.
             const double rounding = 0x1p-22 * std::max({std::abs(x), std::abs(y), double(maxDifference)});
             differs = differs || difference > maxDifference + (maxDifference > 0.0F ? rounding : 0.0);
             largest = std::max(largest, difference);
@@ -67,8 +67,8 @@ Image differenceImage(const Image& a, const Image& b, float maxDifference) {
         throw Error("cannot show the difference of pictures of " + sizeOf(a) + " and " + sizeOf(b) +
                     " pixels; render both at one size");
     }
-    const glm::vec3 notFinite(1.0F, 0.0F,
-                              1.0F);  // magenta: no difference of finite values is easily mistaken for it
+    // Magenta is hard to mistake for a difference of finite values.
+    const glm::vec3 notFinite(1.0F, 0.0F, 1.0F);
     Image result(a.width, a.height);
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const glm::vec3& x = a.pixels[i];
@@ -79,7 +79,7 @@ Image differenceImage(const Image& a, const Image& b, float maxDifference) {
         }
         for (int c = 0; c < 3; ++c) {
             const double difference = std::abs(double(x[c]) - double(y[c]));
-            // Half of full scale as encoded, since the picture is looked at as sRGB.
+            // A viewer shows the picture as sRGB, so mid-grey is half of the encoded full scale.
             const double shown = difference > 0.0 ? std::min(0.5 * difference / maxDifference, 1.0) : 0.0;
             result.pixels[i][c] = srgbDecode(static_cast<float>(shown));
         }

@@ -1,3 +1,4 @@
+// Puts pictures and their labels on one sheet.
 #include <stb_easy_font.h>
 
 #include <algorithm>
@@ -16,10 +17,9 @@ constexpr int labelHeight = 12 * textScale;  // stb_easy_font: 12 pixels a line
 constexpr glm::vec3 paper(1.0F);
 constexpr glm::vec3 ink(0.02F);
 
-// The font has ASCII only, and reads outside its table for anything else.
+// The font covers only ASCII; stb_easy_font reads outside its table for any other character.
 std::string printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return text;
 }
 
@@ -33,8 +33,8 @@ void drawText(Image& sheet, int left, int top, std::string text) {
         unsigned char color[4];
     };
     using Quad = std::array<Corner, 4>;
-    std::vector<Quad> quads(text.size() * 24 +
-                            1);  // its page says 270 bytes a character on average; this is 1536
+    // 24 quads are 1536 bytes per character; stb_easy_font needs 270 on average.
+    std::vector<Quad> quads(text.size() * 24 + 1);
     const int count = stb_easy_font_print(0.0F, 0.0F, text.data(), nullptr, quads.data(),
                                           static_cast<int>(quads.size() * sizeof(Quad)));
     for (int i = 0; i < count; ++i) {
@@ -54,7 +54,7 @@ void drawText(Image& sheet, int left, int top, std::string text) {
 Image contactSheet(const std::vector<std::pair<std::string, Image>>& pictures, int columns) {
     if (pictures.empty() || columns < 1) {
         throw Error("cannot make a contact sheet of " + std::to_string(pictures.size()) + " pictures in " +
-                    std::to_string(columns) + " columns; give at least one of each");
+                    std::to_string(columns) + " columns; give at least one picture and one column");
     }
     const int count = static_cast<int>(pictures.size());
     columns = std::min(columns, count);

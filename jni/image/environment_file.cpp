@@ -19,8 +19,8 @@ bool isRadiance(const Bytes& bytes) {
     return bytes.size() > 2 && std::memcmp(bytes.data(), "#?", 2) == 0;
 }
 
-// Walks through a Radiance file as stb_image reads it, and throws what is wrong with it: stb takes bytes
-// beyond the end for zeros, and never comes to an end with some of them.
+// Checks a Radiance file by the rules that stb_image reads it by, and throws vct::Error if it is damaged.
+// stb_image itself reads zeros beyond the end and loops forever on some damaged files.
 class RadianceFile {
   public:
     explicit RadianceFile(const Bytes& bytes) : bytes_(bytes) {
@@ -32,10 +32,10 @@ class RadianceFile {
         char rest = 0;
         if (std::sscanf(line.c_str(), "-Y %d +X %d %c", &height_, &width_, &rest) != 2 || width_ < 1 ||
             height_ < 1)
-            throw Error("its size '" + line.substr(0, 40) + "' is not of the form -Y height +X width");
+            throw Error("its size '" + line.substr(0, 40) + "' does not have the form -Y HEIGHT +X WIDTH");
         if (width_ > maxImageSide || height_ > maxImageSide)
-            throw Error("it is " + std::to_string(width_) + " x " + std::to_string(height_) + ", above " +
-                        std::to_string(maxImageSide) + " a side");
+            throw Error("its size is " + std::to_string(width_) + " x " + std::to_string(height_) +
+                        " pixels, and the limit is " + std::to_string(maxImageSide) + " per side");
         if (!isRunLength())
             skip(std::size_t{4} * width_ * height_);
         else
@@ -66,7 +66,8 @@ class RadianceFile {
         return width_ >= 8 && width_ < 32768 && bytes_.size() - at_ >= 4 && bytes_[at_] == 2 &&
                bytes_[at_ + 1] == 2 && bytes_[at_ + 2] < 128;
     }
-    // Four planes of runs (above 128: one value so often, less 128) and of single values.
+    // A row has four planes (R, G, B, exponent) of packets. A code above 128 is a run: one value, repeated
+    // code - 128 times. A lower code is the number of single values that follow.
     void skipRow() {
         if (!isRunLength() || bytes_[at_ + 2] * 256 + bytes_[at_ + 3] != width_)
             throw Error(bytes_.size() - at_ < 4 ? "it is incomplete" : "a row of it is damaged");
@@ -113,13 +114,13 @@ Image readEnvironment(const std::string& path) {
         throw Error(
             "cannot read the sky '" + path + "': " +
             (bytes.empty() ? "the file is empty" : "it is neither a Radiance (.hdr) nor an EXR picture") +
-            "; make it again as one of the two");
+            "; make it again in one of these formats");
     }
     try {
         return decodeRadiance(bytes);
     } catch (const std::exception& error) {
         throw Error("cannot read the sky '" + path + "': " + error.what() +
-                    "; the file is damaged, too large or of an unusual kind, make it again");
+                    "; make it again, as a Radiance or EXR picture that other programs can open");
     }
 }
 

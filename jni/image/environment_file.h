@@ -1,4 +1,4 @@
-// The file of a sky: a picture of all directions in radiance.
+// Reads the picture of a sky: radiance from all directions.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace vct {
 
-// Radiance (.hdr, RGBE) or EXR, by content. Throws vct::Error naming the file, the cause and the remedy; what
-// is in the pixels is not looked at.
+// Reads Radiance (.hdr, RGBE) or EXR; the content decides which. Throws vct::Error naming the file, the cause
+// and the remedy. Does not check the pixel values.
 Image readEnvironment(const std::string& path);
 
 }  // namespace vct

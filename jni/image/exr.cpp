@@ -1,3 +1,4 @@
+// EXR files by OpenEXR.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -14,7 +15,8 @@ namespace {
 
 const std::vector<const char*> rgb{"R", "G", "B"};
 
-// The components of the pixels as OpenEXR's planes; `corner` is the position of the first pixel in the file.
+// Describes the pixels' components as OpenEXR's planes. `corner` is the position of the first pixel in the
+// file.
 Imf::FrameBuffer planesOf(const Image& image, const std::vector<const char*>& names, Imath::V2i corner) {
     Imf::FrameBuffer planes;
     for (std::size_t c = 0; c < names.size(); ++c)
@@ -66,7 +68,7 @@ Image decodeExr(const std::string& path, const Bytes& bytes) {
         return image;
     } catch (const std::exception& error) {
         throw Error("cannot read EXR '" + path + "': " + asClause(error.what()) +
-                    "; make it again, or smaller");
+                    "; write the file again, or with fewer pixels");
     }
 }
 

@@ -1,4 +1,4 @@
-// Pictures in memory and on disk. Linear RGB float inside; sRGB only where a PNG is written.
+// Pictures in memory and on disk. They are linear RGB float in memory and sRGB only in PNG files.
 #pragma once
 
 #include <cstddef>
@@ -21,20 +21,22 @@ struct Image {
     const glm::vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-// IEC 61966-2-1 transfer function; clamps to [0, 1], NaN becomes 0.
+// The sRGB transfer function (IEC 61966-2-1) and its inverse. Both clamp to [0, 1]; NaN becomes 0.
 float srgbEncode(float linear);
 float srgbDecode(float encoded);
 
-// 8-bit RGB PNG, sRGB-encoded. Written beside the target and then renamed; throws vct::Error on failure.
+// Writes an 8-bit RGB PNG, sRGB-encoded, atomically (replaceFile()). Throws vct::Error on failure.
 void writePng(const std::string& path, const Image& image);
 
-// 32-bit float RGB OpenEXR, linear and unclamped. Written beside the target and then renamed.
+// Writes a 32-bit float RGB EXR, linear and unclamped, atomically (replaceFile()). Throws vct::Error on
+// failure.
 void writeExr(const std::string& path, const Image& image);
 
-// PNG (decoded to linear) or EXR, by content. Throws vct::Error naming the file and the cause.
+// Reads a PNG (decoded to linear values) or an EXR; the content decides which. Throws vct::Error naming the
+// file, the cause and the remedy.
 Image readImage(const std::string& path);
 
-// The pictures side by side on a white sheet in reading order, `columns` per row, each with its label below.
+// Puts the pictures on a white sheet in reading order, `columns` per row, each with its label below.
 Image contactSheet(const std::vector<std::pair<std::string, Image>>& pictures, int columns);
 
 }  // namespace vct

@@ -18,7 +18,9 @@ bool isKtx2(const unsigned char* bytes, std::size_t size) {
     return size >= 12 && std::memcmp(bytes, "\xABKTX 20\xBB\r\n\x1A\n", 12) == 0;
 }
 
-// The file's levels and those of the transcoded copy, a third more than its first, beside two of the result.
+// libktx holds the file's mip levels and those of the transcoded copy, which take 4/3 of its first level (5.3
+// bytes per pixel). The result (4 bytes per pixel) exists twice: shared with the decoding process, and as a
+// vector.
 std::size_t Ktx2Picture::decodingBytes() const {
     const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     return inflatedBytes_ + 14 * pixels;
@@ -40,7 +42,7 @@ std::uint64_t littleEndian(const unsigned char* bytes, int count) {
 
 }  // namespace
 
-// Before libktx, which allocates what the header says.
+// Checks the header before libktx sees it, because libktx allocates whatever the header asks for.
 Ktx2Picture::Ktx2Picture(const unsigned char* bytes, std::size_t size) : bytes_(bytes), size_(size) {
     const auto word = [&](std::size_t at) { return littleEndian(bytes + at, 4); };
     if (size < headerBytes) throw PictureError("its header is damaged");
@@ -48,7 +50,7 @@ Ktx2Picture::Ktx2Picture(const unsigned char* bytes, std::size_t size) : bytes_(
     if (width == 0 || height == 0 || width > INT32_MAX || height > INT32_MAX || levels > 32 ||
         size < headerBytes + levels * levelBytes)
         throw PictureError("its header is damaged");
-    // Of the parts beside the levels; libktx believes their lengths.
+    // The lengths of the parts besides the levels; libktx does not check them.
     if (word(52) > size || word(60) > size || littleEndian(bytes + 72, 8) > size)
         throw PictureError("its header is damaged");
     if (word(28) != 0 || word(32) > 1 || word(36) != 1)  // depth, layers, faces
@@ -65,25 +67,26 @@ Ktx2Picture::Ktx2Picture(const unsigned char* bytes, std::size_t size) : bytes_(
 
 namespace {
 
-// Into rgba, of four values for each of so many pixels.
+// Decodes the first mip level into `rgba`, which has four values for each of `pixels` pixels.
 void decodeTo(std::uint8_t* rgba, std::size_t pixels, const unsigned char* bytes, std::size_t size) {
     const auto check = [](KTX_error_code code) {
         if (code != KTX_SUCCESS) throw PictureError(std::string("libktx finds: ") + ktxErrorString(code));
     };
-    ktxTexture2* texture = nullptr;  // it goes with the process
+    ktxTexture2* texture = nullptr;  // never destroyed: the process ends after decoding
     check(ktxTexture2_CreateFromMemory(bytes, size, KTX_TEXTURE_CREATE_LOAD_IMAGE_DATA_BIT, &texture));
     if (ktxTexture2_NeedsTranscoding(texture)) check(ktxTexture2_TranscodeBasis(texture, KTX_TTF_RGBA32, 0));
 
-    // Vulkan's numbers of R8G8B8 and R8G8B8A8, UNORM and SRGB. What of it is sRGB, glTF says by its use.
+    // Vulkan's numbers: 23 and 29 are R8G8B8 (UNORM and SRGB), 37 and 43 are R8G8B8A8. The difference between
+    // UNORM and SRGB does not matter: glTF defines the encoding by how the texture is used.
     const bool withoutAlpha = texture->vkFormat == 23 || texture->vkFormat == 29;
     if (!withoutAlpha && texture->vkFormat != 37 && texture->vkFormat != 43)
-        throw PictureError("its pixels are of VkFormat " + std::to_string(texture->vkFormat) +
-                           ", and only Basis Universal and 8-bit RGB and RGBA are read");
+        throw PictureError("its pixels have VkFormat " + std::to_string(texture->vkFormat) +
+                           ", and only Basis Universal and 8-bit RGB and RGBA are supported");
     const std::size_t channels = withoutAlpha ? 3 : 4;
     ktx_size_t offset = 0;
     check(ktxTexture_GetImageOffset(ktxTexture(texture), 0, 0, 0, &offset));
     if (offset > texture->dataSize || texture->dataSize - offset < pixels * channels)
-        throw PictureError("its first level ends early");
+        throw PictureError("its first mip level is incomplete");
     const std::uint8_t* source = texture->pData + offset;
     for (std::size_t i = 0; i < pixels; ++i, source += channels, rgba += 4) {
         rgba[3] = 255;
@@ -91,7 +94,7 @@ void decodeTo(std::uint8_t* rgba, std::size_t pixels, const unsigned char* bytes
     }
 }
 
-// What both processes see: the pixels, and before them why there are none.
+// Memory that both processes share: an error message, which is empty on success, and then the pixels.
 struct Shared {
     static constexpr std::size_t messageBytes = 256;
     std::size_t bytes;
@@ -101,7 +104,7 @@ struct Shared {
         : bytes(messageBytes + pixelBytes),
           memory(static_cast<unsigned char*>(
               mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
-        if (memory == MAP_FAILED) throw PictureError("there is no memory for its pixels");
+        if (memory == MAP_FAILED) throw PictureError("there is not enough memory for its pixels");
     }
     ~Shared() { munmap(memory, bytes); }
     Shared(const Shared&) = delete;
@@ -110,15 +113,15 @@ struct Shared {
 
 }  // namespace
 
-// In a process of its own: libktx (4.4) does not look at what decoding a damaged file's tables returned, and
-// then reads where nothing is.
+// Decodes in a separate process: libktx 4.4 ignores errors in a damaged file's tables and then reads invalid
+// memory.
 std::vector<std::uint8_t> Ktx2Picture::decode() const {
     constexpr unsigned maxSeconds = 60;
     const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     const Shared shared(4 * pixels);
     std::uint8_t* const rgba = shared.memory + Shared::messageBytes;
     const pid_t decoder = fork();
-    if (decoder < 0) throw PictureError("the system starts no process to decode it in");
+    if (decoder < 0) throw PictureError("the system cannot start a process to decode it in");
     if (decoder == 0) {
         alarm(maxSeconds);
         try {
@@ -134,7 +137,7 @@ std::vector<std::uint8_t> Ktx2Picture::decode() const {
     }
     if (shared.memory[0] != 0) throw PictureError(reinterpret_cast<const char*>(shared.memory));
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw PictureError("libktx fails on it, so its data are damaged");
+        throw PictureError("libktx cannot decode it, so its data are damaged");
     return {rgba, rgba + 4 * pixels};
 }
 
@@ -142,7 +145,8 @@ std::vector<std::uint8_t> Ktx2Picture::decode() const {
 
 Ktx2Picture::Ktx2Picture(const unsigned char* bytes, std::size_t size) : bytes_(bytes), size_(size) {
     throw PictureError(
-        "it is KTX2, and this build lacks libktx (an installed libktx and VCT_KTX=ON bring it)");
+        "it is KTX2, and this build cannot read KTX2; install libktx and build with the CMake option "
+        "VCT_KTX=ON");
 }
 
 std::vector<std::uint8_t> Ktx2Picture::decode() const {

@@ -1,3 +1,4 @@
+// Writes PNG files by stb_image_write.
 #include <stb_image_write.h>
 
 #include "core/error.h"
@@ -16,12 +17,12 @@ void checkWritable(const std::string& path, const Image& image) {
     const auto inRange = [](int side) { return side > 0 && side <= maxImageSide; };
     const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height);
     if (!inRange(image.width) || !inRange(image.height)) {
-        throw Error("cannot write picture '" + path + "': it is " + size +
-                    " pixels; choose a size from 1 to " + std::to_string(maxImageSide) + " a side");
+        throw Error("cannot write picture '" + path + "': it is " + size + " pixels; choose 1 to " +
+                    std::to_string(maxImageSide) + " pixels per side");
     }
     if (image.pixels.size() !=
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-        throw Error("cannot write picture '" + path + "': it says " + size + " but holds " +
+        throw Error("cannot write picture '" + path + "': its size is " + size + ", but it holds " +
                     std::to_string(image.pixels.size()) + " pixels; this is a bug, please report it");
     }
 }

@@ -1,3 +1,4 @@
+// Reads PNG files, and recognizes the format of a picture file.
 #include <zlib.h>
 
 #include <array>
@@ -21,7 +22,7 @@ std::size_t bigEndian(const unsigned char* p) {
     return std::size_t(p[0]) << 24 | std::size_t(p[1]) << 16 | std::size_t(p[2]) << 8 | std::size_t(p[3]);
 }
 
-// stb ignores checksums and a missing end, so it would take some damaged files for pictures.
+// Checks what stb_image ignores and would therefore accept in a damaged file: checksums and a missing end.
 bool chunksAreWhole(const Bytes& bytes) {
     std::size_t at = 8;  // after the signature
     while (bytes.size() - at >= 12) {
@@ -49,7 +50,7 @@ void requirePixelMemory(int width, int height, std::size_t besides) {
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec3) + besides;
     if (bytes > availableMemory())
         throw PictureError("its " + std::to_string(width) + " x " + std::to_string(height) + " pixels take " +
-                           megabytesText(bytes) + " of memory, of which " + megabytesText(availableMemory()) +
+                           megabytesText(bytes) + " of memory, and only " + megabytesText(availableMemory()) +
                            " are available");
 }
 
@@ -58,23 +59,23 @@ ImageFormat imageFormat(const std::string& path, const Bytes& bytes) {
     if (startsWith(bytes, {0x76, 0x2F, 0x31, 0x01})) return ImageFormat::exr;
     throw Error("cannot read picture '" + path +
                 "': " + (bytes.empty() ? "the file is empty" : "it is neither a PNG nor an EXR") +
-                "; make the picture again as one of the two");
+                "; save the picture in one of these formats");
 }
 
 Image decodePng(const std::string& path, const Bytes& bytes) {
     const auto fail = [&](const std::string& cause) {
         throw Error("cannot read PNG '" + path + "': " + cause +
-                    "; the file is damaged or too large, make it again");
+                    "; write the file again, or with fewer pixels");
     };
     if (!chunksAreWhole(bytes)) fail("a part is missing or its checksum is wrong");
     try {
         const StbPicture png(bytes.data(), bytes.size());
         if (png.width() > maxImageSide || png.height() > maxImageSide) {
-            fail("it is " + std::to_string(png.width()) + " x " + std::to_string(png.height()) + ", above " +
-                 std::to_string(maxImageSide) + " a side");
+            fail("its size is " + std::to_string(png.width()) + " x " + std::to_string(png.height()) +
+                 " pixels, and the limit is " + std::to_string(maxImageSide) + " per side");
         }
         requirePixelMemory(png.width(), png.height(), png.decodingBytes());
-        // 16-bit PNGs are reduced to 8 bits here.
+        // decode() reduces 16-bit PNGs to 8 bits.
         const std::vector<std::uint8_t> rgb = png.decode(3);
         static const std::array<float, 256> linear = decodeTable();
         Image image(png.width(), png.height());

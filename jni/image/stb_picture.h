@@ -1,4 +1,4 @@
-// PNG and JPEG by stb_image, with the memory that decoding takes known before.
+// Decodes PNG and JPEG by stb_image. The caller can ask how much memory decoding takes before it starts.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,22 @@
 
 namespace vct {
 
-// Holds the cause alone: the caller knows the file and the remedy.
+// An error whose message is only the cause; the caller adds the file and the remedy.
 struct PictureError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// The header of a picture, read from bytes that outlive it. It throws PictureErrors.
+// A PNG or JPEG picture. The constructor reads only the header; decode() reads the pixels. The bytes must
+// outlive the object. Errors are PictureErrors.
 class StbPicture {
   public:
     StbPicture(const unsigned char* bytes, std::size_t size);
 
     int width() const { return width_; }
     int height() const { return height_; }
-    // The most that decode() has allocated at once, its result included.
+    // Peak memory of decode(), including its result.
     std::size_t decodingBytes() const { return decodingBytes_; }
-    // Rows from the top of so many 8-bit values per pixel, which are 3 (RGB) or 4 (RGBA).
+    // RGB (3 channels) or RGBA (4) with 8 bits per value, rows from the top.
     std::vector<std::uint8_t> decode(int channels) const;
 
   private:
@@ -33,7 +34,7 @@ class StbPicture {
     std::size_t size_;
     int width_ = 0, height_ = 0;
     bool isPng_ = false;
-    std::size_t inflatedBytes_ = 0;  // of a PNG, at most
+    std::size_t inflatedBytes_ = 0;  // upper bound for a PNG's decompressed data
     std::size_t decodingBytes_ = 0;
 };
 

@@ -13,13 +13,13 @@ namespace vct {
 ToneMap toneMapFromText(const std::string& text) {
     if (text == "none") return ToneMap::none;
     if (text == "neutral") return ToneMap::neutral;
-    throw Error("'" + text + "' does not exist; use neutral or none");
+    throw Error("'" + text + "' is not a tone mapping; use neutral or none");
 }
 
 Image toneMapped(Image image, ToneMap toneMap, float exposure) {
     for (glm::vec3& pixel : image.pixels) {
         pixel *= exposure;
-        // No camera sees negative light or NaN.
+        // Rendering errors can leave negative values and NaN, which the curve does not accept.
         if (toneMap == ToneMap::neutral)
             pixel = shared::neutralToneMapped(
                 glm::clamp(glm::mix(pixel, glm::vec3(0.0F), glm::isnan(pixel)), 0.0F, 1e30F));
@@ -28,7 +28,7 @@ Image toneMapped(Image image, ToneMap toneMap, float exposure) {
 }
 
 float automaticExposure(const Image& image) {
-    constexpr float middleGrey = 0.18F;  // of a grey card
+    constexpr float middleGrey = 0.18F;  // reflectance of a grey card
     constexpr double brightPart = 0.99;
     constexpr float blackBeside = 1e-3F;
     std::vector<float> luminances;

@@ -1,4 +1,4 @@
-// From radiance to what a screen shows, before it is encoded.
+// Tone mapping: from radiance to linear values that a screen can show.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 namespace vct {
 
 enum class ToneMap {
-    none,     // cut off at 1
+    none,     // values above 1 are clamped
     neutral,  // shaders/shared/tone_map.h
 };
-// "none" or "neutral"; throws vct::Error listing them.
+// Accepts "none" and "neutral"; throws vct::Error naming both for any other text.
 ToneMap toneMapFromText(const std::string& text);
 
-// Linear, 0 to 1 with ToneMap::neutral.
+// The result is linear. With ToneMap::neutral it lies in [0, 1].
 Image toneMapped(Image image, ToneMap toneMap, float exposure);
 
-// The exposure with which a picture's luminances are about middle grey in their geometric mean (Reinhard et
-// al. 2002, "Photographic Tone Reproduction for Digital Images"): a small lamp, however bright, hardly moves
-// it. What is a thousandth as bright as the bright parts or less is black, and does not count. Two
-// significant digits, so that what is printed repeats it. 1 where everything is black.
+// Exposure that brings the geometric mean of a picture's luminance to middle grey (Reinhard et al. 2002,
+// "Photographic Tone Reproduction for Digital Images"). A small emitter hardly changes that mean, however
+// bright it is. Pixels darker than a thousandth of the 99th percentile count as black and are left out. The
+// result has two significant digits, so that the printed number reproduces it. It is 1 for a black picture.
 float automaticExposure(const Image& image);
 
 }  // namespace vct

@@ -13,7 +13,8 @@ bool isWebp(const unsigned char* bytes, std::size_t size) {
     return size >= 12 && std::memcmp(bytes, "RIFF", 4) == 0 && std::memcmp(bytes + 8, "WEBP", 4) == 0;
 }
 
-// Lossless decoding has the pixels as words of 32 bits and its result; lossy decoding has rows of planes.
+// Lossless decoding holds the pixels as 32-bit words besides its result; lossy decoding holds only some rows
+// of planes.
 std::size_t WebpPicture::decodingBytes() const {
     return std::size_t{12} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
 }
@@ -44,7 +45,8 @@ const bool readsWebp = false;
 
 WebpPicture::WebpPicture(const unsigned char* bytes, std::size_t size) : bytes_(bytes), size_(size) {
     throw PictureError(
-        "it is WebP, and this build lacks libwebp (Debian's libwebp-dev and VCT_WEBP=ON bring it)");
+        "it is WebP, and this build cannot read WebP; install libwebp-dev and build with the CMake option "
+        "VCT_WEBP=ON");
 }
 
 std::vector<std::uint8_t> WebpPicture::decode() const {

@@ -1,4 +1,4 @@
-// Presets side by side: what each step of a frame costs, and how many times that of the first.
+// Compares presets: the time of each step, and the ratios of the first preset's times to the others'.
 #include "lab/bench_report.h"
 
 #include <sstream>
@@ -20,7 +20,7 @@ struct Column {
     std::string title, mode, step;
 };
 
-// The README's table.
+// The columns of the comparison.
 std::vector<Column> columnsOfATable() {
     const std::string four = outputName(Output::gi);
     const std::string five = outputName(Output::giConeShadow);
@@ -29,7 +29,7 @@ std::vector<Column> columnsOfATable() {
             {"frame, mode 4", four, "total"},        {"frame, mode 5", five, "total"}};
 }
 
-// Voxelizing and the mip levels together, median over the frames.
+// Time of voxelization and mip levels together: the median over the frames.
 double voxelsMs(const ordered_json& steps) {
     std::vector<double> framesMs;
     const ordered_json& voxelize = steps.at("voxelize").at("samples");
@@ -65,7 +65,7 @@ ordered_json presetJson(const BenchRuns& runs) {
     return json;
 }
 
-// null where the preset takes no time for a step.
+// The ratio, or null if a preset takes no time for the step.
 ordered_json ratio(double of, double over) {
     return over > 0.0 && of > 0.0 ? ordered_json(roundedMs(of / over)) : ordered_json(nullptr);
 }
@@ -85,7 +85,7 @@ std::string ratioCell(const ordered_json& value) {
     return value.is_null() ? "-" : cellText("%.2f", value.get<double>());
 }
 
-// A row for each preset, and one for each ratio.
+// Rows of the table: one for each preset, and one for each ratio.
 TableRows presetRows(const ordered_json& comparison) {
     const std::vector<Column> columns = columnsOfATable();
     TableRows rows{{"preset"}};
@@ -133,9 +133,8 @@ std::string benchHeadText(const std::vector<BenchRuns>& all) {
          << "\nHere: " << first.at("driver").at("renderer").get<std::string>() << ", "
          << first.at("driver").at("version").get<std::string>() << "; "
          << first.at("machine").at("cpu").get<std::string>() << ", " << first.at("machine").at("threads")
-         << " threads\nMilliseconds; each number is of " << all.front().timings.size()
-         << " renderers, made one after the other, of " << first.at("method").at("frames")
-         << " frames each\n";
+         << " threads\nMilliseconds; each number comes from " << all.front().timings.size()
+         << " runs, each with a new renderer and " << first.at("method").at("frames") << " frames\n";
     return text.str();
 }
 
@@ -144,7 +143,8 @@ BenchReport comparisonReport(const std::vector<BenchRuns>& presets) {
         benchHeadJson(presets,
                       "median over renderers, the presets in turn, of each one's median over frames; "
                       "milliseconds"),
-        benchHeadText(presets) + "The presets in turn; medians, and how many times the first preset's\n"};
+        benchHeadText(presets) +
+            "Medians; the presets ran in turn. Ratios: time of the first preset over that of the other\n"};
     ordered_json& json = report.json;
     json["presets"] = ordered_json::array();
     for (const BenchRuns& runs : presets)

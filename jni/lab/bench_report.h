@@ -1,4 +1,4 @@
-// What a bench prints and writes: the thesis's tables 5.2 to 5.5, or presets side by side (docs/timings.md).
+// Reports of a benchmark: the thesis's tables 5.2 to 5.5, or a comparison of presets (docs/timings.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,11 +7,11 @@
 
 namespace vct {
 
-// Modes that share a grid and an angle also share a renderer, as they differ in nothing that it keeps.
+// One configuration to measure. All of its modes are rendered by the same renderer.
 struct BenchConfig {
-    std::string name;  // for people
+    std::string name;  // in messages
     std::string preset;
-    std::string modes;  // as for modesFromText()
+    std::string modes;  // text for modesFromText()
     int grid;
     double coneAngleDeg;
 };
@@ -26,15 +26,16 @@ struct BenchReport {
     std::string text;
 };
 
-// What the thesis's tables need, the configuration of most of them first.
+// The configurations that the thesis's tables need. The first one is that of most tables.
 std::vector<BenchConfig> thesisConfigs();
-// The tables; `all` holds every one of thesisConfigs(), each with as many runs.
+// Returns the tables. `all` has all of thesisConfigs(), with the same number of runs each.
 BenchReport thesisReport(const std::vector<BenchRuns>& all);
 
-// Every preset has as many runs, of the same modes; the ratios are the first one's over each other.
+// Compares presets, which have the same number of runs and the same modes. A ratio is the first preset's time
+// over that of another.
 BenchReport comparisonReport(const std::vector<BenchRuns>& presets);
 
-// What both reports begin with; `statistic` says what the numbers are.
+// The beginning of both reports. `statistic` describes the numbers.
 nlohmann::ordered_json benchHeadJson(const std::vector<BenchRuns>& all, const std::string& statistic);
 std::string benchHeadText(const std::vector<BenchRuns>& all);
 

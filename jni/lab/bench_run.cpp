@@ -57,7 +57,7 @@ BenchRequest benchRequestFromText(const std::string& text) {
                   {"camera", [&](const auto& value) { request.camera = value; }},
                   {"light", [&](const auto& value) { request.light = value; }}});
     for (const std::string& preset : request.presets)
-        presetSettings(preset);  // throws where there is none of that name
+        presetSettings(preset);  // throws if there is no preset of that name
     return request;
 }
 
@@ -65,7 +65,8 @@ ResultsFolder::ResultsFolder(const std::string& path) : path_(path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
     if (error)
-        throw Error("cannot make the folder " + path + ": " + error.message() + "; free space on the device");
+        throw Error("cannot create the folder " + path + ": " + error.message() +
+                    "; make sure that it is writable and that the device has free space");
     for (const auto& entry : std::filesystem::directory_iterator(path, error))
         if (entry.is_regular_file(error)) std::filesystem::remove(entry.path(), error);
 }
@@ -74,7 +75,7 @@ ResultsFolder::~ResultsFolder() {
     try {
         if (!said_) failed("the app was ended before the measurement was");
     } catch (const Error&) {
-        // Nobody is left to be told.
+        // The app is ending, so there is no way to report the error.
     }
 }
 
@@ -117,7 +118,8 @@ std::string BenchRun::progress() const {
     return text;
 }
 
-// Every configuration once before any comes again: a device that gets warm and slow slows all of them.
+// Each configuration runs once before any runs again, so that a device that becomes warm and slow affects all
+// of them.
 bool BenchRun::advance() {
     try {
         if (!renderer_)

@@ -1,5 +1,5 @@
-// A measurement by the thesis's method (5.1.2), one frame at a time for a program that must go on answering
-// events: a fresh renderer for each run of a configuration, frames to warm up, and frames that count.
+// A benchmark by the thesis's method (5.1.2): for each run of a configuration a new renderer, warm-up frames
+// and timed frames. It advances one frame at a time, so that an app can handle events in between.
 #pragma once
 
 #include <functional>
@@ -17,26 +17,27 @@ namespace vct {
 
 struct BenchRequest {
     std::string scene;
-    // The preset thesis alone, at no other grid, gives the thesis's tables; presets are else compared.
+    // The preset thesis alone, at its own grid, gives the thesis's tables. Otherwise presets are compared.
     std::vector<std::string> presets{"thesis"};
-    std::optional<int> grid;  // of every preset; where it is missing, each preset has its own
+    std::optional<int> grid;  // for all presets; empty: each preset's own
     glm::ivec2 size{400, 400};
     int shadowMap = 512;
     int repeat = 3;
-    std::string camera, light;  // as for `vct render`; the light is the caller's to follow
+    std::string camera, light;  // texts as in `vct render`; the caller applies the light
 };
 
-// "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=... light=...",
-// each but the first word may be left out; several presets are separated by commas. Throws vct::Error.
+// Parses "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=...
+// light=...". Each word but the first may be left out; several presets are separated by commas. Throws
+// vct::Error.
 BenchRequest benchRequestFromText(const std::string& text);
 
-// Where a measurement's files go. `done` or `failed` appears last, whole: whoever waits for either finds
-// everything else written.
+// The folder for a measurement's files. The file `done` or `failed` is written last and atomically, so a
+// program that waits for one of them finds all other files complete.
 class ResultsFolder {
   public:
-    // Makes the folder, and removes what an earlier measurement left there. Throws vct::Error.
+    // Creates the folder and removes the files of an earlier measurement. Throws vct::Error.
     explicit ResultsFolder(const std::string& path);
-    // Says `failed` where nothing has been said yet: the app was ended.
+    // Writes `failed` if neither was written, because then the app was ended.
     ~ResultsFolder();
     ResultsFolder(const ResultsFolder&) = delete;
     ResultsFolder& operator=(const ResultsFolder&) = delete;
@@ -57,26 +58,27 @@ class BenchRun {
         BenchRequest request;
         std::shared_ptr<const Scene> scene;
         DirectionalLight light;
-        Settings sky;  // of which nothing else counts: skyRadiance, environment
+        Settings sky;  // only skyRadiance and environment are used
         gl::Capabilities capabilities;
         gl::ReadShader shaders;
         std::string backend;              // driver.backend of timings.json
-        nlohmann::ordered_json selfTest;  // becomes part of the files, where there was one
+        nlohmann::ordered_json selfTest;  // result of the self-test, copied into the files; null: none
         std::function<void(const std::string&)> log;
     };
-    // Into `folder` go the report, as bench.json and bench.txt or presets.json and presets.txt, and of the
-    // first run timings.json and its pictures; "" writes no files. Throws vct::Error where the request cannot
-    // be followed.
+    // Writes into `folder` the report (bench.json and bench.txt, or presets.json and presets.txt) and, for
+    // the first run, timings.json and its pictures. An empty `folder` writes no files. Throws vct::Error if
+    // the request is not valid.
     BenchRun(Input input, std::string folder);
 
-    // The next frame, or the next file; false once everything is written. Throws vct::Error.
+    // Renders the next frame or writes the next file. Returns false once everything is written. Throws
+    // vct::Error.
     bool advance();
 
-    // What was measured, after the last frame.
+    // The result, available after the last frame.
     const BenchReport& report() const { return report_; }
 
     std::string progress() const;  // "2 of 15: scene 5, 256^3, 10 degrees, run 1 of 3: gi-cone-shadow"
-    // The renderer of the configuration that is being measured; null between two of them.
+    // The renderer of the current configuration; null between two configurations.
     const Renderer* renderer() const { return renderer_ ? &*renderer_ : nullptr; }
 
   private:
@@ -93,13 +95,13 @@ class BenchRun {
     Input input_;
     std::string folder_;
     Camera camera_;
-    std::vector<BenchRuns> runs_;  // of each configuration
-    std::size_t run_ = 0;          // of count()
+    std::vector<BenchRuns> runs_;  // one per configuration
+    std::size_t run_ = 0;          // number of the current run, below count()
     std::vector<Output> modes_;
     std::size_t mode_ = 0;
-    int frame_ = 0;  // of this mode
+    int frame_ = 0;  // number of the current frame in its mode
     std::optional<Renderer> renderer_;
-    TimingsReport timings_;  // of this run
+    TimingsReport timings_;  // timings of the current run
     BenchReport report_;
 };
 

@@ -1,4 +1,4 @@
-// What the GPU's mip levels and lists must be, computed plainly on the CPU.
+// Computes mip levels and active-voxel lists of packed voxels on the CPU, to check the GPU's.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace vct {
 
-using Words = std::vector<std::uint32_t>;  // of one level, x fastest, then y, then z
+using Words = std::vector<std::uint32_t>;  // packed voxels of one level, x fastest, then y, then z
 
-// The next level of a level of `side` voxels per side, by thesis 4.5.
+// Returns the next coarser level of a level with `side` voxels per side (thesis 4.5).
 Words mipOnCpu(const Words& words, int side);
 
-// The entries that a level's list must hold, in ascending order.
+// Returns the entries that a level's active-voxel list must have, in ascending order.
 std::vector<std::uint32_t> entriesOnCpu(const Words& words, int side);
 
-// The entries of a level's active-voxel list on the GPU, `count` of them.
+// Reads the `count` entries of a level's active-voxel list from the GPU.
 std::vector<std::uint32_t> readEntries(const VoxelPyramid& pyramid, int level, std::uint32_t count);
 
 }  // namespace vct

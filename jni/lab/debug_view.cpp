@@ -14,8 +14,7 @@ namespace vct {
 
 namespace {
 
-// Draws one target through lab/debug_view.frag, the textures being bound by the caller. `view`:
-// VCT_DEBUG_VIEW_*.
+// Draws a view (VCT_DEBUG_VIEW_*) by lab/debug_view.frag. The caller binds the textures.
 Image draw(const gl::ShaderLibrary& shaders, int view, glm::ivec2 size) {
     const gl::DebugGroup group("debug view");
     const gl::Program program(shaders, debugViewProgram(view));
@@ -31,8 +30,8 @@ Image draw(const gl::ShaderLibrary& shaders, int view, glm::ivec2 size) {
     return readImage(color);
 }
 
-// Grey values between the smallest and the largest below 1 stretched to the whole range: depths lie close
-// together. What is 1 (nothing there) stays white.
+// Stretches the depths below 1 to a wider range of grey values, because they lie close together. A depth of 1
+// (no surface) stays white.
 Image stretchDepth(Image depth) {
     float low = 1.0F;
     float high = 0.0F;
@@ -82,7 +81,7 @@ std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera) {
     surface.depth->bind(VCT_TEX_G_DEPTH);
     const gl::Texture& shadow = renderer.shadowMapTexture();
     shadow.bind(VCT_TEX_SHADOW_MAP);
-    // The map is read as a picture here, not compared.
+    // Here the shadow map is read as a picture, without depth comparison.
     shadow.setParameter(GL_TEXTURE_COMPARE_MODE, GL_NONE);
     const glm::ivec2 shadowSize(renderer.settings().shadowMapSize);
     views.push_back(

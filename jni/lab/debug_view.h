@@ -1,4 +1,4 @@
-// The intermediates of a frame as pictures for people.
+// Renders intermediate results of a frame as pictures to look at.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace vct {
 
-// `view`: one of VCT_DEBUG_VIEW_*.
+// The program for a view, one of VCT_DEBUG_VIEW_*.
 gl::ProgramDescription debugViewProgram(int view);
 
 struct DebugView {
-    std::string name;      // "g_buffer_albedo": a file name without its ending
-    Image image;           // linear RGB, scaled for the eye
-    bool hasUnits;         // false: made for the eye only, no use as data
-    bool isShare = false;  // of 1: no light, which an exposure would be of
+    std::string name;      // file name without extension, such as "g_buffer_albedo"
+    Image image;           // linear RGB
+    bool hasUnits;         // false: the values are only for looking at, not data
+    bool isShare = false;  // the values are shares of 1 and not light, so no exposure applies
 };
 
-// The parts of the light, each alone and converged, from `camera`: ambient_occlusion,
-// indirect_light (of one bounce), cone_shadow, and specular_light where something is glossy.
+// Renders the parts of the light from `camera`, each alone and converged: ambient_occlusion, indirect_light
+// (one bounce), cone_shadow, and specular_light if the scene has glossy materials.
 std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera);
-// Every intermediate, the light parts among them.
+// Renders all intermediate results, including the parts of the light.
 std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera);
 
 }  // namespace vct

@@ -13,7 +13,7 @@ namespace vct {
 namespace {
 
 constexpr int checkPixels = 64, checkFragments = checkPixels * checkPixels;
-constexpr int checkSide = 8, checkLevels = 3;  // coarser ones have no middle between texels
+constexpr int checkSide = 8, checkLevels = 3;  // a level of one texel has no position between texels
 constexpr std::size_t groupWords = 4, checkWords = 64, countedWord = 63;
 
 gl::ProgramDescription atomicsProgram() {
@@ -44,19 +44,20 @@ class Checks {
           framebuffer_("driver check", checkPixels, checkPixels) {}
 
     std::string atomics() {
-        return check(
-            [&] { draw(atomicsProgram()); }, checkFragments / 64,
-            [&](const auto& found) -> std::string {
-                const std::uint32_t sum = checkFragments * (checkFragments - 1) / 2;
-                if (found[0] != sum || found[1] != checkFragments - 1 || found[2] != 0xFFFFFFFFU ||
-                    found[3] != checkFragments || found[4] != sum)
-                    return "atomics on storage buffers from fragments: sum " + std::to_string(found[0]) +
-                           ", maximum " + std::to_string(found[1]) + ", bits " + std::to_string(found[2]) +
-                           ", count " + std::to_string(found[3]) + ", places " + std::to_string(found[4]) +
-                           "; right are " + std::to_string(sum) + ", " + std::to_string(checkFragments - 1) +
-                           ", all, " + std::to_string(checkFragments) + ", " + std::to_string(sum);
-                return "";
-            });
+        return check([&] { draw(atomicsProgram()); }, checkFragments / 64,
+                     [&](const auto& found) -> std::string {
+                         const std::uint32_t sum = checkFragments * (checkFragments - 1) / 2;
+                         if (found[0] != sum || found[1] != checkFragments - 1 || found[2] != 0xFFFFFFFFU ||
+                             found[3] != checkFragments || found[4] != sum)
+                             return "atomics on storage buffers from fragments: sum " +
+                                    std::to_string(found[0]) + ", maximum " + std::to_string(found[1]) +
+                                    ", bits " + std::to_string(found[2]) + ", count " +
+                                    std::to_string(found[3]) + ", sum of returned values " +
+                                    std::to_string(found[4]) + "; expected " + std::to_string(sum) + ", " +
+                                    std::to_string(checkFragments - 1) + ", " + std::to_string(0xFFFFFFFFU) +
+                                    ", " + std::to_string(checkFragments) + ", " + std::to_string(sum);
+                         return "";
+                     });
     }
 
     std::string derivatives() {
@@ -64,11 +65,12 @@ class Checks {
                      [&](const auto& found) -> std::string {
                          if (found[0] == 0 && found[1] == checkFragments) return "";
                          return "derivatives (dFdx, dFdy): wrong in " + std::to_string(found[0]) + " of " +
-                                std::to_string(found[1]) + " fragments, of " + std::to_string(checkFragments);
+                                std::to_string(found[1]) + " fragments; expected 0 of " +
+                                std::to_string(checkFragments);
                      });
     }
 
-    // Stores to the levels of a filtered 3D texture, and then their clear by framebuffer.
+    // Checks stores to the levels of a filtered 3D texture, and then clearing the levels by a framebuffer.
     std::string levelsOf(GLenum format) {
         const std::string name = format == GL_RGBA8 ? "rgba8" : "rgba16f";
         const gl::Texture texture =
@@ -88,7 +90,7 @@ class Checks {
             },
             checkLevels, wrongLevels("stores to the levels of a filtered 3D texture (" + name + ")"));
         if (!stores.empty()) return stores;
-        // Framebuffers write what compute wrote before.
+        // The framebuffer overwrites texels that compute shaders wrote.
         gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
         gl::clearTexture3d(texture, checkSide);
         return check([&] { sample(texture, true); }, checkLevels,
@@ -103,7 +105,7 @@ class Checks {
             for (int level = 0; level < checkLevels; ++level)
                 if (found[level] != 0)
                     return what + ": wrong in level " + std::to_string(level) + " at " +
-                           std::to_string(found[level]) + " places";
+                           std::to_string(found[level]) + " texels";
             return "";
         };
     }
@@ -126,7 +128,8 @@ class Checks {
         }
     }
 
-    // Runs `work`, then a dispatch of as many groups as it asked for. `wrong`: of the words that it wrote.
+    // Runs `work`, then an indirect dispatch with the number of groups that it wrote. `wrong` checks the
+    // words that it wrote and returns an error text or "".
     template <typename Work, typename Wrong>
     std::string check(const Work& work, std::uint32_t groups, const Wrong& wrong) const {
         Words found{};
@@ -145,7 +148,7 @@ class Checks {
         const std::uint32_t invocations = found[groupWords + countedWord];
         if (invocations == 64 * groups) return "";
         return "indirect dispatch of a size that shaders wrote: " + std::to_string(invocations) +
-               " invocations, right are " + std::to_string(64 * groups);
+               " invocations, expected " + std::to_string(64 * groups);
     }
 
     const gl::ShaderLibrary& shaders_;

@@ -21,11 +21,11 @@ glm::dvec3 threeFromText(const std::string& option, const std::string& text) {
     std::vector<double> found;
     for (std::string number; std::getline(numbers, number, ',');)
         found.push_back(numberFromText(option, number));
-    if (found.size() != 3) throw Error(option + ": '" + text + "' is not three numbers, such as 1,2,3");
+    if (found.size() != 3) throw Error(option + ": '" + text + "' is not three numbers; write them as 1,2,3");
     return {found[0], found[1], found[2]};
 }
 
-// Of "a=1,2,3,b=4": as setFromWords().
+// As setFromWords(), for text of the form "a=1,2,3,b=4".
 void setFromParts(const std::string& option, std::string text, const NamedSetters& setters) {
     text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
     static const std::regex commaBeforeName(",(?=[^,]*=)");
@@ -47,7 +47,7 @@ void setFromWords(const std::string& text, const NamedSetters& setters) {
             std::string names;
             for (const auto& [name, unused] : setters)
                 names += (names.empty() ? "" : ", ") + name;
-            throw Error(command + ": unknown '" + word + "'; there are " + names + ", each as name=value");
+            throw Error(command + ": unknown '" + word + "'; use name=value with one of the names " + names);
         }
         setter->second(word.substr(equals + 1));
     }
@@ -91,13 +91,13 @@ Camera cameraFromText(const std::string& text, const Scene& scene, double aspect
 
 DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
     if (text.empty()) return chooseLight(scene);
-    // A scene of lamps alone has a sun as soon as one is asked for.
+    // A scene without a sun gets the default one, changed by the text.
     DirectionalLight light = scene.lights.empty() ? defaultLight() : scene.lights.front();
     const auto setDirection = [&](const std::string& value) {
         const glm::dvec3 direction = threeFromText("--light: direction", value);
         if (glm::length(direction) == 0.0) throw Error("--light: direction must not be 0,0,0");
         light.directionToLight = -glm::normalize(direction);
-        light.node = -1;  // stays there
+        light.node = -1;  // an animation of the scene no longer moves it
     };
     setFromParts("--light", text,
                  {{"direction", setDirection},
@@ -105,13 +105,13 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
                   {"intensity", [&](const auto& value) {
                        light.intensity = static_cast<float>(numberFromText("--light: intensity", value));
                    }}});
-    // The largest component of the colour is 1: the rest is intensity.
+    // Scales the colour to a largest component of 1 and moves the factor into the intensity.
     const float largest = std::max({light.color.r, light.color.g, light.color.b});
     if (std::min({light.color.r, light.color.g, light.color.b}) < 0.0F || light.intensity < 0.0F)
         throw Error("--light: color and intensity must not be negative");
     if (largest > 0.0F) light.color /= largest;
     light.intensity *= largest;
-    if (!(light.intensity <= 1e30F)) throw Error("--light: color times intensity must not be beyond 1e30");
+    if (!(light.intensity <= 1e30F)) throw Error("--light: color times intensity must not exceed 1e30");
     return light;
 }
 

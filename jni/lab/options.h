@@ -1,4 +1,4 @@
-// Values that several commands parse from text.
+// Parses values of options and of the app's commands from text.
 #pragma once
 
 #include <functional>
@@ -11,28 +11,30 @@
 
 namespace vct {
 
-// Of "command a=1 b=2": hands each value to the function of its name. Throws vct::Error listing the names
-// where there is none.
+// Parses "command a=1 b=2": calls the function of each name with its value. Throws vct::Error listing the
+// names if one is unknown.
 using NamedSetters = std::vector<std::pair<std::string, std::function<void(const std::string& value)>>>;
 void setFromWords(const std::string& text, const NamedSetters& setters);
 
+// The functions below throw vct::Error; `option` is the name of the value in the message.
 double numberFromText(const std::string& option, const std::string& text);
 
-// A number from 1 to `most`; `option` is its name in the error.
+// Parses a whole number from 1 to `most`.
 int wholeNumberFromText(const std::string& option, const std::string& text, int most);
 
-// "400x300" -> (400, 300).
+// Parses "400x300".
 glm::ivec2 sizeFromText(const std::string& text);
 
-// "eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z", or the name or index of one of the scene's cameras, for a
-// picture of `aspect` (width over height); "" takes the first, or a view of the scene where it has none.
+// Returns the camera of "eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z", or one of the scene's cameras by name or
+// index, fitted to a picture of `aspect` (width over height). "" takes the scene's first camera, or frames
+// the scene if it has none.
 Camera cameraFromText(const std::string& text, const Scene& scene, double aspect = 1.0);
 
-// "direction=X,Y,Z,color=R,G,B,intensity=LUX" over the scene's first light; each part may be left out.
-// `direction` is the way the light travels, as a glTF light's -Z.
+// Changes the scene's sun by "direction=X,Y,Z,color=R,G,B,intensity=LUX"; each part may be left out.
+// `direction` is the one in which the light travels, the -Z of a glTF light.
 DirectionalLight lightFromText(const std::string& text, const Scene& scene);
 
-// "R,G,B" -> linear RGB.
+// Parses "R,G,B" as linear RGB.
 glm::vec3 colorFromText(const std::string& option, const std::string& text);
 
 }  // namespace vct

@@ -63,7 +63,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.back().environment = sky;
     }
     programs.push_back(chooseRangeProgram());
-    // Compact emitters emit light.
+    // A scene with compact emitters also has emission, so the fourth combination does not exist.
     constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
         {{false, false}, {true, false}, {true, true}}};
     for (const auto& [emission, emitters] : emissionAndEmitters) {
@@ -99,7 +99,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
     }
     for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
         programs.push_back(debugViewProgram(view));
-    // Presets share most of them.
+    // Presets share most programs.
     const auto key = [](const gl::ProgramDescription& p) { return std::tie(p.shaders, p.defines); };
     std::sort(programs.begin(), programs.end(),
               [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -119,7 +119,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
     };
     const Voxelization voxelization = voxelizationFor(settings.voxels, {});
     const ExtraTargets targets = extraTargets(features, settings.specular);
-    // The programs of a scene whose emitters are all compact: large ones need fewer.
+    // Assumes that all emitters of the scene are compact; large ones need fewer programs.
     const bool emission = features.has(featureEmissive);
     const LightFeatures lights{features.has(featurePunctualLights), settings.environment != nullptr,
                                settings.voxels == Voxels::directional && emission, emission};
@@ -173,8 +173,8 @@ std::vector<unsigned> allFeatures() {
     std::vector<unsigned> all;
     for (unsigned features = 0; features < materialFeatureCombinations; ++features)
         if (possible(features)) all.push_back(features);
-    // What a material needs and lights besides the sun are told apart in different functions: one with all of
-    // it stands for the others.
+    // Features of materials and punctual lights are handled in separate functions of the shaders, so one
+    // combination with all material features represents the others.
     all.push_back(featurePunctualLights);
     all.push_back(featurePunctualLights | (materialFeatureCombinations - 1));
     unsigned everything = featurePunctualLights | (materialFeatureCombinations - 1);

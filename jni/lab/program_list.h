@@ -1,5 +1,5 @@
-// Every program of the renderer and every variant that can be asked for: the tests compile all of them
-// offline, and `vct shaders` writes those of a frame.
+// Lists every program of the renderer in every possible variant. The tests compile all of them offline, and
+// `vct shaders` writes those of a frame.
 #pragma once
 
 #include "engine/output.h"
@@ -10,12 +10,13 @@
 
 namespace vct {
 
-// Every combination of MaterialFeature that a material can have.
+// The combinations of MaterialFeature that programs are listed for.
 std::vector<unsigned> allFeatures();
 
 std::vector<gl::ProgramDescription> everyProgram();
 
-// What one frame of a mode runs, step by step, in a scene with these features; each program once.
+// A program, and the step that runs it. framePrograms() lists the programs of one frame of a mode in a scene
+// with these features, each once.
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;

@@ -18,18 +18,18 @@ namespace {
 
 constexpr int testGrid = 64, testLevels = 7;
 
-// A rectangle that faces along one axis, of its own material.
+// A rectangle that faces along one axis, with a material of its own.
 struct Sheet {
-    int axis;              // the normal's
-    double at;             // along the axis
-    glm::dvec2 low, high;  // along the next two axes, in cyclic order
+    int axis;              // axis of the normal
+    double at;             // position along the axis
+    glm::dvec2 low, high;  // corners along the next two axes, in cyclic order
     glm::vec3 albedo;
 };
 
-// World coordinates are voxel coordinates: the bounds make the volume [0, 64]^3. Every sheet lies in the
-// middle of its voxels and ends on their faces, and no colour is near the rounding of its eight bits, so that
-// nothing depends on a driver's last digit. None shadows another. The last ones lie in the same place: there
-// the largest word must win, whoever comes last.
+// World coordinates are voxel coordinates, because the bounds make the volume [0, 64]^3. Every sheet lies in
+// the middle of its voxels and ends on their faces, and no colour is near a rounding limit of its eight bits,
+// so that the result does not depend on a driver's last digit. No sheet shadows another. The last eight
+// overlap in the same plane: there the largest packed voxel must win, in whatever order they are drawn.
 const std::vector<Sheet>& sheets() {
     static const std::vector<Sheet> all = [] {
         std::vector<Sheet> result{
@@ -84,7 +84,8 @@ Scene testScene() {
     return scene;
 }
 
-// Thesis eq. 4.4 for every sheet; where several meet, the largest word.
+// Computes the packed voxels of all sheets by eq. 4.4 of the thesis. If several sheets share a voxel, the
+// largest word wins.
 Words expectedBase() {
     Words words(static_cast<std::size_t>(testGrid) * testGrid * testGrid, 0U);
     for (const Sheet& sheet : sheets()) {
@@ -117,12 +118,12 @@ std::string compare(const Words& found, const Words& expected, int level) {
         if (found[i] != expected[i] && wrong++ == 0) first = i;
     if (wrong == 0) return "";
     char words[64];
-    std::snprintf(words, sizeof words, "0x%08X, right is 0x%08X", found[first], expected[first]);
+    std::snprintf(words, sizeof words, "0x%08X, expected 0x%08X", found[first], expected[first]);
     return "level " + std::to_string(level) + ": " + std::to_string(wrong) +
            " voxels are wrong, the first at " + placeOf(first, testGrid >> level) + " is " + words;
 }
 
-// "" where all is right.
+// Compares voxels, mip levels and lists with the CPU's. Returns an error text, or "" if all are right.
 std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels) {
     const VoxelPyramid& pyramid = renderer.packed()->occupancy();
     const std::vector<std::uint32_t> counts = renderer.activeVoxels();
@@ -138,7 +139,7 @@ std::string wrongVoxels(Renderer& renderer, Words expected, std::size_t& voxels)
         std::sort(listed.begin(), listed.end());
         if (listed != entries)
             return "level " + std::to_string(level) + ": the list has " + std::to_string(count) +
-                   " entries, which are not the " + std::to_string(entries.size()) + " occupied voxels";
+                   " entries, which differ from the " + std::to_string(entries.size()) + " occupied voxels";
         voxels += entries.size();
     }
     return "";
@@ -153,17 +154,17 @@ Settings testSettings(const std::string& preset) {
     return settings;
 }
 
-// Faces: one of each voxel, as sheets have one side.
+// Checks the number of faces: every voxel has one, because the sheets are single-sided.
 std::string wrongFaces(const Renderer& renderer, const Words& expected) {
     const auto voxels = static_cast<std::uint32_t>(entriesOnCpu(expected, testGrid).size());
     const std::uint32_t found = renderer.activeVoxels().at(0);
     const std::size_t faces = renderer.directional()->voxels().readBaseFaces().size();
     if (found == voxels && faces == voxels) return "";
-    return std::to_string(found) + " voxels with " + std::to_string(faces) + " faces, right are " +
+    return std::to_string(found) + " voxels with " + std::to_string(faces) + " faces, expected " +
            std::to_string(voxels) + " of each";
 }
 
-// Light arrives, and none that is not a number.
+// Checks that the picture has light and only finite values.
 std::string wrongLight(const Renderer& renderer) {
     float sum = 0.0F;
     for (const glm::vec3& pixel : renderer.radiance().pixels)
@@ -172,7 +173,7 @@ std::string wrongLight(const Renderer& renderer) {
     return std::isfinite(sum) ? "the picture is black" : "the picture has pixels that are no numbers";
 }
 
-// Throws vct::Error where the preset cannot run at all.
+// Tests one preset. Returns an error text or "". Throws vct::Error if the preset cannot run at all.
 std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilities,
                     const gl::ReadShader& shaders, std::size_t& voxels) {
     const Scene scene = testScene();
@@ -180,7 +181,7 @@ std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilit
     Renderer renderer(scene, light(), settings, capabilities, shaders);
     const Camera camera = frameScene(scene, 1.0);
     const bool packed = settings.voxels == Voxels::packed;
-    // Twice: the second frame begins with the first one's voxels and must empty them.
+    // The second frame begins with the voxels of the first one and must clear them.
     for (const char* frame : {"first frame, ", "second frame, "}) {
         voxels = 0;
         renderer.render({{packed ? Output::ao : Output::giConeShadow}, camera});
@@ -191,10 +192,9 @@ std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilit
     return packed ? "" : wrongLight(renderer);
 }
 
-// What to do about a preset that is wrong.
+// Advice for the case that a preset is wrong.
 std::string remedyFor(const std::string& preset) {
-    return preset == "thesis" ? "; use a newer driver, or the preset mobile where that one is right"
-                              : "; use the preset thesis";
+    return preset == "thesis" ? "; use a newer driver, or the preset mobile" : "; use the preset thesis";
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
             at = "preset " + preset;
             const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), capabilities);
             if (!std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; })) {
-                left += "; " + preset + " not tested, as the driver lacks what it needs";
+                left += "; " + preset + " was not tested, because the driver lacks something that it needs";
                 continue;
             }
             if (const std::string wrong = wrongIn(preset, capabilities, shaders, voxels); !wrong.empty())
@@ -219,8 +219,8 @@ SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader&
             if (preset == "thesis") thesisVoxels = voxels;
         }
         return {true, std::to_string(thesisVoxels) + " voxels of " + std::to_string(testLevels) +
-                          " levels and their lists are those of the CPU; all presets run, and the driver "
-                          "does what they assume" +
+                          " levels and their lists equal the CPU's; all presets run, and the driver meets "
+                          "their assumptions" +
                           left};
     } catch (const gl::ContextLost&) {
         throw;

@@ -1,5 +1,5 @@
-// Whether this driver can be trusted: the assumptions of driver_checks.h one by one, and then every preset on
-// a scene small and simple enough to be known exactly. Drivers are wrong more often than one thinks.
+// Tests the driver: first the assumptions of driver_checks.h one by one, then every preset on a scene that is
+// simple enough to know the exact result. Driver faults are frequent on phones.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,10 +12,10 @@ namespace vct {
 
 struct SelfTest {
     bool passed = false;
-    std::string text;  // what was compared, or what is wrong, where, and what to do
+    std::string text;  // on success the comparison; on failure the cause, its place and the remedy
 };
 
-// Throws gl::ContextLost only; every other error is a failed test.
+// Runs the test. Throws only gl::ContextLost; every other error is a failed test.
 SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders);
 
 nlohmann::ordered_json selfTestJson(const SelfTest& result);

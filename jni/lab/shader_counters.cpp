@@ -12,8 +12,8 @@ struct Loop {
     const char* name;
     int depth;
     int counter;
-    bool constant = false;  // its length: the compiler may unroll it
-    double times = 1.0;     // iterations per count: of loops that follow from what they are in
+    bool constant = false;  // its length is constant, so the compiler may unroll it
+    double times = 1.0;     // iterations per count, for loops that share the counter of an outer loop
 };
 
 struct Stage {
@@ -22,7 +22,7 @@ struct Stage {
     std::vector<Loop> loops;
 };
 
-// Every counter of shared/layout.h, with the loops in the order in which main() comes to them.
+// Every counter of shared/layout.h. The loops are in the order in which main() runs them.
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all{
         {"passes/shadow_map.frag", VCT_COUNTER_SHADOW_MAP, {}},
@@ -100,7 +100,7 @@ const std::vector<Stage>& stages() {
 }  // namespace
 
 std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const Camera& camera) {
-    renderer.render({{mode}, camera});  // a first frame has nothing to clear
+    renderer.render({{mode}, camera});  // not counted, because the first frame has nothing to clear
     std::array<std::uint32_t, VCT_COUNTER_COUNT> counts{};
     const gl::Buffer counters("shader counters", GL_SHADER_STORAGE_BUFFER, sizeof counts, counts.data(),
                               GL_DYNAMIC_COPY);

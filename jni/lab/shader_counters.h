@@ -1,5 +1,5 @@
-// How often the shaders of a frame run, and how often their loops do: counted on the driver by the shaders
-// themselves (shaders/shared/counters.glsl).
+// Counts how often the shaders of a frame and their loops run. The shaders themselves count
+// (shaders/shared/counters.glsl).
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@ namespace vct {
 
 struct LoopCount {
     std::string name;
-    int depth;      // 0: in no other loop
-    bool constant;  // its length: the compiler may unroll it
+    int depth;      // number of loops around it
+    bool constant;  // its length is constant, so the compiler may unroll it
     double iterations;
 };
 
 struct StageCount {
     std::string shader;  // "passes/shade.frag"
     std::uint32_t invocations;
-    std::vector<LoopCount>
-        loops;  // in the order they run, a nested one after the one around it; those that ran
+    // The loops that ran, in their order; a nested loop comes after the one around it.
+    std::vector<LoopCount> loops;
 };
 
-// Draws two frames, the second as every later one, and counts it. The renderer's settings have
-// countInvocations and revoxelize. Fragments are counted before the depth test, in all stages that ran.
+// Renders two frames and counts the second one, which represents all later ones. The renderer's settings must
+// have countInvocations and revoxelize. Fragments are counted before the depth test. Returns the stages that
+// ran.
 std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const Camera& camera);
 
 }  // namespace vct

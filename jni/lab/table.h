@@ -1,4 +1,4 @@
-// Tables for people, in Markdown.
+// Formats tables in Markdown.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@ namespace vct {
 
 using TableRows = std::vector<std::vector<std::string>>;
 
-// A number by a printf format for one double.
+// Formats a number by a printf format for one double.
 std::string cellText(const char* format, double value);
 
-// The first row is the head; the columns are padded, so that the text can be read as it is.
+// Returns the table as Markdown, with the first row as the head. Columns are padded, so that the source text
+// is readable too.
 std::string markdownTable(const TableRows& rows);
 
 }  // namespace vct

@@ -1,4 +1,4 @@
-// What the thesis measured, measured here, and the two side by side.
+// The thesis's tables, with the rows measured here above those of the thesis.
 #include <algorithm>
 #include <numeric>
 
@@ -17,18 +17,18 @@ using nlohmann::ordered_json;
 struct TableRow {
     std::string platform;
     std::vector<double> valuesMs;
-    // Over the runs; empty for what the thesis printed.
+    // Minimum and maximum over the runs; empty in rows of the thesis.
     std::vector<double> minMs = {}, maxMs = {};
 };
 
 struct ThesisTable {
-    std::string number;  // as in the thesis, "5.2"
+    std::string number;  // number in the thesis, such as "5.2"
     std::string title;
     std::vector<std::string> columns;
     std::vector<TableRow> rows;
 };
 
-// The numbers that the thesis printed (5.1.4 to 5.1.7), in milliseconds, copied as they stand.
+// The numbers of the thesis (5.1.4 to 5.1.7), in milliseconds, copied without changes.
 // Mobile: Samsung Galaxy S7 Edge, Mali-T880 MP12. Laptop: GeForce GTX 860M. Desktop: GeForce GTX 970.
 std::vector<ThesisTable> thesisTables() {
     return {
@@ -65,7 +65,7 @@ std::vector<ThesisTable> thesisTables() {
     };
 }
 
-// A number of a table: the sum of some steps of a frame, averaged over some modes.
+// One number of a table: the sum of some steps of a frame, averaged over some modes.
 struct Cell {
     int grid;
     double coneAngleDeg;
@@ -204,7 +204,7 @@ BenchReport thesisReport(const std::vector<BenchRuns>& all) {
     BenchReport report{
         benchHeadJson(all, "mean over renderers of each one's mean over frames; min and max over renderers"),
         benchHeadText(all) +
-            "Mobile, Laptop and Desktop are the thesis's: Mali-T880 MP12, GTX 860M, GTX 970\n"};
+            "Mobile, Laptop and Desktop are rows of the thesis: Mali-T880 MP12, GTX 860M, GTX 970\n"};
     report.json["settings"] = all.front().timings.front().at("settings");
     for (const char* varies : {"grid", "cone_angle_deg"})
         report.json["settings"].erase(varies);

@@ -26,7 +26,7 @@ ordered_json samplesJson(const std::vector<double>& samples) {
     return spreadJson("median", median(samples), "samples", samples);
 }
 
-// Of each step, and of their sum frame by frame.
+// The times of each step, and of their sum in each frame.
 ordered_json stepsJson(const std::array<std::vector<double>, stepCount>& stepsMs) {
     ordered_json json;
     std::vector<double> totalMs(stepsMs[0].size());
@@ -38,7 +38,7 @@ ordered_json stepsJson(const std::array<std::vector<double>, stepCount>& stepsMs
     return json;
 }
 
-// One answer for all modes: a clock that is wrong in one is not believed in the others.
+// Returns how the GPU's clock was used, or why it was not. If it is wrong in one mode it is not used for any.
 std::string gpuClockText(const TimingsReport& report) {
     for (const auto& [mode, times] : report.modes)
         if (const std::string reason = whyGpuTimesAreWrong(times); !reason.empty())
@@ -70,7 +70,7 @@ ordered_json settingsJson(const TimingsReport& report, const gl::Capabilities& c
             {"light_frames", s.lightFrames}};
 }
 
-// Arm's /proc/cpuinfo has no names, but Android knows what it runs on.
+// /proc/cpuinfo has no processor name on Arm, but Android has properties with the name of the device.
 std::string deviceName() {
 #ifdef __ANDROID__
     std::string name;
@@ -168,7 +168,7 @@ std::string timingsTable(const std::vector<std::pair<Output, StepTimes>>& modes)
 }
 
 void writeJson(const std::string& path, const ordered_json& json) {
-    // A file's name need not be UTF-8, as JSON has to be.
+    // JSON must be UTF-8, but file names need not be, so invalid bytes are replaced.
     replaceFile(path, json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 

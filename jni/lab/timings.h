@@ -1,5 +1,5 @@
-// timings.json: what a run measured, on what, and how. docs/timings.md describes every field; the phone
-// writes the same.
+// Writes timings.json: the times of a run, the machine, the settings and the method. docs/timings.md
+// describes every field. The app writes the same file.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@
 
 namespace vct {
 
-// The thesis's method: some frames to warm up, then an average over five (5.1.2).
+// The thesis's method (5.1.2): warm-up frames, then an average over five frames.
 constexpr int warmUpFrames = 2;
 constexpr int timedFrames = 5;
 
@@ -24,27 +24,28 @@ struct TimingsReport {
     std::string preset;
     Settings settings;
     std::vector<std::pair<Output, StepTimes>> modes;
-    int timedFrames = vct::timedFrames;  // of each mode
+    int timedFrames = vct::timedFrames;  // per mode
     std::vector<std::uint32_t> activeVoxels;
     std::vector<Resource> resources;
 };
 
 nlohmann::ordered_json timingsJson(const TimingsReport& report, const gl::Capabilities& capabilities);
 
-// One row per mode, the thesis's columns CS, RT, V, M, Tr, Tot with I, the irradiance, medians in
-// milliseconds.
+// Returns a table of medians in milliseconds, one row per mode. The columns are the thesis's CS (shadow map),
+// RT (G-buffer), V (voxelization), M (mip levels), Tr (final shading) and Tot (total), and L (light
+// injection) and I (irradiance).
 std::string timingsTable(const std::vector<std::pair<Output, StepTimes>>& modes);
 
-double roundedMs(double ms);  // to a microsecond
+double roundedMs(double ms);  // rounds to a microsecond
 nlohmann::ordered_json roundedJson(const std::vector<double>& valuesMs);
-// {`middle`: value, "min", "max", `list`: the values}; zeros where there are none.
+// Returns {`middle`: value, "min": ..., "max": ..., `list`: the values}; without values, min and max are 0.
 nlohmann::ordered_json spreadJson(const char* middle, double value, const char* list,
                                   const std::vector<double>& valuesMs);
 
-// Processor, its threads and the system, for people.
+// Describes the processor, its threads and the operating system.
 nlohmann::ordered_json machineJson();
 
-// Written beside the target and then renamed; throws vct::Error.
+// Writes a JSON file atomically (replaceFile()). Throws vct::Error.
 void writeJson(const std::string& path, const nlohmann::ordered_json& json);
 
 }  // namespace vct

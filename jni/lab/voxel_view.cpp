@@ -35,7 +35,7 @@ const gl::Texture& VoxelView::draw(const VoxelPyramid& voxels, int level) {
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
     voxels.texture().bind(VCT_TEX_VOXELS);
     vertexArray_.bind();
-    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // again, as in GpuScene::bindGeometry()
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);  // a driver fault requires this: see GpuScene::bindGeometry()
     // ES 3.1 has no base instance, so the attribute's offset selects the level's entries.
     voxels.activeVoxels().bind(GL_ARRAY_BUFFER);
     gl::EnableVertexAttribArray(VCT_ATTRIBUTE_VOXEL);

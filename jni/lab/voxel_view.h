@@ -1,4 +1,4 @@
-// The active voxels of one mip level as cubes, seen from the camera.
+// Draws the active voxels of one mip level as cubes.
 #pragma once
 
 #include "engine/voxel_pyramid.h"
@@ -12,7 +12,8 @@ class VoxelView {
   public:
     VoxelView(const gl::ShaderLibrary& shaders, glm::ivec2 size);
 
-    // Waits for the GPU to learn how many voxels there are. Returns RGBA16F, rgb relative to E/pi.
+    // Draws a level from the renderer's camera. Waits for the GPU to read the number of voxels. Returns an
+    // RGBA16F texture; rgb is relative to E/pi.
     const gl::Texture& draw(const VoxelPyramid& voxels, int level);
 
   private:

@@ -86,8 +86,8 @@ std::vector<EglSource> eglSources(int device) {
     std::vector<EglSource> result;
     if (device >= 0) {
         if (static_cast<size_t>(device) >= found.size())
-            throw Error("EGL has no device " + std::to_string(device) + ", it lists " +
-                        std::to_string(found.size()) + "; `vct info --list-devices` names them");
+            throw Error("EGL has no device " + std::to_string(device) + ", only " +
+                        std::to_string(found.size()) + " devices; `vct info --list-devices` lists them");
         const auto native = found[static_cast<size_t>(device)];
         return {{"device " + std::to_string(device), EGL_PLATFORM_DEVICE_EXT, native}};
     }
@@ -237,7 +237,7 @@ std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::s
             failures += (failures.empty() ? "" : "; ") + source.name + ": " + error.what();
         }
     }
-    throw Error("EGL gives no OpenGL ES 3.1 context (" + failures + ")" + remedy);
+    throw Error("EGL cannot create an OpenGL ES 3.1 context (" + failures + ")" + remedy);
 }
 
 }  // namespace vct::detail

@@ -35,7 +35,7 @@ void resolve(void* handle, const char* name, const std::string& library, Functio
     function = reinterpret_cast<Function>(dlsym(handle, name));
     if (!function)
         throw Error(library + " has no " + name +
-                    "; install libosmesa6 of Mesa 17 or later, or use --backend egl");
+                    "; install libosmesa6 of Mesa 17 or later, or use the back end egl");
 }
 
 // Loads the library. RTLD_LOCAL keeps its GL symbols from replacing those of libEGL. The library is never
@@ -60,7 +60,7 @@ Library openLibrary() {
         resolve(handle, "OSMesaGetProcAddress", name, library.getProcAddress);
         return library;
     }
-    throw Error("OSMesa cannot be loaded (" + reasons + "); install libosmesa6, or use --backend egl");
+    throw Error("OSMesa cannot be loaded (" + reasons + "); install libosmesa6, or use the back end egl");
 }
 
 class OsmesaPlatform : public Platform {
@@ -71,12 +71,13 @@ class OsmesaPlatform : public Platform {
             osmesaProfile, osmesaCoreProfile, osmesaContextMajorVersion, 4, osmesaContextMinorVersion, 5, 0};
         context_ = library_.createContextAttribs(attribs, nullptr);
         if (!context_)
-            throw Error(library_.name +
-                        " gives no OpenGL 4.5 core context; a Mesa with llvmpipe of version 20.2 or "
-                        "later does, or use --backend egl");
+            throw Error(
+                library_.name +
+                " cannot create an OpenGL 4.5 core context; install Mesa 20.2 or later with llvmpipe, "
+                "or use the back end egl");
         if (!library_.makeCurrent(context_, buffer_.data(), glUnsignedByte, width, height)) {
             library_.destroyContext(context_);
-            throw Error(library_.name + " cannot make its context current; use --backend egl");
+            throw Error(library_.name + " cannot make its context current; use the back end egl");
         }
     }
 
@@ -105,7 +106,7 @@ class OsmesaPlatform : public Platform {
 }  // namespace
 
 std::unique_ptr<Platform> createOsmesa(const PlatformOptions& options) {
-    if (options.device >= 0) throw Error("OSMesa renders on the CPU and has no devices; leave out --device");
+    if (options.device >= 0) throw Error("OSMesa renders on the CPU and has no devices; choose no device");
     return std::make_unique<OsmesaPlatform>();
 }
 

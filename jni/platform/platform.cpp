@@ -35,7 +35,7 @@ std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
             // Without free memory no driver can be loaded, and the driver's own message does not tell why.
             return detail::createEgl(options,
                                      availableMemory() == 0
-                                         ? "; there is too little memory for a driver, free some"
+                                         ? "; there is too little memory for a driver; free memory"
                                          : "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
         case Backend::osmesa:
             return detail::createOsmesa(options);

@@ -103,13 +103,13 @@ std::unique_ptr<Platform> tryZink(const PlatformOptions& options, bool software,
 std::unique_ptr<Platform> createZink(const PlatformOptions& options) {
     if (eglInUse())
         throw Error(
-            "zink is chosen when EGL starts, and an EGL context exists already; destroy that one first");
+            "zink can only be chosen before EGL starts, and an EGL context already exists; destroy it first");
     std::string failures;
     if (!fileThatBegins("/dev/dri", "renderD").empty())
         if (auto platform = tryZink(options, false, failures)) return platform;
     if (auto platform = tryZink(options, true, failures)) return platform;
-    throw Error("no zink (" + failures +
-                "); install mesa-vulkan-drivers and libvulkan1, or use --backend egl");
+    throw Error("zink cannot create an OpenGL context (" + failures +
+                "); install mesa-vulkan-drivers and libvulkan1, or use the back end egl");
 }
 
 }  // namespace vct::detail

@@ -19,7 +19,7 @@ glm::dvec4 components(const glm::dquat& q) {
     return {q.x, q.y, q.z, q.w};
 }
 
-// Appendix C.5; `u` in 0..1 between two keys that lie `seconds` apart.
+// Cubic spline of glTF's appendix C.5. `u` is in 0..1 between two keys that lie `seconds` apart.
 glm::dvec4 spline(const AnimationChannel& channel, std::size_t key, double u, double seconds) {
     const glm::dvec4& value = channel.values[3 * key + 1];
     const glm::dvec4& outTangent = channel.values[3 * key + 2];
@@ -46,7 +46,7 @@ glm::dvec4 valueAt(const AnimationChannel& channel, double seconds) {
     if (channel.interpolation == Interpolation::cubicSpline) return spline(channel, key, u, length);
     const glm::dvec4& from = channel.values[key];
     const glm::dvec4& to = channel.values[key + 1];
-    // slerp takes the shorter way round (appendix C.4).
+    // slerp takes the shorter of the two arcs, as appendix C.4 requires.
     if (channel.path == Path::rotation) return components(glm::slerp(quaternion(from), quaternion(to), u));
     return (1.0 - u) * from + u * to;
 }
@@ -54,7 +54,7 @@ glm::dvec4 valueAt(const AnimationChannel& channel, double seconds) {
 void apply(const AnimationChannel& channel, const glm::dvec4& value, NodeTransform& transform) {
     switch (channel.path) {
         case Path::morphWeight:
-            return;  // of no node
+            return;  // it does not change the node's transform
         case Path::translation:
             transform.translation = glm::dvec3(value);
             return;
@@ -62,7 +62,7 @@ void apply(const AnimationChannel& channel, const glm::dvec4& value, NodeTransfo
             transform.scale = glm::dvec3(value);
             return;
         case Path::rotation: {
-            // A spline between opposite keys may go through zero, which is no rotation.
+            // A spline between opposite keys may pass through zero, which is not a rotation.
             const glm::dquat rotation = quaternion(value);
             const double length = glm::length(rotation);
             transform.rotation =

@@ -17,14 +17,14 @@ struct Bounds {
     }
 };
 
-// Around nothing: the first point that it includes is all of it.
+// Empty bounds: including a point makes them that point.
 const Bounds noBounds{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
 
 inline Bounds united(const Bounds& a, const Bounds& b) {
     return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
-// Around `matrix` times each point.
+// Bounds of the points, transformed by `matrix`.
 inline Bounds boundsOf(const std::vector<glm::dvec3>& points, const glm::dmat4& matrix) {
     Bounds bounds = noBounds;
     for (const glm::dvec3& point : points)

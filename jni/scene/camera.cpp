@@ -13,9 +13,9 @@
 namespace vct {
 namespace {
 
-// What is nearer to a camera that looks at something than this share of its distance may be cut off.
+// Objects nearer to a camera than this share of the distance to its target may be cut off.
 constexpr double nearestOfDistance = 1.0 / 50.0;
-constexpr double widestTanHalf = 11.43;  // 170 degrees, for fitted()
+constexpr double widestTanHalf = 11.43;  // limit of fitted(): 170 degrees
 
 std::string printed(const glm::dvec3& v) {
     char text[128];
@@ -23,14 +23,15 @@ std::string printed(const glm::dvec3& v) {
     return text;
 }
 
-// As the text of an option gives it back.
+// Rounds a number as printing it in an option and reading it back does.
 double read(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.12g", value);
     return std::strtod(text, nullptr);
 }
 
-// Whole multiples of a step: what is printed in a --camera option is what was used, with few digits.
+// Rounds to whole multiples of a step, so that a --camera option needs few digits and reproduces the camera
+// exactly.
 glm::dvec3 rounded(const glm::dvec3& v, double step) {
     const glm::dvec3 multiple = glm::round(v / step) * step + 0.0;
     return {read(multiple.x), read(multiple.y), read(multiple.z)};
@@ -47,8 +48,8 @@ double distanceTo(const Bounds& bounds, const glm::dvec3& p) {
     return glm::length(glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0.0)));
 }
 
-// Puts what looks or shines along its -Z where its node is. It keeps its axes where the node has none, as its
-// scale is 0.
+// Moves a camera or a light (`world`) to its node. If the node's scale is 0 and it has no axes, the axes of
+// `world` stay.
 void follow(glm::dmat4& world, const Pose& pose, int node) {
     const glm::dmat4& worldFromNode = pose.worldFromNode.at(static_cast<std::size_t>(node));
     const std::optional<glm::dmat4> axes = withoutScale(worldFromNode);
@@ -62,19 +63,19 @@ Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFo
               const std::optional<glm::dvec3>& upwards) {
     if (!(verticalFovDeg > 0.0 && verticalFovDeg < 180.0))
         throw Error("the camera's field of view is " + numberText(verticalFovDeg) +
-                    " degrees; give one between 0 and 180");
+                    " degrees; give a value between 0 and 180");
     const glm::dvec3 back = eye - target;
     const double distance = glm::length(back);
     if (!(distance > 0.0) || !std::isfinite(distance))
         throw Error("the camera's eye and target (" + printed(eye) + " and " + printed(target) +
-                    ") give no direction; give two different points");
+                    ") define no direction; give two different points");
     const glm::dvec3 z = back / distance;
-    const bool vertical = std::abs(z.y) > 1.0 - 1e-12;  // within a millionth of a radian
+    const bool vertical = std::abs(z.y) > 1.0 - 1e-12;  // to about a millionth of a radian
     const glm::dvec3 up = upwards.value_or(vertical ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0));
     const glm::dvec3 right = glm::cross(up, z);
     if (!(glm::length(right) > 1e-9 * glm::length(up)))
         throw Error("the camera's up (" + printed(up) +
-                    ") is the direction that it looks along; give another, or leave it out");
+                    ") is parallel to its view direction; give another, or leave it out");
     const glm::dvec3 x = glm::normalize(right);
 
     Camera camera;
@@ -96,7 +97,7 @@ std::string cameraOption(const Camera& camera, const Bounds& bounds) {
                                 ? camera.nearest / nearestOfDistance
                                 : std::max(glm::length(bounds.max - bounds.min), 1e-9);
     const glm::dvec3 target = eye - distance * back;
-    // What a distance takes off a target leaves digits of no meaning behind: -1e-17 instead of 0.
+    // The subtraction leaves rounding noise in the target (-1e-17 instead of 0), which is set to 0.
     const double noise = 1e-14 * (glm::length(eye) + distance);
     const auto tidy = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
     char fov[32];
@@ -120,8 +121,8 @@ Camera fitted(Camera camera, double aspect) {
 Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex, double aspect) {
     if (scene.cameras.empty() && nameOrIndex.empty()) return frameScene(scene, aspect);
     if (scene.cameras.empty())
-        throw Error("the scene " + scene.path + " has no camera, so none \"" + nameOrIndex +
-                    "\"; leave out --camera for a view of all of it");
+        throw Error("the scene " + scene.path + " has no camera, and \"" + nameOrIndex +
+                    "\" was asked for; leave out --camera for a view of the whole scene");
     if (nameOrIndex.empty()) return fitted(scene.cameras.front(), aspect);
     for (const Camera& camera : scene.cameras) {
         if (camera.name == nameOrIndex) return fitted(camera, aspect);
@@ -141,7 +142,7 @@ std::string cameraNote(const Scene& scene, const std::string& option, const Came
         return "the scene has no camera: seen by --camera " + cameraOption(camera, scene.boundsWorld);
     if (!camera.aspectRatio || std::abs(*camera.aspectRatio / aspect - 1.0) < 0.01) return "";
     return "camera \"" + camera.name + "\" is made for pictures " + numberText(*camera.aspectRatio) +
-           " times as wide as high, and this one is " + numberText(aspect) + " times: more is seen " +
+           " times as wide as high, and this one is " + numberText(aspect) + " times: it shows more " +
            (aspect < *camera.aspectRatio ? "above and below" : "at its sides");
 }
 
@@ -179,15 +180,16 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
     for (const glm::dvec3& corner : cornersOf(visible))
         farthest = std::max(farthest, -(cameraFromWorldAxes * (corner - eye)).z);
 
-    // A point at distance d in the corner of the picture is only d cos(corner angle) deep.
+    // A point at distance d in a corner of the picture has a depth of only d cos(corner angle).
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
     const double cosCorner = 1.0 / std::sqrt(1.0 + tanHalf * tanHalf * (1.0 + aspect * aspect));
-    // Floats hold a depth a ten-millionth of the scene away, and nothing nearer.
+    // Float precision does not allow a near plane below a ten-millionth of the scene's size.
     const double nearest = std::max(std::min(1e-3 * diagonal, camera.nearest), 1e-7 * diagonal);
     const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(visible, eye), nearest);
-    // A million diagonals away nothing is a pixel wide, and more would not fit floats.
+    // At a million diagonals the scene is smaller than a pixel, and larger distances exceed float precision.
     farthest = std::min(farthest, 1e6 * diagonal);
-    const double far = std::max(1.001 * farthest + 1e-3 * diagonal, 2.0 * near);  // also when it looks away
+    // The far plane must lie beyond the near plane even if the camera looks away from the scene.
+    const double far = std::max(1.001 * farthest + 1e-3 * diagonal, 2.0 * near);
     return glm::perspectiveRH_NO(camera.verticalFovRad, aspect, near, far) * cameraFromWorld;
 }
 

@@ -1,4 +1,4 @@
-// Cameras and lights that a command line asks for.
+// Choosing, posing and projecting cameras; posing lights.
 #pragma once
 
 #include <optional>
@@ -8,44 +8,45 @@
 
 namespace vct {
 
-// A camera at `eye` that looks at `target`, with `up` upwards in the picture: without it +Y, or +Z where the
-// view is straight up or down. Throws vct::Error where eye == target, where up lies along the view, or where
-// fov is not in (0, 180) degrees.
+// Returns a camera at `eye` that looks at `target`, with `up` pointing upwards in the picture. The default of
+// `up` is +Y, or +Z if the view is straight up or down. Throws vct::Error if eye == target, if `up` is
+// parallel to the view direction, or if the field of view is not in (0, 180) degrees.
 Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg,
               const std::optional<glm::dvec3>& up = {});
-// With eye and target rounded to a thousandth to a ten-thousandth of `size`, so that cameraOption() is short
-// and gives exactly this camera.
+// As lookAt(), with eye and target rounded to a thousandth to a ten-thousandth of `size`, so that
+// cameraOption() is short and reproduces the camera exactly.
 Camera lookAtRounded(const glm::dvec3& eye, const glm::dvec3& target, double verticalFovDeg, double size);
 
-// What --camera takes for a perspective camera: "eye=X,Y,Z,target=X,Y,Z,fov=DEG", and ",up=X,Y,Z" where it is
-// not level.
+// Text of the option --camera for a camera: "eye=X,Y,Z,target=X,Y,Z,fov=DEG", and ",up=X,Y,Z" if it is not
+// level.
 std::string cameraOption(const Camera& camera, const Bounds& boundsWorld);
 
 inline double aspectOf(glm::ivec2 size) {
     return static_cast<double>(size.x) / size.y;
 }
 
-// A camera that is made for a picture of another shape, in one of `aspect` (width over height): what it
-// frames is seen whole, and more above and below or at its sides.
+// Fits a camera to a picture of `aspect` (width over height). If the camera is made for another aspect ratio,
+// the picture shows everything that the camera frames, and more above and below or at the sides.
 Camera fitted(Camera camera, double aspect);
 
-// The scene's camera by name or by index ("" takes the first), fitted to a picture of `aspect`; where the
-// scene has none, frameScene()'s. Throws vct::Error listing the cameras there are.
+// Returns the scene's camera with this name or index ("": the first), fitted to a picture of `aspect`. If the
+// scene has no camera and none is asked for, returns that of frameScene(). Throws vct::Error listing the
+// scene's cameras.
 Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex, double aspect = 1.0);
 
-// What is to be said of the camera that an option chose in a picture of `aspect`: how the view is repeated
-// that a scene without a camera got, or that the picture has another shape than the camera's. One line, or
-// "".
+// Returns a note for the user, one line, if the scene has no camera (how to reproduce the chosen view) or if
+// the picture's `aspect` differs from that of the camera. `option` is the text of --camera. Returns "" if
+// there is nothing to note.
 std::string cameraNote(const Scene& scene, const std::string& option, const Camera& camera, double aspect);
 
-// Where a camera or a light is in a pose of its scene's animation. One that a scale of zero leaves without an
-// orientation keeps that of rest.
+// Returns the camera or light in a pose of its scene's animation. If a scale of zero leaves it without an
+// orientation, it keeps that of the rest pose.
 Camera posed(Camera camera, const Pose& pose);
 DirectionalLight posed(DirectionalLight light, const Pose& pose);
 PunctualLight posed(PunctualLight light, const Pose& pose);
 
-// Perspective projection for GL clip space (z in [-1, 1]) with near and far fitted to the scene: to
-// `visibleWorld`, which is `boundsWorld` and what has moved out of it. Returns clipFromWorld.
+// Returns the view and projection matrix for GL clip space (z in [-1, 1]). Near and far plane are fitted to
+// `visibleWorld`, which contains `boundsWorld` and everything that has moved out of it.
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect,
                          const Bounds& visibleWorld);
 inline glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect) {

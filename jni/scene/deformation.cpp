@@ -41,7 +41,8 @@ DeformedVertex deformedVertex(const Deformation& deformation, const DeformationS
     for (std::size_t i = 0; i < 4; ++i)
         if (influences.weights[i] != 0.0F)
             worldFromObject += double{influences.weights[i]} * state.worldFromObject[influences.joints[i]];
-    // Cofactors instead of the inverse transpose: the same direction, and finite for a scale of zero.
+    // The cofactor matrix gives the same direction as the inverse transpose, and is finite for a scale of
+    // zero.
     const glm::dmat3 m(worldFromObject);
     const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     normal = (glm::determinant(m) < 0.0 ? -1.0 : 1.0) * (cofactors * normal);

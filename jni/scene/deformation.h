@@ -1,6 +1,6 @@
-// Meshes that change their form: skins and morph targets (glTF 2.0, sections 3.7.2.2, 3.7.3 and 3.7.4), and
-// what a pose makes of them. Who deforms a mesh every frame does it with the same formulas on the GPU:
-// shaders/passes/deform.comp.
+// Meshes that change their form by skins and morph targets (glTF 2.0, sections 3.7.2.2, 3.7.3 and 3.7.4), and
+// their deformation on the CPU. shaders/passes/deform.comp deforms meshes in every frame by the same
+// formulas.
 #pragma once
 
 #include <array>
@@ -14,71 +14,72 @@
 
 namespace vct {
 
-// Up to four joints that a vertex follows. The weights' sum is 1.
+// Up to four joints that a vertex follows. The sum of the weights is 1.
 struct Influences {
     std::array<std::uint16_t, 4> joints{};  // indices into Deformation::joints
     std::array<float, 4> weights{1.0F, 0.0F, 0.0F, 0.0F};
 };
 
-// What is added to the vertices, times the target's weight; object space.
+// Displacements in object space, which are multiplied by the target's weight and added to the vertices.
 struct MorphTarget {
-    std::vector<glm::vec3> positions;  // of each vertex
-    std::vector<glm::vec3> normals;    // likewise, or none
+    std::vector<glm::vec3> positions;  // one per vertex
+    std::vector<glm::vec3> normals;    // one per vertex, or none
 };
 
 struct Joint {
-    int node = -1;                    // index into Animation::nodes, or -1: it never moves
+    int node = -1;                    // index into Animation::nodes; -1: it never moves
     glm::dmat4 worldFromJoint{1.0};   // at rest
     glm::dmat4 jointFromObject{1.0};  // the inverse bind matrix
 };
 
-// The vertices before they are deformed, in object space, and what deforms them: first the targets, then the
-// joints. A mesh with targets and without a skin has one joint, its node.
+// The undeformed vertices in object space, and their deformation: first by the targets, then by the joints. A
+// mesh with targets and without a skin has one joint, its node.
 struct Deformation {
-    glm::dvec3 centre{0.0};  // of the positions: file position = centre + position
+    glm::dvec3 centre{0.0};  // file position = centre + position
     std::vector<glm::vec3> positions, normals;
-    std::vector<Influences> influences;  // of each vertex, or none: all follow the first joint
+    std::vector<Influences> influences;  // one per vertex; empty: all vertices follow the first joint
     std::vector<MorphTarget> targets;
     std::vector<Joint> joints;   // at least one
-    int morph = -1;              // index into Animation::morphWeights, or -1: the weights do not change
-    std::vector<float> weights;  // of the targets, at rest
+    int morph = -1;              // index into Animation::morphWeights; -1: the weights do not change
+    std::vector<float> weights;  // weights of the targets at rest
 
     bool moves() const;
 };
 
-// What a pose makes of the numbers that the vertices are deformed by.
+// Matrices and weights of a deformation in one pose.
 struct DeformationState {
-    std::vector<glm::dmat4> worldFromObject;  // of each joint
-    std::vector<float> weights;               // of each target
+    std::vector<glm::dmat4> worldFromObject;  // one per joint
+    std::vector<float> weights;               // one per target
 
     bool operator==(const DeformationState& other) const {
         return worldFromObject == other.worldFromObject && weights == other.weights;
     }
 };
-// `pose`: null means at rest.
+// Returns the state in `pose`, or at rest if it is null.
 DeformationState stateOf(const Deformation& deformation, const Pose* pose);
 
 struct DeformedVertex {
     glm::dvec3 positionWorld;
-    glm::dvec3 normalWorld;  // of unit length, or 0 where there is no direction
+    glm::dvec3 normalWorld;  // unit length, or 0 if the deformation leaves no direction
 };
 DeformedVertex deformedVertex(const Deformation& deformation, const DeformationState& state,
                               std::size_t vertex);
 
-// Boxes that hold the deformed vertices in every state, though they may be larger: a vertex lies between the
-// places where its joints alone would put it.
+// Computes boxes around the deformed vertices quickly, from the boxes of all joints and targets. They may be
+// larger than necessary: a vertex lies between the positions that each of its joints alone would give it.
 class DeformationBoxes {
   public:
     explicit DeformationBoxes(const Deformation& deformation);
-    // Around all vertices, in the space that `fromWorld` leads to.
+    // Returns a box around all vertices, transformed from world space by `fromWorld`.
     Bounds around(const DeformationState& state, const glm::dmat4& fromWorld) const;
 
   private:
-    std::vector<std::optional<Bounds>> jointBoxes_;  // around the vertices that follow each, object space
-    std::vector<Bounds> targetBoxes_;                // around the displacements
+    std::vector<std::optional<Bounds>>
+        jointBoxes_;                   // around the vertices that follow each joint, object space
+    std::vector<Bounds> targetBoxes_;  // around the displacements of each target
 };
 
-// A negative determinant of most joints turns the triangles' front faces around.
+// True if most joints have a negative determinant, which reverses the winding of the triangles.
 bool isMirrored(const DeformationState& state);
 
 }  // namespace vct

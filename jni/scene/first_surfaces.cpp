@@ -28,7 +28,8 @@ double FirstSurfaces::solidAngle(std::size_t sample) const {
 
 void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& normalWorld, bool doubleSided,
                          int instance) {
-    // Of the eye below the front, times the normal's length: what is culled costs no more than this.
+    // Height of the eye below the front, times the normal's length. It is tested first, so that culled
+    // triangles cost nothing else.
     const double height = glm::dot(cornersWorld[0] - eye, normalWorld);
     const bool front = height < 0.0;
     if (height == 0.0 || (!front && !doubleSided)) return;
@@ -40,7 +41,7 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& 
     if (farthest >= 0.0) return;
 
     glm::ivec2 first(0), last(resolution - 1);
-    if (nearest < 0.0) {  // all before the eye: what it covers is between its corners
+    if (nearest < 0.0) {  // all in front of the eye, so it covers at most the bounds of its corners
         glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
         for (const glm::dvec3& corner : p) {
             const glm::dvec2 at = glm::dvec2(corner) / (-corner.z * glm::dvec2(tanHalfWidth, tanHalfHeight));
@@ -54,7 +55,7 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& 
         last = glm::min(last, glm::ivec2(glm::floor(pixel(high))));
         if (first.x > last.x || first.y > last.y) return;
     }
-    // A direction meets the triangle where it is on the same side of the three planes through the eye and an
+    // A direction meets the triangle if it lies on the same side of the three planes through the eye and an
     // edge.
     const glm::dvec3 edges[3] = {glm::cross(p[1], p[2]), glm::cross(p[2], p[0]), glm::cross(p[0], p[1])};
     const double side = front ? -1.0 : 1.0;

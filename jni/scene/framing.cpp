@@ -13,21 +13,22 @@ namespace {
 
 constexpr double fullTurn = 6.283185307179586;
 
-// Of a square picture; another shape has the same area at distance 1.
+// Tangents of half the field of view of a square picture. Another aspect ratio gets the same area at
+// distance 1.
 constexpr double outsideTanHalf = 0.364;     // 40 degrees
 constexpr double insideTanHalf = 0.7;        // 70 degrees
 constexpr double widestFramedTanHalf = 1.2;  // 100 degrees
-constexpr double margin = 0.04;              // of the picture's half, free at each side
+constexpr double margin = 0.04;              // free at each side, in shares of half the picture
 
 constexpr int outsideResolution = 96, aroundResolution = 12;
-// Of all directions, those in which a closed room has a surface before its middle. A box of 4 x 2 x 4 m that
-// is open at the front has 90 %, a room of 4 x 5 x 2.7 m with a window 98 %.
+// Smallest share of all directions in which a closed room has a surface, seen from a point inside. A box of 4
+// x 2 x 4 m that is open at the front has 90 %, a room of 4 x 5 x 2.7 m with a window 98 %.
 constexpr double closedShare = 0.96;
-constexpr double openShare =
-    0.6;  // likewise of a room that is open at a side; a field under the sky has half
-constexpr double roomShare = 0.1;   // of the bounds' volume, at least, is before a room's middle
-constexpr double muchMore = 1.5;    // times the surface that is seen from the front
-constexpr double fromBelow = 0.67;  // what a view from below counts, as things rarely stand on glass
+// The same share for a room that is open at a side. A field under the sky has half.
+constexpr double openShare = 0.6;
+constexpr double roomShare = 0.1;   // smallest visible volume inside a room, in shares of the bounds' volume
+constexpr double muchMore = 1.5;    // another side must show so many times the surface seen from the front
+constexpr double fromBelow = 0.67;  // weight of views from below, because objects rarely stand on glass
 
 struct View {
     glm::dvec3 eye;
@@ -40,13 +41,13 @@ double diagonalOf(const Scene& scene) {
     return diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
 }
 
-// In tenths of a degree, so that the option that repeats it is short.
+// Vertical field of view in degrees, rounded to tenths, so that the text of the camera is short.
 double fovFor(double tanHalfSquare, double aspect) {
     const double tanHalf = std::min(tanHalfSquare / std::sqrt(aspect), widestFramedTanHalf);
     return std::max(std::round(10.0 * glm::degrees(2.0 * std::atan(tanHalf))), 1.0) / 10.0;
 }
 
-// Columns: right, up and back of a camera that is turned towards the eye from the target by these angles.
+// Axes of a camera (columns: right, up, back) whose eye lies in this direction from its target.
 glm::dmat3 axesFrom(const glm::dvec3& directionToEye) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), directionToEye));
     return {right, glm::cross(directionToEye, right), directionToEye};
@@ -56,7 +57,8 @@ glm::dvec3 towards(double azimuthRad, double heightOverWidth) {
     return glm::normalize(glm::dvec3(std::sin(azimuthRad), heightOverWidth, std::cos(azimuthRad)));
 }
 
-// How far a scene reaches beyond the four planes of a view's sides, were the eye at the centre of its bounds.
+// Finds how far a scene extends beyond the four side planes of a view whose eye is at the centre of the
+// scene's bounds.
 struct Reach {
     glm::dmat3 axes;
     glm::dvec2 tanHalf;
@@ -69,7 +71,8 @@ struct Reach {
         lower = glm::max(lower, tanHalf * p.z - glm::dvec2(p));
         highest = std::max(highest, p.z);
     }
-    // The nearest place from which all of it is between the planes; from the centre of the bounds.
+    // The nearest eye position, relative to the centre of the bounds, from which the whole scene is between
+    // the planes.
     glm::dvec3 eye() const {
         const glm::dvec2 back = 0.5 * (upper + lower) / tanHalf;
         return axes * glm::dvec3(0.5 * (upper - lower), std::max(back.x, back.y));
@@ -83,7 +86,7 @@ void includeScene(const Scene& scene, std::vector<Reach>& reaches) {
             reach.include(world - centre);
     };
     const auto moves = [](const Instance& instance) { return instance.moves(); };
-    // What moves is in the bounds wherever it goes, and its vertices are at rest.
+    // The vertices of moving objects are those of the rest pose, but the bounds contain all poses.
     if (scene.instances.empty() || std::any_of(scene.instances.begin(), scene.instances.end(), moves)) {
         for (const glm::dvec3& corner : cornersOf(scene.boundsWorld))
             include(corner);
@@ -101,7 +104,7 @@ void includeScene(const Scene& scene, std::vector<Reach>& reaches) {
     }
 }
 
-// The views from outside; the first is the usual one.
+// Views of the whole scene from outside; the first one is the default.
 std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, double aspect) {
     std::vector<Reach> reaches;
     const glm::dvec3 usual = glm::normalize(glm::dvec3(0.3, 0.5, 1.0));
@@ -116,7 +119,7 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, d
     const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
     std::vector<FirstSurfaces> views;
     for (const Reach& reach : reaches) {
-        // A point, or a line towards the eye, has no size that asks for a distance.
+        // A point, or a line towards the eye, has no width, so its distance must be limited separately.
         glm::dvec3 eye = reach.eye();
         const double least = reach.highest + 1e-3 * diagonalOf(scene);
         eye += std::max(least - glm::dot(eye, reach.axes[2]), 0.0) * reach.axes[2];
@@ -126,7 +129,7 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, d
     return views;
 }
 
-// Square metres of the surfaces that are seen; those that are turned far away count less.
+// Visible surface area in square metres. Surfaces at grazing angles count less than their area.
 double areaSeen(const FirstSurfaces& view) {
     double area = 0.0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
@@ -151,12 +154,12 @@ const FirstSurfaces& bestFromOutside(const std::vector<FirstSurfaces>& views) {
     return views[best];
 }
 
-// A place inside, and all that is seen around it.
+// The surfaces seen from a point in all directions.
 using Around = std::vector<FirstSurfaces>;
 
 struct Enclosure {
-    double closed = 0.0;  // share of all directions
-    double volume = 0.0;  // of what is before the place
+    double closed = 0.0;  // share of all directions that have a surface
+    double volume = 0.0;  // volume between the point and the surfaces
 };
 
 Enclosure enclosureOf(const Around& around) {
@@ -173,8 +176,8 @@ Enclosure enclosureOf(const Around& around) {
     return enclosure;
 }
 
-// Whether what is seen from outside mostly turns its back on a place inside: walls that hide the room, or a
-// bottle's outside.
+// True if most surfaces seen from outside face away from a point inside: walls that hide a room, or the
+// outside of a bottle.
 bool hidesItsInside(const FirstSurfaces& outside, const glm::dvec3& inside) {
     int met = 0, hiding = 0;
     for (std::size_t i = 0; i < outside.samples.size(); ++i) {
@@ -209,10 +212,12 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
     return places;
 }
 
-// Whether the scene is a room, closed in so many of all directions, whose inside is what there is to see.
+// True if the scene is a room: it is closed in at least this share of all directions, and either its surfaces
+// seen from outside do not hide the inside, or more objects are visible from inside than from outside.
 bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double minClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
-    // The very middle may be inside a column; a place with a column before an opening may look closed.
+    // Several points are tested, because the centre may be inside a column, and a column in front of an
+    // opening may make one point look enclosed.
     const std::vector<Around> places = placesAround(
         scene, {{0.5, 0.5, 0.5}, {0.25, 0.5, 0.25}, {0.75, 0.5, 0.25}, {0.25, 0.5, 0.75}, {0.75, 0.5, 0.75}});
     const Around* widest = nullptr;
@@ -229,7 +234,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     return !hidesItsInside(outside.front(), widest->front().eye) || thingsSeen(*widest) > thingsSeen(outside);
 }
 
-// Cubic metres before a view with these axes, from all that is around it.
+// Three times the volume in cubic metres that is visible in a view with these axes.
 double volumeBefore(const Around& around, const glm::dmat3& axes, const glm::dvec2& tanHalf) {
     const glm::dmat3 viewFromWorld = glm::transpose(axes);
     double volume = 0.0;
@@ -254,7 +259,7 @@ View viewInside(const Scene& scene, double aspect) {
     double most = -1.0;
     for (const Around& around : placesAround(scene, shares)) {
         for (int turn = 0; turn < 16; ++turn) {
-            const glm::dmat3 axes = axesFrom(towards(turn * fullTurn / 16.0, 0.1));  // looks down a little
+            const glm::dmat3 axes = axesFrom(towards(turn * fullTurn / 16.0, 0.1));  // slightly downwards
             const double volume = volumeBefore(around, axes, {tanHalf * aspect, tanHalf});
             if (volume <= most) continue;
             most = volume;

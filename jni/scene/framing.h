@@ -1,17 +1,18 @@
-// What a scene shows: a room or things, and a view of it where it has no camera of its own.
+// Chooses a camera for a scene that has none, and recognizes scenes that are rooms.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace vct {
 
-// A camera for a picture of `aspect` (width over height) that sees the whole scene, at rest and in its
-// animation, as large as the picture has room for: from the front, a little to the right and above; or from
-// another side, where much more of its surface is seen from there. A closed room is seen from inside: from
-// where, and towards where, most of its space is before the camera. cameraOption() repeats it exactly.
+// Returns a camera for a picture of `aspect` (width over height) that shows the whole scene, at rest and in
+// its animation, as large as possible. It looks from the front, a little from the right and from above, or
+// from another side if much more of the surface is visible from there. In a closed room it looks from the
+// inside, from the place and in the direction in which most of the room's volume is visible. cameraOption()
+// reproduces the camera exactly.
 Camera frameScene(const Scene& scene, double aspect);
 
-// Whether the scene is a room that one looks into, closed or open at a side, rather than things in the open.
+// True if the scene is a room seen from inside, closed or open at a side, and not objects in the open.
 bool isOpenRoom(const Scene& scene);
 
 }  // namespace vct

@@ -20,11 +20,12 @@
 namespace vct {
 namespace {
 
-// A thousand times what a phone draws at ten frames a second.
+// Limits that only a damaged or malicious file exceeds: about a thousand times what a phone draws at ten
+// frames a second.
 constexpr std::size_t maxTriangles = std::size_t{1} << 30;
 constexpr std::size_t maxInstances = std::size_t{1} << 22;
 
-// True where no inverse exists: an object squeezed into a plane, a line or a point.
+// True if the matrix has no inverse, because it flattens an object into a plane, a line or a point.
 bool isFlattened(const glm::dmat4& matrix) {
     const glm::dvec3 x(matrix[0]);
     const glm::dvec3 y(matrix[1]);
@@ -33,19 +34,19 @@ bool isFlattened(const glm::dmat4& matrix) {
     return !(volume > 1e-12 * glm::length(x) * glm::length(y) * glm::length(z));
 }
 
-// Meshes by index in the file, one per primitive with triangles; each is loaded when a node first asks.
+// Loads meshes, one per primitive with triangles, when a node first needs them.
 class MeshLoader {
   public:
     MeshLoader(GltfFile& file, Scene& scene, const std::vector<PlacedNode>& nodes)
         : file_(file), scene_(scene), materials_(file, scene), deformed_(file, nodes) {}
 
-    // Of a primitive.
+    // The mesh of one primitive.
     struct Part {
-        Mesh mesh;            // empty where nothing can deform it
-        int asModelled = -1;  // index into Scene::meshes; -1: not there yet
+        Mesh mesh;            // kept only if skins or morph targets can deform it
+        int asModelled = -1;  // index into Scene::meshes of the undeformed mesh; -1: not yet added
     };
-    // Those that the node shows as they are modelled are in the scene, and so are the instances of the
-    // others.
+    // Adds the meshes of a node to the scene. For a mesh that the node deforms it also adds the instance.
+    // Returns the other meshes, which are shown as they are modelled.
     std::vector<int> add(const PlacedNode& placed) {
         std::vector<int> asModelled;
         for (Part& part : partsOf(placed.node->mesh)) {
@@ -98,11 +99,11 @@ class MeshLoader {
 
 struct Placement {
     glm::dmat4 worldFromObject;
-    int moving;  // as PlacedNode::moving
+    int moving;  // see PlacedNode::moving
 };
 
-// Where a node's mesh lies: once, or once for each instance. Those of a node that moves hang on it as nodes
-// of their own, which are added to the animation.
+// Returns the placements of a node's mesh: one, or one for each instance of EXT_mesh_gpu_instancing. The
+// instances of a moving node become nodes of the animation, as its children.
 std::vector<Placement> placementsOf(GltfFile& file, const PlacedNode& placed, Animation& animation) {
     const std::optional<std::vector<NodeTransform>> instances = instancesIn(file, *placed.node);
     if (!instances) return {{placed.worldFromNode, placed.moving}};
@@ -118,8 +119,8 @@ std::vector<Placement> placementsOf(GltfFile& file, const PlacedNode& placed, An
     return placements;
 }
 
-// A pane of little alpha is left out so that light goes through it. Where nothing else is in the scene, that
-// would leave a black picture.
+// Surfaces with little alpha are left out, so that light passes through panes. If the scene has no other
+// surfaces, that would leave a black picture, so they are made opaque.
 void keepSomethingVisible(GltfFile& file, Scene& scene) {
     const auto materialOf = [&](const Instance& instance) -> Material& {
         return scene.materials[scene.meshes[instance.mesh].material];
@@ -132,7 +133,7 @@ void keepSomethingVisible(GltfFile& file, Scene& scene) {
     if (std::any_of(scene.instances.begin(), scene.instances.end(), isSeen)) return;
     for (const Instance& instance : scene.instances)
         materialOf(instance).alphaMode = Material::AlphaMode::opaque;
-    file.warn("all of the scene is nearly transparent: it is drawn opaque");
+    file.warn("the whole scene is nearly transparent, so it is drawn opaque");
 }
 
 Scene buildScene(GltfFile& file, const std::string& animation) {
@@ -146,7 +147,7 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
         for (std::size_t i = firstInstance; i < scene.instances.size(); ++i)
             triangles += scene.meshes[scene.instances[i].mesh].indices.size() / 3;
         if (triangles > maxTriangles || scene.instances.size() > maxInstances)
-            file.fail("it places more triangles than this program can draw", "simplify the scene");
+            file.fail("it has more triangles or instances than this program can draw", "simplify the scene");
     };
     for (const PlacedNode& placed : nodes) {
         addLight(file, placed, scene);
@@ -181,18 +182,18 @@ std::vector<unsigned char> readFileFromDisk(const std::string& path) {
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status))
         throw Error("cannot read " + oneLine(path) + ": there is no such file; check the path");
-    // A directory or a device has no size to go by, and reading it may never end.
+    // A directory or a device has no size, and reading it may never end.
     if (!fs::is_regular_file(status))
         throw Error("cannot read " + oneLine(path) + ": it is not a file; check the path");
     const std::uintmax_t size = fs::file_size(path, error);
     std::ifstream stream(path, std::ios::binary);
     if (error || !stream)
         throw Error("cannot read " + oneLine(path) + ": access is denied; check its permissions");
-    requireMainMemory(static_cast<std::size_t>(size), "the file " + oneLine(path), "make it smaller");
+    requireMainMemory(static_cast<std::size_t>(size), "the file " + oneLine(path), "use a smaller file");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-        throw Error("cannot read " + oneLine(path) + ": the disk returns only a part of it; copy it again");
+        throw Error("cannot read " + oneLine(path) + ": only a part of it could be read; copy it again");
     return bytes;
 }
 
@@ -205,7 +206,7 @@ Scene loadGltf(const std::string& path, const ReadFile& readFile, const GltfOpti
         throw;
     } catch (const std::bad_alloc&) {
         throw Error("cannot load " + oneLine(path) +
-                    ": it needs more memory than there is; simplify the scene");
+                    ": it needs more memory than is available; simplify the scene, or free memory");
     } catch (const std::exception& error) {
         throw Error("cannot load " + oneLine(path) + ": " + asClause(error.what()) + "; " + reexportRemedy);
     }

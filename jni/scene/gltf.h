@@ -1,4 +1,4 @@
-// glTF 2.0 (.gltf and .glb) into a Scene.
+// Loads glTF 2.0 (.gltf and .glb) into a Scene.
 #pragma once
 
 #include <functional>
@@ -9,32 +9,33 @@
 
 namespace vct {
 
-// Reads a whole file; throws vct::Error naming the file and the cause. On Android this reads an asset.
+// Reads a whole file. Throws vct::Error naming the file and the cause. On Android it reads an asset of the
+// APK.
 using ReadFile = std::function<std::vector<unsigned char>(const std::string& path)>;
 
 std::vector<unsigned char> readFileFromDisk(const std::string& path);
 
 struct GltfOptions {
-    std::string animation = "";  // the one to play, by name or index; "" takes the first
-    // Whether the file may name buffers and images outside of its folder and those below, after links are
-    // resolved. A file from somebody else could name any.
+    std::string animation = "";  // animation to play, by name or index; "": the first
+    // Allows the file to refer to buffers and images outside of its folder and the folders below, after links
+    // are resolved. It is off because an untrusted file could refer to any file.
     bool allowOutside = false;
 };
 
-// Throws vct::Error with one sentence: the file, the cause, the remedy.
+// Throws vct::Error naming the file, the cause and the remedy.
 Scene loadGltf(const std::string& path, const ReadFile& readFile = readFileFromDisk,
                const GltfOptions& options = {});
 
-// Recomputes scene.boundsWorld from the vertices that the triangles of the instances use: at rest and in
-// every pose, as the volume of the voxels must not change from frame to frame. (The poses at all keys and
-// three in each interval between, as a rotation swings out.) What the animation does adds no more than half
-// of the largest side of the bounds at rest to each side: one bird that flies off must not make all voxels
-// coarse. What leaves the volume has no voxels there. Throws where there is no triangle or a position is not
-// finite.
+// Recomputes scene.boundsWorld from the vertices that the triangles of the instances use, at rest and in the
+// poses of the animation, because the volume of the voxels must not change from frame to frame. The poses are
+// those at all keys and at three times between any two, because a rotation reaches farther between its keys.
+// The animation enlarges the bounds at each side by at most half of their largest side at rest: one bird that
+// flies away must not make all voxels coarse. Objects outside of the volume have no voxels. Throws vct::Error
+// if there is no triangle or a position is not finite.
 void computeBounds(Scene& scene);
 
-// Permutes the instances and the triangles of every mesh; the picture and the voxels must not depend on it.
-// Vertex order inside a triangle is kept. Seed 0 changes nothing.
+// Permutes the instances, and the triangles of every mesh, for tests: pictures and voxels must not depend on
+// their order. The order of vertices within a triangle stays. Seed 0 changes nothing.
 void shuffleTriangles(Scene& scene, unsigned seed);
 
 }  // namespace vct

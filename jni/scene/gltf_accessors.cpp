@@ -19,13 +19,13 @@ bool isUnsignedInteger(int type) {
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-// 0 where there is no such type.
+// Size of a component type in bytes, or 0 if there is no such type.
 std::size_t componentBytes(int type) {
     return static_cast<std::size_t>(
         std::max(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)), 0));
 }
 
-// The first of `count` elements, all of which lie inside the view.
+// Returns the first of `count` elements, after checking that all of them lie inside the buffer view.
 const unsigned char* checkedElements(const GltfFile& file, ByteRange view, std::size_t offset,
                                      std::size_t stride, std::size_t elementSize, std::size_t count,
                                      const std::string& what) {
@@ -40,7 +40,8 @@ const unsigned char* checkedElements(const GltfFile& file, ByteRange view, std::
 template <class T>
 T load(const unsigned char* bytes) {
     T value;
-    std::memcpy(&value, bytes, sizeof value);  // the file's alignment is not ours; both are little-endian
+    std::memcpy(&value, bytes,
+                sizeof value);  // the data may be unaligned; glTF and all targets are little-endian
     return value;
 }
 
@@ -49,7 +50,8 @@ std::uint32_t loadUnsigned(const unsigned char* bytes, std::size_t size) {
     return size == 2 ? load<std::uint16_t>(bytes) : load<std::uint32_t>(bytes);
 }
 
-// glTF 2.0 section 3.6.2.2: a normalized integer is a fraction of its type's largest, and not below -1.
+// glTF 2.0 section 3.6.2.2: a normalized integer is divided by the largest value of its type and clamped at
+// -1.
 template <class T>
 float loadInteger(const unsigned char* bytes, bool normalized) {
     const float value = load<T>(bytes);
@@ -94,11 +96,11 @@ void applySparse(GltfFile& file, const tinygltf::Accessor& accessor, std::size_t
     }
 }
 
-// The elements without gaps.
+// Copies the elements of an accessor without gaps.
 std::vector<unsigned char> packedElements(GltfFile& file, int index, std::size_t elementSize,
                                           const std::string& name) {
     const tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
-    const unsigned char* first = nullptr;  // without a view: zeros, usually under sparse values
+    const unsigned char* first = nullptr;  // null without a buffer view: zeros, usually with sparse values
     std::size_t stride = elementSize;
     const auto unpacked = file.unpackedAccessors.find(index);
     if (unpacked != file.unpackedAccessors.end()) {
@@ -110,15 +112,16 @@ std::vector<unsigned char> packedElements(GltfFile& file, int index, std::size_t
         if (declared != 0) stride = declared;
         if (stride < elementSize)
             file.fail(name + " has a stride of " + std::to_string(stride) + " bytes for elements of " +
-                      std::to_string(elementSize));
+                      std::to_string(elementSize) + " bytes");
         first = checkedElements(file, view, accessor.byteOffset, stride, elementSize, accessor.count, name);
     }
-    // By no extension that is known here: then the elements are elsewhere, and not zeros.
+    // If the file requires an unsupported extension, elements without a buffer view are probably stored by
+    // it, and not zeros.
     if (first == nullptr && accessor.count > 0 && !accessor.sparse.isSparse &&
         !file.missingExtensions.empty())
-        file.fail(name + " has no data in a buffer, and the file requires what is not supported: " +
+        file.fail(name + " has no data in a buffer, and the file requires unsupported extensions: " +
                       file.missingExtensions,
-                  "export it without that");
+                  "export it without them");
     file.reserveGeometry(accessor.count, elementSize);
     std::vector<unsigned char> elements(accessor.count * elementSize);
     for (std::size_t i = 0; first != nullptr && i < accessor.count; ++i)

@@ -1,4 +1,5 @@
-// Reads accessors. Every range is checked before a byte is read: offsets, strides and counts may lie.
+// Reads accessors. Every range is checked before a byte is read, because offsets, strides and counts of a
+// file may be wrong.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +9,19 @@
 
 namespace vct {
 
-// The bytes of a buffer view, unpacked where it is packed; throws where it does not lie inside its buffer, or
-// cannot be unpacked.
+// Returns the bytes of a buffer view, decompressed if necessary. Throws vct::Error if the view does not lie
+// inside its buffer or cannot be decompressed.
 ByteRange viewBytes(GltfFile& file, int bufferView);
 
-// Which component types an attribute may have besides float.
+// Component types that an attribute may have.
 enum class Components { floatOnly, floatOrNormalizedUnsigned, floatOrNormalized, anySmallInteger };
 
-// `width` (1 to 4, or the 16 of a matrix, column by column) floats per element, normalized integers
-// converted, sparse values put in place. `attribute` names it in an error.
+// Reads an accessor of `width` floats per element (1 to 4, or 16 for a matrix, column by column). Converts
+// normalized integers and applies sparse values. `attribute` names the accessor in an error.
 std::vector<float> readFloats(GltfFile& file, int accessor, int width, Components components,
                               const std::string& attribute);
 
-// Indices of any unsigned type; throws where one is not below `vertexCount`.
+// Reads indices of any unsigned type. Throws vct::Error if one is not below `vertexCount`.
 std::vector<std::uint32_t> readIndices(GltfFile& file, int accessor, std::size_t vertexCount);
 
 }  // namespace vct

@@ -1,3 +1,4 @@
+// Loads the animations of a glTF file: nodes and weights of morph targets (declared in gltf_nodes.h).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -27,7 +28,7 @@ constexpr std::pair<const char*, Interpolation> interpolations[] = {
     {"LINEAR", Interpolation::linear},
     {"CUBICSPLINE", Interpolation::cubicSpline}};
 
-// How messages name each animation: "3 (walk)".
+// Names of the animations in messages: "3 (walk)".
 std::vector<std::string> namesOf(const json& animations) {
     std::vector<std::string> names;
     for (const json& animation : animations)
@@ -35,7 +36,7 @@ std::vector<std::string> namesOf(const json& animations) {
     return names;
 }
 
-// All but `left`, which may be none.
+// Text of a list without the name with index `left`, which may be out of range.
 std::string listed(std::vector<std::string> names, std::size_t left) {
     if (left < names.size()) names.erase(names.begin() + static_cast<std::ptrdiff_t>(left));
     return listText(names);
@@ -52,12 +53,12 @@ std::size_t choose(const GltfFile& file, const std::string& nameOrIndex) {
     if (i < count) return i;
     if (count == 0)
         file.fail("it has no animation, and \"" + oneLine(nameOrIndex) + "\" was asked for",
-                  "leave out --animation");
+                  "do not ask for an animation");
     file.fail("it has no animation \"" + oneLine(nameOrIndex) + "\"",
               "choose one of " + listed(namesOf(file.animations), count));
 }
 
-// What a word of the file stands for; nothing where the table lacks it.
+// Looks up a word of the file in a table. Returns nothing if the table lacks it.
 template <class Value, std::size_t count>
 std::optional<Value> find(const std::pair<const char*, Value> (&table)[count], const std::string& word) {
     for (const auto& [name, value] : table)
@@ -65,14 +66,15 @@ std::optional<Value> find(const std::pair<const char*, Value> (&table)[count], c
     return std::nullopt;
 }
 
-// One channel of one animation, whose every error says which it is.
+// Loads one channel of an animation. Its errors name the animation and the channel.
 class ChannelLoader {
   public:
     ChannelLoader(GltfFile& file, const json& samplers, const json& source, const std::string& name)
         : file_(file), samplers_(samplers), source_(source), name_(name) {}
 
-    // Nothing where the channel moves no node. AnimationChannel::node is the file's. Of weights there is one
-    // for each target of the node's mesh, of which there are `targetsOf` the node.
+    // Returns the channel, with AnimationChannel::node as an index of the file. A channel of weights becomes
+    // one channel per morph target of the node's mesh; targetsOf(node) is their number. Returns nothing if
+    // the channel moves no node.
     std::vector<AnimationChannel> load(const std::function<std::size_t(int node)>& targetsOf) {
         const auto target = source_.find("target");
         require(target != source_.end() && target->is_object(), "has no target");
@@ -81,7 +83,7 @@ class ChannelLoader {
         const auto node = index(*target, "node", "node", file_.model.nodes.size());
         if (!path)
             file_.warn("animation channels of the path \"" + oneLine(pathName) + "\" are ignored");
-        else if (!node)  // section 3.11: for extensions
+        else if (!node)  // section 3.11 reserves it for extensions
             file_.warn("animation channels without a node are ignored");
         if (!path || !node) return {};
         const bool weights = *path == Path::morphWeight;
@@ -104,7 +106,8 @@ class ChannelLoader {
         if (!ok) file_.fail(name_ + " " + cause, remedy);
     }
 
-    // The index at `key`, of one of `count` elements; nothing where there is none.
+    // Returns the index at `key` of an object, which must be below `count`. Returns nothing if the key is
+    // missing.
     std::optional<std::size_t> index(const json& object, const char* key, const char* kind,
                                      std::size_t count) const {
         const auto found = object.find(key);
@@ -147,7 +150,8 @@ class ChannelLoader {
                     "has unsorted keys: " + which + " at " + numberText(times[key]) +
                         " s does not come after " + numberText(times[key - 1]) + " s",
                     "sort its keys by time, each time once");
-            // Exporters write cuts so, and other viewers play them: the first key is come to, the last left.
+            // Exporters write jumps in this way: the animation approaches the first key and continues from
+            // the last.
             if (times[key] == times[key - 1])
                 file_.warn("animations with two keys at one time jump there from the first to the last");
         }
@@ -176,12 +180,13 @@ class ChannelLoader {
             const double length = glm::length(channel.values[i]);
             require(length > 1e-6,
                     "has a rotation of zero length for key " + std::to_string(cubic ? i / 3 : i));
-            // A spline's tangents are of the values as they stand; its result is made a unit quaternion.
+            // A spline's tangents refer to the stored values, so these are not normalized; the result is.
             if (!cubic) channel.values[i] /= length;
         }
     }
 
-    // Of each key, and each of its tangents, the file has one value for each target.
+    // Splits the values of a weights channel into one channel per target. The file has one value per target
+    // for each key and each tangent.
     std::vector<AnimationChannel> weightChannels(const json& sampler, const AnimationChannel& timed,
                                                  std::size_t targets) const {
         if (targets == 0) {
@@ -229,7 +234,7 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
     const std::string name = "animation " + names[chosen];
     const json samplers = takeObjects(file, source, "samplers", name + ": its");
 
-    // What the mesh of a node in the scene has; one outside has none, as it is not seen.
+    // Number of morph targets of a node's mesh; 0 if the node is not in the scene.
     std::map<int, PlacedNode*> placedOf;
     for (PlacedNode& node : placed)
         placedOf[static_cast<int>(node.node - file.model.nodes.data())] = &node;
@@ -253,7 +258,8 @@ Animation load(GltfFile& file, std::size_t chosen, const std::vector<std::string
         }
     }
 
-    std::vector<int> movingOf(file.model.nodes.size(), -1);  // stays -1 outside the scene
+    std::vector<int> movingOf(file.model.nodes.size(),
+                              -1);  // -1: the node does not move or is not in the scene
     for (PlacedNode& node : placed) {
         const auto inFile = static_cast<std::size_t>(node.node - file.model.nodes.data());
         const PlacedNode* const parent = node.parent < 0 ? nullptr : &placed[node.parent];
@@ -305,7 +311,7 @@ Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vec
     try {
         return load(file, chosen, names, placed);
     } catch (const Error& error) {
-        file.warn("an animation cannot be played, and the scene stands still: " + asClause(error.what()));
+        file.warn("the animation cannot be played, so nothing moves: " + asClause(error.what()));
         return {};
     }
 }

@@ -17,7 +17,8 @@ std::vector<float> readPerVertex(GltfFile& file, int accessor, int width, Compon
     return values;
 }
 
-// Sums to 1 what exporters round; a vertex without weights stays with its first joint.
+// Scales the weights to a sum of 1, which exporters meet only up to rounding. A vertex without weights
+// follows its first joint.
 void normalize(Influences& influences) {
     float sum = 0.0F;
     for (const float weight : influences.weights)
@@ -36,7 +37,7 @@ std::vector<Influences> loadInfluences(GltfFile& file, const tinygltf::Primitive
     const auto weights = primitive.attributes.find("WEIGHTS_0");
     if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) return {};
     if (primitive.attributes.count("JOINTS_1") != 0)
-        file.warn("of more than four joints that a vertex follows only the first four count");
+        file.warn("vertices follow more than four joints; only the first four are used");
     const std::vector<float> indices =
         readPerVertex(file, joints->second, 4, Components::anySmallInteger, "JOINTS_0", vertexCount);
     const std::vector<float> shares = readPerVertex(
@@ -58,7 +59,7 @@ std::vector<Influences> loadInfluences(GltfFile& file, const tinygltf::Primitive
     return influences;
 }
 
-// None where the target has no such attribute, and as many as vertices otherwise.
+// Returns one displacement per vertex, or none if the target has no such attribute.
 std::vector<glm::vec3> loadDisplacements(GltfFile& file, const std::map<std::string, int>& target,
                                          const char* attribute, std::size_t vertexCount) {
     const auto found = target.find(attribute);
@@ -121,7 +122,7 @@ const std::vector<Joint>& DeformedMeshes::jointsOf(int skin) {
         file_.at(file_.model.nodes, source.joints[i], "node");
         const auto placed = placedOf_.find(source.joints[i]);
         if (placed == placedOf_.end()) {
-            file_.warn("joints of skins that are not in the scene stand still at the world's origin");
+            file_.warn("joints of skins that are not in the scene stay at the world's origin");
             continue;
         }
         joints[i].node = placed->second->moving;
@@ -132,7 +133,7 @@ const std::vector<Joint>& DeformedMeshes::jointsOf(int skin) {
         const std::vector<float> values =
             readFloats(file_, source.inverseBindMatrices, 16, Components::floatOnly, what);
         if (values.size() < joints.size() * 16)
-            file_.fail(what + " are " + std::to_string(values.size() / 16) + " for " +
+            file_.fail(what + " are only " + std::to_string(values.size() / 16) + " for " +
                        std::to_string(joints.size()) + " joints");
         for (std::size_t i = 0; i < joints.size(); ++i)
             for (std::size_t k = 0; k < 16; ++k) {
@@ -189,7 +190,8 @@ Mesh DeformedMeshes::at(const PlacedNode& placed, const Mesh& mesh) {
         if (vertices[i].normalWorld != glm::dvec3(0.0))
             result.vertices[i].normal = glm::vec3(vertices[i].normalWorld);
     }
-    // The winding of triangles is that of the file, and the instance is not mirrored.
+    // The triangles' winding is that of the undeformed mesh, and the instance has no matrix that could mirror
+    // it.
     if (isMirrored(rest))
         for (std::size_t i = 0; i + 2 < result.indices.size(); i += 3)
             std::swap(result.indices[i + 1], result.indices[i + 2]);

@@ -1,4 +1,4 @@
-// Skins and morph targets of a glTF file.
+// Loads skins and morph targets of a glTF file.
 #pragma once
 
 #include <map>
@@ -8,8 +8,8 @@
 
 namespace vct {
 
-// The influences and targets of a primitive; null where it has neither. Positions, normals and joints are
-// left to DeformedMeshes.
+// Loads the influences and targets of a primitive. Returns null if it has neither. DeformedMeshes adds
+// positions, normals and joints.
 std::shared_ptr<Deformation> loadDeformation(GltfFile& file, const tinygltf::Primitive& primitive,
                                              std::size_t vertexCount);
 
@@ -18,17 +18,18 @@ class DeformedMeshes {
   public:
     DeformedMeshes(GltfFile& file, const std::vector<PlacedNode>& nodes);
 
-    // Whether the node shows `mesh` otherwise than as it is modelled.
+    // True if the node deforms `mesh`, at rest or in the animation.
     bool deforms(const PlacedNode& placed, const Mesh& mesh) const;
-    // `mesh` as the node shows it at rest, in world space. Mesh::deformation is set where that can change.
+    // Returns `mesh` as the node deforms it at rest, in world space. Mesh::deformation is set only if the
+    // animation can change it.
     Mesh at(const PlacedNode& placed, const Mesh& mesh);
 
   private:
     const std::vector<Joint>& jointsOf(int skin);
 
     GltfFile& file_;
-    std::map<int, const PlacedNode*> placedOf_;  // by the node's index in the file
-    std::map<int, std::vector<Joint>> skins_;    // by index in the file
+    std::map<int, const PlacedNode*> placedOf_;  // key: index of the node in the file
+    std::map<int, std::vector<Joint>> skins_;    // key: index of the skin in the file
 };
 
 }  // namespace vct

@@ -1,5 +1,5 @@
-// KHR_draco_mesh_compression, by the library draco. tinygltf's own way to it trusts the stream and the ranges
-// of the file.
+// Decompresses KHR_draco_mesh_compression by the library draco. tinygltf's own support is not used, because
+// it does not check the stream and the ranges of the file.
 #ifdef VCT_HAS_DRACO
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
@@ -22,7 +22,7 @@ namespace vct {
 namespace {
 
 constexpr const char* extensionName = "KHR_draco_mesh_compression";
-constexpr const char* hiddenIndices = "indices";  // in the extension, which has no such property itself
+constexpr const char* hiddenIndices = "indices";  // key in the extension, which has no such property itself
 
 tinygltf::Primitive withIndices(const tinygltf::Primitive& primitive, const tinygltf::Value& extension) {
     tinygltf::Primitive result = primitive;
@@ -32,7 +32,7 @@ tinygltf::Primitive withIndices(const tinygltf::Primitive& primitive, const tiny
 
 #ifdef VCT_HAS_DRACO
 
-// One stream, whose every error says of which mesh it is.
+// One Draco stream. Its errors name the mesh.
 class DracoStream {
   public:
     DracoStream(GltfFile& file, const tinygltf::Value& extension, const std::string& mesh)
@@ -50,7 +50,7 @@ class DracoStream {
 
     std::size_t points() const { return mesh_->num_points(); }
 
-    // The attribute `id` of the stream as the elements of an accessor.
+    // Returns the attribute `id` of the stream as the elements of an accessor.
     std::vector<unsigned char> attribute(int id, const tinygltf::Accessor& accessor,
                                          const std::string& name) {
         const draco::PointAttribute* const source =
@@ -63,11 +63,11 @@ class DracoStream {
         const std::size_t stored = source->buffer()->data_size();
         const auto stride = static_cast<std::size_t>(source->byte_stride());
         if (source->indices_map_size() != 0 && source->indices_map_size() < points())
-            fail("does not say which " + name + " each of its vertices has");
+            fail("does not assign a " + name + " to each of its vertices");
         for (std::size_t i = 0; i < points(); ++i) {
             const std::size_t at = source->mapped_index(point(i)).value();
             if (at >= source->size() || (at + 1) * stride > stored)
-                fail("has vertices whose " + name + " it does not hold");
+                fail("has vertices whose " + name + " is missing");
         }
         switch (accessor.componentType) {
             case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -102,13 +102,14 @@ class DracoStream {
 
     static draco::PointIndex point(std::size_t i) { return draco::PointIndex(static_cast<std::uint32_t>(i)); }
 
-    // The library allocates by the counts that the stream begins with before it finds that they lie.
+    // Checks the counts at the beginning of the stream, because the library allocates memory for them before
+    // it finds that they are wrong.
     void checkMemory() const {
         draco::DecoderBuffer buffer;
         buffer.Init(chars(), bytes_.size);
         draco::DracoHeader header;
         if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) fail("has a damaged header");
-        if (header.encoder_type != draco::TRIANGULAR_MESH) fail("holds no triangles but points");
+        if (header.encoder_type != draco::TRIANGULAR_MESH) fail("holds points instead of triangles");
         const int version = DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor);
         buffer.set_bitstream_version(static_cast<std::uint16_t>(version));
         if ((header.flags & METADATA_FLAG_MASK) != 0) {
@@ -126,7 +127,7 @@ class DracoStream {
         };
         std::size_t elements = 0;
         if (edgebreaker) {
-            buffer.Advance(1);  // how it walks over the triangles
+            buffer.Advance(1);  // skips the kind of the traversal
             if (version < DRACO_BITSTREAM_VERSION(2, 2)) count(DRACO_BITSTREAM_VERSION(2, 0));
             elements = count(DRACO_BITSTREAM_VERSION(2, 0));
             elements += count(DRACO_BITSTREAM_VERSION(2, 0));
@@ -134,12 +135,12 @@ class DracoStream {
             elements = count(DRACO_BITSTREAM_VERSION(2, 2));
             elements += count(DRACO_BITSTREAM_VERSION(2, 2));
         }
-        // Of a vertex or a triangle, with the tables of neighbours: measured, and rounded up.
+        // Memory per vertex or triangle, including the tables of neighbours; measured and rounded up.
         constexpr std::size_t bytesEach = 256;
         const std::size_t available = std::min(availableMemory(), file_.limitBytes - file_.usedBytes);
         if (elements > available / bytesEach)
-            fail("says that it has " + std::to_string(elements) + " vertices and triangles, which take " +
-                 megabytesText(elements * bytesEach) + " to unpack, and " + megabytesText(available) +
+            fail("claims to have " + std::to_string(elements) + " vertices and triangles, which take " +
+                 megabytesText(elements * bytesEach) + " to unpack, and only " + megabytesText(available) +
                  " are available");
     }
 
@@ -178,7 +179,7 @@ class DracoStream {
 
 #else
 
-// Every accessor has a buffer view besides.
+// True if the file also holds the primitive uncompressed: every accessor has a buffer view.
 bool isPlainToo(const GltfFile& file, const tinygltf::Primitive& primitive) {
     const auto hasView = [&](int accessor) {
         return file.at(file.model.accessors, accessor, "accessor").bufferView >= 0;
@@ -220,13 +221,15 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
     const tinygltf::Value& attributes = extension->Get("attributes");
     DracoStream stream(file, *extension, mesh);
 
-    // The stream's counts are right where the accessors' differ, and its faces are triangles in any mode.
+    // If the accessors' counts differ from the stream's, the stream's are right. Its faces are triangles,
+    // whatever the mode of the primitive.
     tinygltf::Primitive unpacked = withIndices(primitive, *extension);
     unpacked.mode = TINYGLTF_MODE_TRIANGLES;
     const auto put = [&](int index, std::size_t count, std::vector<unsigned char> bytes) {
         tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
         if (accessor.count != count)
-            file.warn("accessors of Draco streams have other counts than these, which hold");
+            file.warn(
+                "accessors have other counts than their Draco streams; the counts of the streams are used");
         accessor.count = count;
         file.unpackedAccessors[index] = std::move(bytes);
     };
@@ -234,7 +237,7 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
         const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
         if (attributes.Has(name))
             put(index, stream.points(), stream.attribute(indexAt(attributes, name.c_str()), accessor, name));
-        // Of others glTF says that they are zeros.
+        // glTF defines all other attributes without a buffer view as zeros.
         else if (name == "POSITION" && accessor.bufferView < 0 && !accessor.sparse.isSparse)
             file.fail(mesh + ": its POSITION is neither in its Draco stream nor in a buffer view");
     }
@@ -260,9 +263,10 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
     if (extension == nullptr) return std::nullopt;
     tinygltf::Primitive plain = withIndices(primitive, *extension);
     if (isPlainToo(file, plain)) return plain;
-    file.fail(mesh + " is packed by Draco (" + extensionName + "), and this build lacks that library",
-              "build with draco (Debian's libdraco-dev) and VCT_DRACO=ON, or export it without that "
-              "compression");
+    file.fail(
+        mesh + " is compressed by Draco (" + extensionName + "), which this build cannot read",
+        "install libdraco-dev and build with the CMake option VCT_DRACO=ON, or export the scene without "
+        "that compression");
 }
 
 #endif

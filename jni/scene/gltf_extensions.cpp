@@ -37,7 +37,8 @@ void checkExtensions(GltfFile& file, json& document) {
     const std::vector<std::string> missing = names("extensionsRequired");
     if (!missing.empty()) {
         file.missingExtensions = listText(missing);
-        file.warn("what it requires is not supported and missing in the picture: " + file.missingExtensions);
+        file.warn("the file requires unsupported extensions, so the picture lacks what they add: " +
+                  file.missingExtensions);
     }
     std::vector<std::string> ignored = names("extensionsUsed");
     const std::set<std::string> said(missing.begin(), missing.end());
@@ -50,7 +51,7 @@ void checkExtensions(GltfFile& file, json& document) {
     const auto used = document.find("extensionsUsed");
     file.isQuantized = used != document.end() && used->is_array() &&
                        std::find(used->begin(), used->end(), "KHR_mesh_quantization") != used->end();
-    // tinygltf has no use for them.
+    // tinygltf does not need these lists.
     document.erase("extensionsUsed");
     document.erase("extensionsRequired");
 }

@@ -17,14 +17,15 @@ namespace {
 using nlohmann::json;
 using Bytes = std::vector<unsigned char>;
 
-// tinygltf and the JSON writer recurse once per level; glTF itself needs about ten.
+// tinygltf and the JSON writer recurse once per level. glTF itself needs about ten levels.
 constexpr int maxJsonDepth = 64;
 
-// Of memory while the file is read, for each comma and bracket of its text. Measured: 50 for empty objects,
-// 200 for numbers, 280 for small objects, 450 for empty nodes.
+// Bytes of memory that reading the JSON takes, per comma and bracket of its text. Measured: 50 for empty
+// objects, 200 for numbers, 280 for small objects, 450 for empty nodes.
 constexpr std::size_t bytesPerJsonMark = 200;
 
-// Several times the largest public scenes; keeps a small malicious file from asking for all of the memory.
+// Limits of several times the largest public scenes, so that a small malicious file cannot ask for all of the
+// memory.
 constexpr std::size_t maxGeometryBytes = std::size_t{2} << 30;
 constexpr std::size_t maxTextureBytes = std::size_t{4} << 30;
 
@@ -48,8 +49,9 @@ Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
     if (bytes.size() < 12) file.fail("the file ends inside its header", copyRemedy);
     const std::uint32_t version = littleEndian32(&bytes[4]);
     if (version != 2)
-        file.fail("it is binary glTF version " + std::to_string(version) + " and only version 2 is read",
-                  "export it as glTF 2.0");
+        file.fail(
+            "it is binary glTF version " + std::to_string(version) + ", and only version 2 is supported",
+            "export it as glTF 2.0");
     const std::size_t length = littleEndian32(&bytes[8]);
     if (length > bytes.size())
         file.fail("the file is cut short: it holds " + std::to_string(bytes.size()) + " of " +
@@ -77,9 +79,8 @@ Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
     return chunks;
 }
 
-// Checks the nesting, and counts commas and opening brackets. Before the parser and in one pass over the
-// text: the parser's own callback, which knows the depth too, goes over all of a list for each of its
-// elements.
+// Checks the nesting and counts commas and opening brackets, in one pass over the text. The parser's own
+// callback knows the depth too, but takes quadratic time for lists.
 std::size_t checkedMarkCount(const GltfFile& file, const Chunks& chunks) {
     int depth = 0;
     std::size_t marks = 0;
@@ -112,8 +113,8 @@ json parseJson(const GltfFile& file, const Chunks& chunks) {
     }
 }
 
-// The same numbers, but those that are whole as integers: for the specification 60.0 is one (section 3.1),
-// for tinygltf it is not. Beyond 32 bits tinygltf's integers of extensions end.
+// Converts whole numbers to integers. By the specification 60.0 is an integer (section 3.1), but not for
+// tinygltf. Numbers beyond 32 bits stay, because tinygltf's integers in extensions have 32 bits.
 void integersAsSuch(json& value) {
     if (value.is_number_float()) {
         const double number = value.get<double>();
@@ -135,12 +136,12 @@ void checkAsset(const GltfFile& file, const json& document) {
     if (version.empty()) file.fail("its JSON has no asset.version, so it is not glTF 2.0");
     const std::string minVersion = textAt(*asset, "minVersion");
     if (version.compare(0, 2, "2.") != 0 || (!minVersion.empty() && minVersion != "2.0"))
-        file.fail(
-            "it needs glTF " + oneLine(minVersion.empty() ? version : minVersion) + " and only 2.0 is read",
-            "export it as glTF 2.0");
+        file.fail("it needs glTF " + oneLine(minVersion.empty() ? version : minVersion) +
+                      ", and only 2.0 is supported",
+                  "export it as glTF 2.0");
 }
 
-// Before tinygltf, whose 2.8 reads a negative offset as none.
+// Refuses negative offsets before tinygltf sees them, because version 2.8 reads them as missing.
 void checkSparseOffsets(const GltfFile& file, const json& document) {
     const auto accessors = document.find("accessors");
     if (accessors == document.end() || !accessors->is_array()) return;
@@ -155,8 +156,8 @@ void checkSparseOffsets(const GltfFile& file, const json& document) {
         }
 }
 
-// For tinygltf a skin without inverse bind matrices is an error, for the specification (section 5.28) they
-// are then the identity. The index -1 is none.
+// Allows skins without inverse bind matrices, which tinygltf refuses. By the specification (section 5.28) the
+// matrices are then the identity. The index -1 means none.
 void allowMissingInverseBindMatrices(json& document) {
     const auto skins = document.find("skins");
     if (skins == document.end() || !skins->is_array()) return;
@@ -164,7 +165,7 @@ void allowMissingInverseBindMatrices(json& document) {
         if (skin.is_object()) skin.emplace("inverseBindMatrices", -1);
 }
 
-// Whether a buffer is there for programs that do not unpack meshoptimizer's streams.
+// True if a buffer exists only for programs that cannot read meshoptimizer's streams.
 bool isFallback(const json& source) {
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
         const json::json_pointer place(std::string("/extensions/") + extension + "/fallback");
@@ -173,7 +174,7 @@ bool isFallback(const json& source) {
     return false;
 }
 
-// Whether nothing asks for a buffer's own bytes: all of its views are unpacked from those of another.
+// True if a buffer's own bytes are not needed, because all of its views are decompressed from another buffer.
 bool isUnread(const GltfFile& file, std::size_t buffer) {
     const std::vector<tinygltf::BufferView>& views = file.model.bufferViews;
     return canUnpackMeshopt && std::all_of(views.begin(), views.end(), [&](const tinygltf::BufferView& view) {
@@ -193,7 +194,7 @@ void readBuffers(GltfFile& file, const json& buffers, const Chunks& chunks) {
         const std::string uri = textAt(source, "uri");
         const bool fallback = isFallback(source);
         const bool isMissing = uri.empty() && (i != 0 || chunks.binary == nullptr || fallback);
-        // Some files leave out the word "fallback".
+        // Some files do not mark their fallback buffers.
         if (fallback ? isMissing || isUnread(file, i) : isMissing && isUnread(file, i)) {
             file.buffers.push_back({});
             continue;
@@ -245,11 +246,10 @@ std::vector<std::string> GltfFile::takeWarnings() {
 
 void GltfFile::reserve(std::size_t bytes, const std::string& what) {
     if (bytes > limitBytes - usedBytes)
-        fail(what + " asks for " + megabytesText(bytes) + ", and of the " + megabytesText(limitBytes) +
-                 " that a scene's buffers, images and meshes may take here (half of the memory that is "
-                 "available) " +
-                 megabytesText(limitBytes - usedBytes) + " are left",
-             "make it smaller, or free memory");
+        fail(what + " asks for " + megabytesText(bytes) + ", and only " +
+                 megabytesText(limitBytes - usedBytes) + " are left of the " + megabytesText(limitBytes) +
+                 " that a scene may take (half of the available memory)",
+             "make the scene smaller, or free memory");
     usedBytes += bytes;
 }
 
@@ -310,7 +310,7 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkSparseOffsets(file, document);
     hideDracoIndices(document);
     allowMissingInverseBindMatrices(document);
-    // What is taken here, tinygltf does not see.
+    // These lists are removed from the document, so tinygltf does not see them.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");
     file.animations = takeObjects(file, document, "animations", "its");
@@ -319,10 +319,11 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     std::string errors;
     std::string ignored;
     const std::string structure = document.dump();
-    document.clear();  // large files are large in here, too
+    document.clear();  // frees its memory, which is large for large files
     const bool parsed = parser.LoadASCIIFromString(&file.model, &errors, &ignored, structure.c_str(),
                                                    static_cast<unsigned>(structure.size()), "");
-    // tinygltf drops an object with a missing property and goes on; a scene with holes would surprise more.
+    // tinygltf leaves out an object with a missing property and continues. An incomplete scene would be worse
+    // than an error.
     if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + asClause(errors) + ")");
 
     file.usedBytes -= readingBytes;

@@ -25,9 +25,9 @@ std::optional<std::vector<NodeTransform>> instancesIn(GltfFile& file, const tiny
                       std::to_string(elements));
         count = elements;
         const bool known = attribute == "TRANSLATION" || attribute == "ROTATION" || attribute == "SCALE";
-        // What begins with an underscore is of other programs, and has no meaning for the picture.
+        // Attributes that begin with an underscore are private data of other programs.
         if (!known && attribute[0] != '_')
-            file.warn("instances' attributes other than TRANSLATION, ROTATION and SCALE are ignored");
+            file.warn("attributes of instances other than TRANSLATION, ROTATION and SCALE are ignored");
     }
 
     const auto values = [&](const char* attribute, int width, Components components) {

@@ -1,4 +1,4 @@
-// EXT_mesh_gpu_instancing: one node that places its mesh many times.
+// Loads EXT_mesh_gpu_instancing, by which one node places its mesh many times.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace vct {
 
-// How the instances of a node's mesh lie in the node. Nothing where the node has no such extension; then its
-// mesh lies in it once. Throws where the attributes are not as the extension has them.
+// Returns the transforms of the mesh's instances relative to the node. Returns nothing if the node does not
+// have the extension. Throws vct::Error if the attributes do not conform to the extension.
 std::optional<std::vector<NodeTransform>> instancesIn(GltfFile& file, const tinygltf::Node& node);
 
 }  // namespace vct

@@ -13,10 +13,11 @@ PunctualLight::Type typeOf(const GltfFile& file, const tinygltf::Light& source, 
     if (source.type == "directional") return PunctualLight::Type::directional;
     if (source.type == "point") return PunctualLight::Type::point;
     if (source.type == "spot") return PunctualLight::Type::spot;
-    file.fail(name + " is of the type '" + oneLine(source.type) + "'; there are directional, point and spot");
+    file.fail(name + " has the unknown type '" + oneLine(source.type) +
+              "'; the types are directional, point and spot");
 }
 
-// Colour and intensity such that the colour's largest component is 1.
+// Sets colour and intensity so that the largest component of the colour is 1.
 void setStrength(const GltfFile& file, const tinygltf::Light& source, const std::string& name,
                  PunctualLight& light) {
     glm::dvec3 color(1.0);

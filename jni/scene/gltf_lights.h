@@ -1,12 +1,12 @@
-// Lights of a glTF file: KHR_lights_punctual.
+// Loads the lights of a glTF file (KHR_lights_punctual).
 #pragma once
 
 #include "scene/gltf_nodes.h"
 
 namespace vct {
 
-// The light of a node, added to the scene: the first directional one as its sun. One that gives no light, or
-// has no direction where it needs one, is warned of.
+// Adds the light of a node to the scene, the first directional light as the sun. Leaves out a light without
+// intensity, and, with a warning, one that needs a direction and has none.
 void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene);
 
 }  // namespace vct

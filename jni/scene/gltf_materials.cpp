@@ -8,7 +8,7 @@
 namespace vct {
 namespace {
 
-// The number `key` of an extension object, or `fallback` where there is none.
+// Returns the number `key` of an extension's object, or `fallback` if there is none.
 double number(const tinygltf::Value& object, const std::string& key, double fallback) {
     const tinygltf::Value& value = object.IsObject() ? object.Get(key) : object;
     return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
@@ -26,9 +26,9 @@ float inFloatRange(const GltfFile& file, double value, const std::string& what) 
     return static_cast<float>(value);
 }
 
-// KHR_texture_transform: scale, then rotate, then move. The sign of the rotation is that of the extension's
-// example ("lower left quadrant, rotated clockwise") and of the Khronos sample viewer; read as columns, the
-// matrix in the extension's text turns the other way.
+// Applies KHR_texture_transform: scale, then rotation, then offset. The sign of the rotation is that of the
+// extension's example ("lower left quadrant, rotated clockwise") and of the Khronos sample viewer. The matrix
+// in the extension's text, read column by column, would rotate the other way.
 void applyTransform(const GltfFile& file, const tinygltf::ExtensionMap& extensions, UvSource& uv) {
     const auto found = extensions.find("KHR_texture_transform");
     if (found == extensions.end()) return;
@@ -41,9 +41,9 @@ void applyTransform(const GltfFile& file, const tinygltf::ExtensionMap& extensio
     uv.rotationScale = glm::dmat2(c, -s, s, c) * glm::dmat2(scale.x, 0.0, 0.0, scale.y);
     if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
         uv.texCoord = transform.Get("texCoord").GetNumberAsInt();
-    // 1e9 keeps the result within float for any coordinate that survives the check on loading.
+    // With values up to 1e9 the results fit into float, because loading limits texture coordinates to 1e9.
     for (const double value : {scale.x, scale.y, angleRad, uv.offset.x, uv.offset.y}) {
-        if (!(std::abs(value) <= 1e9)) file.fail("a KHR_texture_transform is not usable");
+        if (!(std::abs(value) <= 1e9)) file.fail("a KHR_texture_transform has a value that is not usable");
     }
 }
 
@@ -91,22 +91,22 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     if (source.alphaMode == "MASK") {
         material.alphaMode = Material::AlphaMode::mask;
     } else if (source.alphaMode == "BLEND") {
-        // The alpha that divides leaf from gap, and glass from wall.
+        // At 0.5 leaves are opaque and their gaps absent, and panes of glass are absent.
         material.alphaMode = Material::AlphaMode::mask;
         material.alphaCutoff = 0.5F;
-        file_.warn("blended materials are drawn as masks: opaque where alpha is 0.5 or more, else absent");
+        file_.warn("blended materials are drawn as masks: opaque where alpha is 0.5 or more, else invisible");
     } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
         file_.fail("a material has the unknown alpha mode " + oneLine(source.alphaMode));
     }
     if (source.occlusionTexture.index >= 0)
-        file_.warn("occlusion textures are ignored: what hides light is found in the geometry");
+        file_.warn("occlusion textures are ignored, because occlusion is computed from the geometry");
 
     use.material = static_cast<int>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     return use;
 }
 
-// What an unlit material has none of.
+// Loads emission and normal map, which unlit materials do not have.
 void MaterialLoader::loadEmissionAndNormals(const tinygltf::Material& source, Material& material,
                                             MaterialUse& use) {
     double strength = 1.0;

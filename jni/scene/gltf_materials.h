@@ -1,4 +1,5 @@
-// Meshes, materials and textures of a glTF file. Only those that are used are made, and each once.
+// Loads meshes, materials and textures of a glTF file. Materials and textures are loaded only if they are
+// used, and once.
 #pragma once
 
 #include <map>
@@ -10,7 +11,7 @@
 
 namespace vct {
 
-// Where a texture's coordinates come from: a TEXCOORD set and KHR_texture_transform.
+// Source of a texture's coordinates: a TEXCOORD set and KHR_texture_transform.
 struct UvSource {
     int texCoord = 0;
     bool hasTexture = false;
@@ -33,13 +34,12 @@ struct MaterialUse {
     UvSource normal;
 };
 
-// Textures by index in the file. An image is decoded once, whoever uses it; textures that are the same in
-// image and sampler are one.
+// Loads textures. Each image is decoded once; textures with the same image and sampler become one texture.
 class TextureLoader {
   public:
     TextureLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
 
-    // Index into Scene::textures. Decodes 8-bit RGBA from PNG or JPEG.
+    // Returns the index into Scene::textures of the texture `index` of the file, which it loads if necessary.
     int get(int index);
 
   private:
@@ -52,37 +52,37 @@ class TextureLoader {
 
     GltfFile& file_;
     Scene& scene_;
-    std::map<int, int> textures_;           // index in the file to that in the scene
-    std::map<std::string, Pixels> pixels_;  // by where they come from
-    std::map<std::tuple<const void*, Texture::Wrap, Texture::Wrap, bool>, int>
-        known_;  // by image and sampler
+    std::map<int, int> textures_;           // from index in the file to index in the scene
+    std::map<std::string, Pixels> pixels_;  // key: identityOf() the image's URI, or its buffer view
+    // Index in the scene by image and sampler.
+    std::map<std::tuple<const void*, Texture::Wrap, Texture::Wrap, bool>, int> known_;
 };
 
 class MaterialLoader {
   public:
     MaterialLoader(GltfFile& file, Scene& scene) : file_(file), scene_(scene), textures_(file, scene) {}
 
-    // The material `index` of the file; -1 is glTF's default material. `vertexColors`: of a mesh that has
-    // some.
+    // Returns the material `index` of the file, which it loads if necessary; -1 is glTF's default material.
+    // `vertexColors`: the mesh has vertex colours.
     const MaterialUse& get(int index, bool vertexColors);
 
   private:
     MaterialUse load(const tinygltf::Material& source);
     void loadEmissionAndNormals(const tinygltf::Material& source, Material& material, MaterialUse& use);
-    // KHR_materials_pbrSpecularGlossiness as the metallic-roughness material that comes nearest.
+    // Converts KHR_materials_pbrSpecularGlossiness to the most similar metallic-roughness material.
     void loadSpecularGlossiness(const tinygltf::Value& extension, Material& material, MaterialUse& use);
-    // Index into Scene::textures, or -1 where `info` names none.
+    // Returns the index into Scene::textures, or -1 if `info` refers to no texture.
     template <class Info>
     int texture(const Info& info, UvSource& uv);
 
     GltfFile& file_;
     Scene& scene_;
-    std::map<std::pair<int, bool>, MaterialUse> materials_;  // by index in the file and vertexColors
+    std::map<std::pair<int, bool>, MaterialUse> materials_;  // key: index in the file, vertexColors
     TextureLoader textures_;
 };
 
-// One primitive as a Mesh. `meshIndex`: of the mesh that the primitive is of, which must exist. Nothing where
-// the primitive has no triangles (points and lines are left out with a warning).
+// Loads one primitive of the mesh `meshIndex`, which must exist. Returns nothing if the primitive has no
+// triangles (points and lines are left out with a warning).
 std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& primitive,
                                   MaterialLoader& materials, std::size_t meshIndex);
 

@@ -1,4 +1,5 @@
-// EXT_meshopt_compression and its successor KHR_meshopt_compression, by the library meshoptimizer.
+// Decompresses EXT_meshopt_compression and its successor KHR_meshopt_compression by the library
+// meshoptimizer.
 #ifdef VCT_HAS_MESHOPT
 #include <meshoptimizer.h>
 #endif
@@ -31,14 +32,14 @@ std::string wordAt(const tinygltf::Value& object, const char* key) {
     return object.Has(key) && object.Get(key).IsString() ? object.Get(key).Get<std::string>() : "";
 }
 
-// Throws where the library could not take it: what it asserts is checked here.
+// Reads the parameters and checks everything that the library only asserts. Throws vct::Error.
 Packed checkedPacking(const GltfFile& file, int index, const tinygltf::Value& packing,
                       const std::string& what) {
     const int buffer = indexAt(packing, "buffer"), length = indexAt(packing, "byteLength");
     const int offset = packing.IsObject() && packing.Has("byteOffset") ? indexAt(packing, "byteOffset") : 0;
     const int stride = indexAt(packing, "byteStride"), count = indexAt(packing, "count");
     if (buffer < 0 || length < 0 || offset < 0 || stride < 1 || count < 0)
-        file.fail(what + " does not say where its data are, or how many");
+        file.fail(what + " lacks the position or the number of its elements");
     Packed packed;
     const ByteRange& all = file.at(file.buffers, buffer, "buffer");
     const auto from = static_cast<std::size_t>(offset), size = static_cast<std::size_t>(length);
@@ -65,11 +66,12 @@ Packed checkedPacking(const GltfFile& file, int index, const tinygltf::Value& pa
                         (filter == "QUATERNION" && stride == 8) || filter == "EXPONENTIAL"));
     if (!filterFits)
         file.fail(what + " has the filter \"" + oneLine(filter) + "\" for elements of " +
-                      std::to_string(stride) + " bytes, which is not read",
-                  "pack it without that filter");
+                      std::to_string(stride) + " bytes, which is not supported",
+                  "compress it without that filter");
     const std::size_t declared = file.model.bufferViews[static_cast<std::size_t>(index)].byteLength;
     if (packed.count > declared / packed.stride)
-        file.fail(what + " has more elements than its buffer view of " + std::to_string(declared) + " bytes");
+        file.fail(what + " has more elements than fit into its buffer view of " + std::to_string(declared) +
+                  " bytes");
     return packed;
 }
 
@@ -82,7 +84,7 @@ std::vector<unsigned char> unpackMeshopt(GltfFile& file, int index, const tinygl
     std::vector<unsigned char> bytes(packed.count * packed.stride);
     if (bytes.empty()) return bytes;
 
-    // C functions, which the library's header also has as templates.
+    // The type selects the library's C functions, because its header also has templates of these names.
     using Decode = int (*)(void*, std::size_t, std::size_t, const unsigned char*, std::size_t);
     const bool attributes = packed.mode == "ATTRIBUTES";
     Decode decode = meshopt_decodeVertexBuffer;
@@ -93,8 +95,8 @@ std::vector<unsigned char> unpackMeshopt(GltfFile& file, int index, const tinygl
         const bool newer = attributes && packed.bytes.size > 0 && packed.bytes.data[0] > 0xA0 &&
                            packed.bytes.data[0] < 0xB0 && MESHOPTIMIZER_VERSION < 230;
         if (newer)
-            file.fail(what + " is of a version of its codec that this build's meshoptimizer does not know",
-                      "pack it as EXT_meshopt_compression, or build with meshoptimizer 0.23 or newer");
+            file.fail(what + " uses a version of its codec that this build's meshoptimizer does not support",
+                      "export it with EXT_meshopt_compression, or build with meshoptimizer 0.23 or newer");
         file.fail(what + " cannot be undone: its data are damaged");
     }
     if (packed.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(bytes.data(), packed.count, packed.stride);
@@ -109,9 +111,9 @@ const bool canUnpackMeshopt = false;
 
 std::vector<unsigned char> unpackMeshopt(GltfFile& file, int index, const tinygltf::Value&) {
     file.fail("buffer view " + std::to_string(index) +
-                  " is packed by meshoptimizer (EXT_meshopt_compression), and this build lacks that library",
-              "build with meshoptimizer (Debian's libmeshoptimizer-dev) and VCT_MESHOPT=ON, or export it "
-              "without that compression");
+                  " is compressed by meshoptimizer (EXT_meshopt_compression), which this build cannot read",
+              "install libmeshoptimizer-dev and build with the CMake option VCT_MESHOPT=ON, or export the "
+              "scene without that compression");
 }
 
 #endif

@@ -8,7 +8,7 @@
 namespace vct {
 namespace {
 
-constexpr int maxDepth = 1000;  // of nodes; real hierarchies have less than a hundred levels
+constexpr int maxDepth = 1000;  // limit of nesting; real hierarchies have less than a hundred levels
 
 std::string named(const GltfFile& file, const tinygltf::Node& node) {
     const auto index = static_cast<std::size_t>(&node - file.model.nodes.data());
@@ -46,7 +46,7 @@ NodeTransform localTransform(const GltfFile& file, const tinygltf::Node& node) {
     return transform;
 }
 
-// Those of the default scene; where the file has no scenes, the nodes that are nobody's children.
+// Returns the root nodes of the default scene, or all nodes without a parent if the file has no scenes.
 std::vector<int> findRoots(const GltfFile& file) {
     const tinygltf::Model& model = file.model;
     if (!model.scenes.empty()) {
@@ -91,7 +91,8 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         pending.pop_back();
         const tinygltf::Node& node = file.at(file.model.nodes, next.node, "node");
         const auto index = static_cast<std::size_t>(next.node);
-        // Without this a cycle would have no end, and shared children could be placed without number.
+        // Without this check a cycle would never end, and shared children could be placed any number of
+        // times.
         if (visited[index])
             file.fail(named(file, node) +
                       " is in the scene twice: it has two parents, or is its own ancestor");
@@ -113,8 +114,9 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
 
 namespace {
 
-// The height and width that an orthographic camera frames, at the depth of the scene's centre, and the same
-// eye; but no nearer than half that height, from where the scene would look bent.
+// Makes `camera` show the width and height that an orthographic camera frames, at the depth of the scene's
+// centre. Its eye stays, but lies at least half that height in front of the centre; from a shorter distance
+// the perspective would be too strong.
 void makePerspective(const tinygltf::OrthographicCamera& source, const Bounds& bounds, Camera& camera) {
     const double halfHeight = std::abs(source.ymag);
     const glm::dvec3 fromEye = 0.5 * (bounds.min + bounds.max) - glm::dvec3(camera.worldFromCamera[3]);

@@ -1,4 +1,4 @@
-// The node hierarchy of a glTF file, flattened, and what moves it.
+// Loads the node hierarchy of a glTF file as a flat list, its cameras, and the animation of the nodes.
 #pragma once
 
 #include <vector>
@@ -11,27 +11,27 @@ struct PlacedNode {
     const tinygltf::Node* node = nullptr;
     glm::dmat4 worldFromNode{1.0};
     NodeTransform transform;
-    int parent = -1;  // index of a node before it, or -1
-    int moving = -1;  // index into Animation::nodes, or -1: it never moves
-    int morph = -1;   // index into Animation::morphWeights, or -1: its weights never change
+    int parent = -1;  // index of a node before this one; -1: none
+    int moving = -1;  // index into Animation::nodes; -1: it never moves
+    int morph = -1;   // index into Animation::morphWeights; -1: its weights never change
 };
 
-// Throws where a transformation of a node has elements that are not numbers, or too large to reckon with.
+// Throws vct::Error if a node's transformation has elements that are not finite, or above 1e30.
 void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node);
 
-// The nodes of the default scene, parents first. Throws where one is in the scene twice.
+// Returns the nodes of the default scene, parents first. Throws vct::Error if a node is in the scene twice.
 std::vector<PlacedNode> placeNodes(const GltfFile& file);
 
-// The nodes' cameras, added to the scene, whose bounds are known: perspective ones, then orthographic ones,
-// made perspective. Warns of these, and of what is left out.
+// Adds the nodes' cameras to the scene, whose bounds must be known: first the perspective cameras, then the
+// orthographic ones, converted to perspective. Warns about these, and about cameras that it leaves out.
 void addCameras(GltfFile& file, const std::vector<PlacedNode>& nodes, Scene& scene);
 
-// Of each morph target that a primitive of the node's mesh has, at rest.
+// Returns the weights at rest of the morph targets of the node's mesh.
 std::vector<float> morphWeightsAtRest(const GltfFile& file, const tinygltf::Node& node);
 
-// The animation `nameOrIndex` ("" takes the first; where the file has none, there is none), and in `placed`
-// which nodes it moves. Throws where one was asked for that is not there or not valid; warns of those that
-// are not played, and of a first one that is not valid.
+// Loads the animation `nameOrIndex` ("": the first, if there is one), and marks in `placed` the nodes that it
+// moves. Throws vct::Error if the animation was asked for and does not exist or is not valid. Warns about
+// animations that are not played, and about an invalid first one that was not asked for.
 Animation loadAnimation(GltfFile& file, const std::string& nameOrIndex, std::vector<PlacedNode>& placed);
 
 }  // namespace vct

@@ -1,6 +1,5 @@
-// What a file may be packed with beside glTF's own forms. Each is read by its own library, which a build may
-// lack (CMake's VCT_DRACO, VCT_MESHOPT, VCT_WEBP and VCT_KTX); what needs it is then refused with the
-// library's name.
+// Compression formats beyond core glTF. Each needs a library, which a build may lack (CMake's VCT_DRACO,
+// VCT_MESHOPT, VCT_WEBP and VCT_KTX). Such a build refuses files that need the library, and names it.
 #pragma once
 
 #include <optional>
@@ -10,29 +9,29 @@
 
 namespace vct {
 
-// The extension by which meshoptimizer packs an object, a buffer view or a buffer; null where there is none.
+// Returns the meshoptimizer extension of a buffer view or a buffer, or null if it has none.
 const tinygltf::Value* meshoptOf(const tinygltf::ExtensionMap& extensions);
 
-// Whether this build has the library.
+// True if this build has meshoptimizer.
 extern const bool canUnpackMeshopt;
 
-// The bytes of the buffer view `index`, which `packing`, its meshoptOf(), describes. They are counted. Throws
-// where the view is damaged or the build lacks the library.
+// Decompresses the buffer view `index`. `packing` is its meshoptOf(). Counts the memory. Throws vct::Error if
+// the view is damaged or the build lacks the library.
 std::vector<unsigned char> unpackMeshopt(GltfFile& file, int index, const tinygltf::Value& packing);
 
-// Of the document, before tinygltf, which refuses indices without a buffer view: hides those of primitives
-// that Draco packs, until unpackDraco().
+// Hides the indices of Draco-compressed primitives in the document until unpackDraco(), because tinygltf
+// refuses indices without a buffer view.
 void hideDracoIndices(nlohmann::json& document);
 
-// Puts what a Draco stream holds of a primitive into file.unpackedAccessors, and says how to read it: by the
-// primitive that is returned, a list of triangles. Nothing where the primitive is not packed. A build without
-// the library returns what the file holds plain as well; it throws where there is nothing. `mesh`: names it
-// in an error.
+// Decompresses a primitive's Draco stream into file.unpackedAccessors, and returns the primitive to load from
+// them, a list of triangles. Returns nothing if the primitive is not compressed. A build without the library
+// returns the uncompressed primitive if the file also holds one, and throws vct::Error otherwise. `mesh`
+// names the mesh in an error.
 std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::Primitive& primitive,
                                                const std::string& mesh);
 
-// The image of a texture: the WebP one where there is one that can be read, else the plain one, else the KTX2
-// one. Throws where there is none.
+// Returns the index of a texture's image: its WebP image if this build can read it, else its PNG or JPEG
+// image, else its KTX2 image. Throws vct::Error if there is none.
 int imageOf(const GltfFile& file, int texture);
 
 }  // namespace vct

@@ -1,3 +1,4 @@
+// Loads a primitive of a glTF mesh: its vertices and triangles (declared in gltf_materials.h).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,14 +13,15 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-// Further apart than this a mesh cannot be told from a damaged file.
+// A mesh with a larger extent is taken for a damaged file.
 constexpr double maxExtent = 1e30;
 
-// glTF 2.0 section 3.7.2.1: strips and fans as lists, the winding kept.
+// Converts strips and fans to lists and keeps the winding (glTF 2.0 section 3.7.2.1).
 Indices triangleList(GltfFile& file, int mode, Indices corners) {
     const std::size_t count = corners.size();
     if (mode == TINYGLTF_MODE_TRIANGLES) {
-        if (count % 3 != 0) file.warn("a list of triangles ends with an incomplete one, which is left out");
+        if (count % 3 != 0)
+            file.warn("a list of triangles ends with an incomplete triangle, which is left out");
         corners.resize(count / 3 * 3);
         return corners;
     }
@@ -57,13 +59,14 @@ Bounds usedBounds(const GltfFile& file, const std::vector<float>& positions, con
     return bounds;
 }
 
-// Unit length, or `fallback` where there is no direction.
+// Returns the vector with unit length, or `fallback` if it has no direction.
 glm::vec3 unitOr(const glm::dvec3& v, const glm::vec3& fallback) {
     const double length = std::sqrt(glm::dot(v, v));
     return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : fallback;
 }
 
-// Twice the area times the normal. Double: products of float differences neither overflow nor vanish.
+// Returns the normal times twice the area. In double the products of float differences cannot overflow or
+// vanish.
 glm::dvec3 areaNormal(const Mesh& mesh, std::size_t firstIndex) {
     const auto corner = [&](std::size_t i) {
         return glm::dvec3(mesh.vertices[mesh.indices[firstIndex + i]].position);
@@ -71,10 +74,10 @@ glm::dvec3 areaNormal(const Mesh& mesh, std::size_t firstIndex) {
     return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
-const glm::vec3 degenerateNormal{0.0F, 1.0F, 0.0F};  // of a triangle without area, which is never seen
+const glm::vec3 degenerateNormal{0.0F, 1.0F, 0.0F};  // for triangles without area, which are invisible
 
-// glTF 2.0 section 3.7.2.1: without normals, flat ones; each triangle gets vertices of its own.
-// Those of a mesh that changes its form turn with its joints, and not with its targets.
+// Gives a mesh without normals flat ones (glTF 2.0 section 3.7.2.1), so each triangle gets its own vertices.
+// In a deformed mesh these normals turn with the joints, but morph targets do not change them.
 void makeFlat(GltfFile& file, Mesh& mesh, Deformation* deformation) {
     const auto split = [&](auto& vertexValues) {
         if (vertexValues.empty()) return;
@@ -90,7 +93,7 @@ void makeFlat(GltfFile& file, Mesh& mesh, Deformation* deformation) {
         split(deformation->influences);
         for (MorphTarget& target : deformation->targets) {
             split(target.positions);
-            target.normals.clear();  // of normals that the file does not have
+            target.normals.clear();  // displacements of normals make no sense without normals in the file
         }
     }
     split(mesh.extras);
@@ -103,7 +106,8 @@ void makeFlat(GltfFile& file, Mesh& mesh, Deformation* deformation) {
     }
 }
 
-// Unit normals; where the file's have no direction, that of the faces around the vertex.
+// Sets normals of unit length. If one of the file has no direction, it is computed from the faces around the
+// vertex.
 void setNormals(GltfFile& file, Mesh& mesh, const std::vector<float>& normals) {
     std::vector<bool> bad(mesh.vertices.size());
     bool anyBad = false;
@@ -111,7 +115,8 @@ void setNormals(GltfFile& file, Mesh& mesh, const std::vector<float>& normals) {
         const float* n = &normals[i * 3];
         const glm::dvec3 normal(n[0], n[1], n[2]);
         const double length2 = glm::dot(normal, normal);
-        // Exporters write unit length; a thousandth of that is rounding noise, not a direction.
+        // Exporters write normals of unit length. A length below a thousandth is rounding noise, not a
+        // direction.
         bad[i] = !(length2 > 1e-6 && std::isfinite(length2));
         anyBad = anyBad || bad[i];
         mesh.vertices[i].normal = bad[i] ? degenerateNormal : unitOr(normal, degenerateNormal);
@@ -133,13 +138,13 @@ void setNormals(GltfFile& file, Mesh& mesh, const std::vector<float>& normals) {
     if (usedBad) file.warn("normals without a direction are replaced by those of their faces");
 }
 
-// The attribute's accessor; -1 where the primitive has no such attribute.
+// Returns the attribute's accessor, or -1 if the primitive has no such attribute.
 int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? -1 : found->second;
 }
 
-// `width` floats for each of `vertexCount` vertices.
+// Reads `width` floats for each of `vertexCount` vertices.
 std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Components components,
                                     const std::string& name, std::size_t vertexCount) {
     std::vector<float> values = readFloats(file, accessor, width, components, name);
@@ -157,7 +162,7 @@ void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource&
     const int accessor = attribute(primitive, name);
     if (accessor == -1) {
         if (source.hasTexture)
-            file.warn("a textured mesh has no " + name + "; its texture is a single texel");
+            file.warn("a textured mesh has no " + name + ", so one texel of its texture covers it");
         return;
     }
     const Components components =
@@ -229,7 +234,7 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     file.reserveGeometry(vertexCount, sizeof(Vertex));
     mesh.vertices.assign(vertexCount,
                          Vertex{glm::vec3(0.0F), degenerateNormal, glm::vec2(0.0F), glm::vec2(0.0F)});
-    // Only vertices in use: others may hold anything, and stay at the centre.
+    // Unused vertices may hold any values, so they stay at the centre.
     for (const std::uint32_t index : mesh.indices)
         mesh.vertices[index].position = glm::vec3(position(positions, index) - mesh.centre);
 

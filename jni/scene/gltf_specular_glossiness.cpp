@@ -1,3 +1,4 @@
+// Converts materials of KHR_materials_pbrSpecularGlossiness (declared in gltf_materials.h).
 #include <algorithm>
 #include <cmath>
 
@@ -8,21 +9,22 @@
 namespace vct {
 namespace {
 
-constexpr float dielectricSpecular = 0.04F;  // that of metallic-roughness at metallic 0
+constexpr float dielectricSpecular = 0.04F;  // reflectance at normal incidence of a material with metallic 0
 
 struct MetallicRoughness {
     glm::vec3 baseColor;
     float metallic;
 };
 
-// Linear RGB; weights of ITU-R BT.601, as the source below has them.
+// Brightness of a linear RGB colour, with the weights of ITU-R BT.601, as in the source of converted().
 float perceivedBrightness(const glm::vec3& color) {
     return std::sqrt(glm::dot(glm::vec3(0.299F, 0.587F, 0.114F), color * color));
 }
 
-// The conversion that Khronos gives beside KHR_materials_pbrSpecularGlossiness
-// (examples/convert-between-workflows): the metallic of which both models have the same diffuse and specular
-// brightness. Linear RGB; `specular` is the reflection along the normal.
+// Converts by the method that Khronos publishes with KHR_materials_pbrSpecularGlossiness
+// (examples/convert-between-workflows): it solves for the value of metallic at which both models have the
+// same diffuse and specular brightness. Colours are linear RGB; `specular` is the reflectance at normal
+// incidence.
 MetallicRoughness converted(const glm::vec3& diffuse, const glm::vec3& specular) {
     const float lost = 1.0F - std::max({specular.r, specular.g, specular.b});
     const float specularBrightness = perceivedBrightness(specular);
@@ -52,7 +54,7 @@ glm::vec4 factors(const tinygltf::Value& object, const char* key, int count) {
     return result;
 }
 
-// A texture's reference in an extension, in the form that those outside of extensions have.
+// Converts an extension's reference to a texture to tinygltf's usual type.
 tinygltf::TextureInfo textureInfo(const tinygltf::Value& object, const char* key) {
     tinygltf::TextureInfo info;
     if (!object.Has(key)) return info;
@@ -64,8 +66,8 @@ tinygltf::TextureInfo textureInfo(const tinygltf::Value& object, const char* key
     return info;
 }
 
-// The texel of `texture` that lies where texel (x, y) of a picture of `width` by `height` does. Colour is
-// linear. White where there is no texture.
+// Returns the texel of `texture` at the position of texel (x, y) of a picture of `width` by `height`, with
+// linear colour; white if there is no texture.
 glm::vec4 texelAt(const Texture* texture, int x, int y, int width, int height) {
     if (texture == nullptr) return glm::vec4(1.0F);
     const auto along = [](int at, int count, int own) {
@@ -106,21 +108,24 @@ void MaterialLoader::loadSpecularGlossiness(const tinygltf::Value& extension, Ma
         material.roughness = 1.0F - glossiness;
         return;
     }
-    // Texel by texel: how metallic a texel is depends on both of its colours.
+    // The metallic value depends on both colours, so every texel is converted.
     const auto picture = [&](int index) {
         return index < 0 ? nullptr : &scene_.textures[static_cast<std::size_t>(index)];
     };
     const Texture* const diffuse = picture(material.baseColorTexture);
     const Texture* const specular = picture(specularTexture);
     if (diffuse != nullptr && specular != nullptr && !use.baseColor.isSameAs(use.gloss))
-        file_.warn("a specular texture that lies elsewhere than its diffuse texture is laid where that lies");
+        file_.warn(
+            "a specular texture lies elsewhere than its diffuse texture; both are placed by the coordinates "
+            "of "
+            "the diffuse texture");
     Texture color = diffuse != nullptr ? *diffuse : *specular;
     if (specular != nullptr && color.width * color.height < specular->width * specular->height) {
         color.width = specular->width;
         color.height = specular->height;
     }
     const std::size_t bytes = std::size_t{4} * color.width * color.height;
-    file_.reserveTexture(2 * bytes, "a material of specular and glossiness, converted,");
+    file_.reserveTexture(2 * bytes, "a converted material of KHR_materials_pbrSpecularGlossiness");
     std::vector<std::uint8_t> colorCodes, glossCodes;
     colorCodes.reserve(bytes);
     glossCodes.reserve(bytes);

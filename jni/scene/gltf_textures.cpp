@@ -1,3 +1,4 @@
+// Loads the textures of a glTF file and their images (declared in gltf_materials.h and gltf_packings.h).
 #include "core/memory.h"
 #include "core/number_text.h"
 #include "image/ktx2_picture.h"
@@ -11,7 +12,7 @@
 namespace vct {
 namespace {
 
-constexpr int maxTextureSide = 16384;  // pixels; the largest that current GPUs take
+constexpr int maxTextureSide = 16384;  // pixels; the limit of current GPUs
 
 Texture::Wrap wrapMode(const GltfFile& file, int mode) {
     switch (mode) {
@@ -93,12 +94,13 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
         const std::string extent =
             std::to_string(result.width) + " x " + std::to_string(result.height) + " pixels";
         if (result.width > maxTextureSide || result.height > maxTextureSide)
-            file_.fail(what + " has " + extent + ", more than " + std::to_string(maxTextureSide) + " a side",
-                       "scale it down");
+            file_.fail(
+                what + " has " + extent + ", more than " + std::to_string(maxTextureSide) + " per side",
+                "scale it down");
         file_.reserveTexture(std::size_t{4} * result.width * result.height, what + ", " + extent + ",");
         if (picture.decodingBytes() > availableMemory())
             file_.fail(what + ", " + extent + ", takes " + megabytesText(picture.decodingBytes()) +
-                           " to decode, and " + megabytesText(availableMemory()) + " are available",
+                           " to decode, and only " + megabytesText(availableMemory()) + " are available",
                        "scale it down, or free memory");
     };
     try {
@@ -118,7 +120,7 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
     } catch (const PictureError& error) {
         file_.fail(what + " cannot be decoded: " + asClause(error.what()), "save it again as PNG or JPEG");
     }
-    file_.usedBytes -= fileBytes.size();  // they go here, and the pixels stay
+    file_.usedBytes -= fileBytes.size();  // the encoded bytes are freed here
     return pixels_.emplace(identity, std::move(result)).first->second;
 }
 

@@ -1,4 +1,4 @@
-// The URIs of a glTF file: what they name, and whether the file may name that.
+// Resolves the URIs of a glTF file, checks that the file may refer to them, and reads their content.
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-// RFC 3986 section 2.1; a '%' without two digits stays as it is.
+// Decodes percent-encoding (RFC 3986 section 2.1). A '%' without two digits stays as it is.
 std::string percentDecoded(const std::string& text) {
     const auto isHexDigit = [&](std::size_t i) {
         return i < text.size() && std::isxdigit(static_cast<unsigned char>(text[i])) != 0;
@@ -45,14 +45,14 @@ std::string resolvedUri(const GltfFile& file, const std::string& uri, const std:
     std::error_code noFolder, noFile;
     const fs::path root = fs::weakly_canonical(folder, noFolder);
     const fs::path target = fs::weakly_canonical(path, noFile);
-    if (noFolder || noFile) return path;  // reading says why there is none
-    // A folder's own name ends in an empty part, which nothing below it has.
+    if (noFolder || noFile) return path;  // reading it will report the reason
+    // The path of a folder may end in an empty part, which paths of files in it do not have.
     const auto last = root.filename().empty() ? std::prev(root.end()) : root.end();
     const bool inside = std::mismatch(root.begin(), last, target.begin(), target.end()).first == last;
     if (!inside && !file.allowOutside)
         file.fail(what + " is the file " + oneLine(target.string()) + ", outside of the scene's folder " +
                       oneLine(root.string()),
-                  "put it there, or allow files outside of the folder");
+                  "move it there, or allow files outside of the folder");
     return fs::exists(target, noFile) ? target.string() : path;
 }
 
@@ -67,20 +67,20 @@ std::vector<unsigned char> readResolved(GltfFile& file, const std::string& resol
         Bytes bytes;
         std::string mediaType;
         if (!tinygltf::DecodeDataURI(&bytes, mediaType, resolved, 0, false))
-            file.fail(what + " has a data URI that is not base64 of a media type of glTF");
+            file.fail(what + " has a data URI that is not base64 with a media type of glTF");
         return bytes;
     }
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(resolved, error);
-    // In an APK there is no size to ask for.
+    // A file in an APK has no size until it is read.
     if (!error) file.reserve(static_cast<std::size_t>(size), what + ", the file " + oneLine(resolved) + ",");
     try {
         Bytes bytes = file.readFile(resolved);
         if (error) file.reserve(bytes.size(), what);
         return bytes;
     } catch (const Error& failure) {
-        file.fail(what + " is in a file of its own, which fails (" + asClause(failure.what()) + ")",
-                  "put " + oneLine(resolved) + " there, or export the scene as one .glb");
+        file.fail(what + " is in a separate file that cannot be read (" + asClause(failure.what()) + ")",
+                  "provide " + oneLine(resolved) + ", or export the scene as one .glb");
     }
 }
 

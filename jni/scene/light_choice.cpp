@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Whether what glows lights the scene.
+// True if the scene is a room with emitters that light it. Materials with an emissive texture do not count.
 bool hasLightingEmission(const Scene& scene) {
     const std::vector<unsigned> materials = featuresOf(scene).materialFeatures;
     return std::any_of(materials.begin(), materials.end(),

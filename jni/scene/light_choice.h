@@ -1,22 +1,24 @@
-// The light of a scene whose file may bring none.
+// Chooses sun and sky for scenes whose file may not have any.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace vct {
 
-// The scene's sun. Where it has none, the default one, of intensity 0 where something in a room glows all
-// over, and not by a texture as the dials of an instrument do (in the open, light of that kind shows little
-// but itself); but where other lights shine, one of no colour: it gives no light, and its E, which the
-// strongest of them gives at a quarter of the scene's size, is the unit of what is drawn.
+// Returns the scene's sun. If the scene has none:
+// - If it has other lights, returns a black sun. Its intensity is the illuminance that the strongest of them
+//   gives at a distance of a quarter of the scene's size; the renderer uses it as the unit of radiance.
+// - If it is a room with untextured emitters, returns the default sun with intensity 0. (A textured emitter
+//   such as the dial of an instrument gives too little light, and so does any emitter in the open.)
+// - Otherwise returns defaultLight().
 DirectionalLight chooseLight(const Scene& scene);
-// From the upper front right, E = pi.
+// A sun from the upper front right with an illuminance of pi.
 DirectionalLight defaultLight();
-// The radiance of a plain sky for a scene that has no light of its own, so that its first picture shows it;
-// else black.
+// The radiance of a plain sky if the scene has no light of its own, so that its first picture is not dark;
+// otherwise black.
 glm::vec3 chooseSky(const Scene& scene);
-// The radiance of a sky that gives a floor a quarter of such a light, in the blue of a clear day. As of the
-// default light where it gives nothing.
+// The radiance of a light blue sky that gives a floor a quarter of the illuminance of `light`, or of the
+// default light if `light` is off.
 glm::vec3 plainSky(const DirectionalLight& light);
 
 }  // namespace vct

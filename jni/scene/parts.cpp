@@ -12,7 +12,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;  // indices of vertices
 
-// Disjoint sets of vertices.
+// Disjoint sets of vertices (union-find).
 class Sets {
   public:
     explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -27,7 +27,7 @@ class Sets {
     std::vector<std::uint32_t> parent_;
 };
 
-// Vertices in the same place are one corner, whatever their normals.
+// Splits a mesh into connected pieces. Vertices at the same position are connected, whatever their normals.
 std::vector<std::vector<Triangle>> connectedTriangles(const Mesh& mesh) {
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
         const glm::vec3 &p = mesh.vertices[a].position, &q = mesh.vertices[b].position;
@@ -54,8 +54,8 @@ std::vector<std::vector<Triangle>> connectedTriangles(const Mesh& mesh) {
     return found;
 }
 
-// The columns are unit vectors at right angles, the first along `a`, the second as near to `b` as that
-// leaves; the world's axes where the two span no plane.
+// Returns orthonormal axes as columns: the first along `a`, the second in the plane of `a` and `b`. Returns
+// the world's axes if the two span no plane.
 glm::dmat3 axesAlong(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 normal = glm::cross(a, b);
     if (!(glm::length(normal) > 1e-12 * glm::length(a) * glm::length(b))) return glm::dmat3(1.0);
@@ -70,7 +70,7 @@ glm::dvec3 sortedSides(const std::vector<glm::dvec3>& corners, const glm::dmat3&
     return sides;
 }
 
-// `corners`: three per triangle, in the world.
+// Measures one piece. `corners`: three per triangle, in world orientation.
 Part partOf(const std::vector<glm::dvec3>& corners, const glm::dmat3& objectAxes) {
     Part part;
     double largest = 0.0;
@@ -82,7 +82,7 @@ Part partOf(const std::vector<glm::dvec3>& corners, const glm::dmat3& objectAxes
         part.area += area;
         if (!(area > largest)) continue;
         largest = area;
-        // Of a right-angled triangle, half a rectangle, the second longest edge lies along a side.
+        // A right-angled triangle is half a rectangle, and its second longest edge is a side of it.
         std::sort(edges.begin(), edges.end(),
                   [](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a, a) < glm::dot(b, b); });
         triangleAxes = axesAlong(edges[1], edges[0]);

@@ -1,4 +1,4 @@
-// The connected pieces of a scene's geometry and how large they are: a slat, a column, a wall.
+// Finds the connected pieces of a scene's geometry (a slat, a column, a wall) and their sizes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,13 +10,13 @@ namespace vct {
 
 struct Part {
     int instance = 0;       // index into Scene::instances
-    glm::dvec3 sides{0.0};  // of a box around it, in metres, the shortest first
-    double area = 0.0;      // of its triangles, in square metres; above 0
+    glm::dvec3 sides{0.0};  // sides of a box around the part, in metres, the shortest first
+    double area = 0.0;      // area of its triangles, in square metres; above 0
 };
 
-// Triangles of one instance that share corners make a part. Its box lies along the axes of its object or
-// along its largest triangle, whichever is the smaller one: exact for what is made of boxes and
-// cylinders. What is bent, or welded into one piece with others, counts with the box around all of it.
+// Returns the parts of a scene: triangles of one instance that share corners. The box of a part is aligned
+// with the axes of its object or with its largest triangle, whichever box is smaller. That is exact for boxes
+// and cylinders. A bent part, or one that is joined with others, counts with the box around all of it.
 std::vector<Part> connectedParts(const Scene& scene);
 
 }  // namespace vct

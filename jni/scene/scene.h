@@ -1,7 +1,7 @@
-// A scene as plain data. Knows nothing of GL and nothing of the file it came from.
+// A scene as plain data. It knows nothing of GL and nothing of its file's format.
 //
-// World space: right-handed, +Y up, metres (glTF 2.0). World positions are double: a scene may lie 10^6 units
-// from the origin. Vertices are float, relative to the centre of their mesh.
+// World space is right-handed with +Y up, in metres (glTF 2.0). World positions are double, because a scene
+// may lie 10^6 units from the origin. Vertices are float, relative to the centre of their mesh.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,19 @@
 namespace vct {
 
 struct Vertex {
-    glm::vec3 position;    // object space, relative to Mesh::centre
-    glm::vec3 normal;      // object space, unit length
-    glm::vec2 uv;          // of the base-colour texture, KHR_texture_transform applied
-    glm::vec2 emissiveUv;  // of the emissive texture, likewise
+    glm::vec3 position;  // object space, relative to Mesh::centre
+    glm::vec3 normal;    // object space, unit length
+    // Texture coordinates, after KHR_texture_transform.
+    glm::vec2 uv;          // base-colour texture
+    glm::vec2 emissiveUv;  // emissive texture
 };
 
-// What a vertex has besides, where its material reads some of it.
+// Further attributes of a vertex, for materials that use at least one of them.
 struct VertexExtras {
-    glm::vec4 color{1.0F};     // linear RGB and alpha; multiplies the base colour
-    glm::vec2 glossUv{0.0F};   // of the gloss texture, KHR_texture_transform applied
-    glm::vec2 normalUv{0.0F};  // of the normal map, likewise
+    glm::vec4 color{1.0F};  // linear RGB and alpha; multiplies the base colour
+    // Texture coordinates, after KHR_texture_transform.
+    glm::vec2 glossUv{0.0F};   // gloss texture
+    glm::vec2 normalUv{0.0F};  // normal map
 };
 
 struct Material {
@@ -43,41 +45,41 @@ struct Material {
     int emissiveTexture = -1;   // index into Scene::textures, or -1
     float metallic = 1.0F;      // 0 to 1; the defaults are those of glTF
     float roughness = 1.0F;     // 0 to 1
-    int glossTexture = -1;   // index into Scene::textures, or -1: green times roughness, blue times metallic
-    int normalTexture = -1;  // index into Scene::textures, or -1: a normal map in tangent space
-    float normalScale = 1.0F;   // of the normal map's x and y
-    bool vertexColors = false;  // VertexExtras::color counts
-    bool unlit = false;  // shows its base colour whatever the light, and neither receives nor sends any
+    int glossTexture = -1;      // index or -1; green multiplies roughness, blue multiplies metallic
+    int normalTexture = -1;     // index or -1; a normal map in tangent space
+    float normalScale = 1.0F;   // multiplies x and y of the normal map
+    bool vertexColors = false;  // VertexExtras::color is used
+    bool unlit = false;         // shows its base colour in any light, and neither receives nor sends light
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
 };
 
-// Triangles of one material. Counter-clockwise is front.
+// Triangles of one material. A triangle is counter-clockwise seen from its front.
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
-    std::vector<VertexExtras> extras;    // as many as vertices, or none where the material reads none of it
+    std::vector<VertexExtras> extras;    // one per vertex, or none if the material uses none of them
     std::vector<std::uint32_t> indices;  // three per triangle, all below vertices.size()
     int material = 0;                    // index into Scene::materials
     glm::dvec3 centre{0.0};              // object space: file position = centre + Vertex::position
-    // Where the mesh changes its form: how. Its vertices are then as that leaves them at rest, in world
-    // space, and one instance alone shows it. Null elsewhere.
+    // The deformation of a mesh that changes its form; null for other meshes. The vertices of a deformed mesh
+    // are those of the rest pose, in world space, and it has only one instance.
     std::shared_ptr<const Deformation> deformation;
 };
 
 // A mesh placed in the world.
 struct Instance {
     int mesh = 0;
-    glm::dmat4 worldFromObject{
-        1.0};              // of the file's object space, so before Mesh::centre is subtracted; at rest
-    int node = -1;         // the one that moves it, of Scene::animation; -1: none does
+    // At rest. It transforms positions of the file's object space: Mesh::centre + Vertex::position.
+    glm::dmat4 worldFromObject{1.0};
+    int node = -1;         // node of Scene::animation that moves it; -1: none
     bool deforms = false;  // Mesh::deformation moves it
 
     bool moves() const { return node >= 0 || deforms; }
 };
 
-// Bytes that do not change, and that several owners share.
+// Immutable bytes with shared ownership.
 class SharedBytes {
   public:
     SharedBytes(std::vector<std::uint8_t> bytes = {})
@@ -92,44 +94,46 @@ class SharedBytes {
     std::shared_ptr<const std::vector<std::uint8_t>> bytes_;
 };
 
-// 8-bit RGBA, sRGB-encoded colour (linear alpha), first row at the top (glTF: uv (0,0)).
+// An 8-bit RGBA texture. Colours are sRGB-encoded, alpha is linear. The first row is at the top (uv (0, 0) of
+// glTF).
 struct Texture {
     enum class Wrap { repeat, clampToEdge, mirroredRepeat };
 
     std::string name;
     int width = 0;
     int height = 0;
-    SharedBytes rgba;  // by textures of one image, which may repeat it differently
+    SharedBytes rgba;  // shared by textures of the same image with different samplers
     Wrap wrapS = Wrap::repeat;
     Wrap wrapT = Wrap::repeat;
-    bool linearFilter = true;  // magnification; minification is always trilinear
+    bool linearFilter = true;  // for magnification; minification is always trilinear
 };
 
-// glTF camera convention: looks along its -Z, +Y up.
+// A camera by glTF's convention: it looks along its -Z, and +Y is up.
 struct Camera {
     std::string name;
     glm::dmat4 worldFromCamera{1.0};  // rigid: rotation and translation only
     double verticalFovRad = 0.8;
-    // Width over height of the picture that it is made for; camera.h's fitted() makes it fit another.
+    // Width over height of the picture that the camera is made for. fitted() in camera.h fits it to another.
     std::optional<double> aspectRatio;
-    // World units: what is no nearer is seen, however large the scene. (Of a scene of a kilometre around the
-    // camera, what is nearer than a metre would be cut off otherwise.)
+    // Objects at this distance or farther are visible, in world units. (Without it the near plane would
+    // follow from the size of the scene, and in a scene of a kilometre it could cut off objects within a
+    // metre.)
     double nearest = std::numeric_limits<double>::infinity();
-    int node = -1;         // as Instance::node
-    double setBack = 0.0;  // world units, that the eye lies behind the node
-    // Where it is set, clipFromWorld() gives this and fits nothing to the scene. Depth is 1 at its far plane.
+    int node = -1;         // see Instance::node
+    double setBack = 0.0;  // distance of the eye behind the node, world units
+    // If it is set, clipFromWorld() in camera.h returns this matrix. Its depth is 1 at the far plane.
     std::optional<glm::dmat4> clipFromWorld;
 };
 
 // The sun: the scene's first directional light.
 struct DirectionalLight {
-    glm::dvec3 directionToLight{0.0, 1.0, 0.0};  // world, unit length
-    glm::vec3 color{1.0F};                       // linear RGB, largest component 1 (0 when the light is off)
-    float intensity = 3.14159265F;               // E in lux: irradiance of a surface that faces the light
-    int node = -1;                               // as Instance::node
+    glm::dvec3 directionToLight{0.0, 1.0, 0.0};  // world space, unit length
+    glm::vec3 color{1.0F};                       // linear RGB, largest component 1 (0 if the light is off)
+    float intensity = 3.14159265F;               // illuminance in lux of a surface that faces the light
+    int node = -1;                               // see Instance::node
 };
 
-// A light besides the sun, of glTF's extension KHR_lights_punctual. It shines along its -Z.
+// A light besides the sun, of glTF's extension KHR_lights_punctual. Its axis is its -Z.
 struct PunctualLight {
     enum class Type { directional, point, spot };
 
@@ -137,16 +141,15 @@ struct PunctualLight {
     Type type = Type::point;
     glm::dmat4 worldFromLight{1.0};                          // rigid: rotation and translation only
     glm::vec3 color{1.0F};                                   // linear RGB, largest component 1
-    float intensity = 1.0F;                                  // in candela; of a directional one in lux
-    double range = std::numeric_limits<double>::infinity();  // metres, from where on it gives no light
-    // Of a spot, between its axis and where it begins to fade, and where it is dark.
+    float intensity = 1.0F;                                  // candela, or lux of a directional light
+    double range = std::numeric_limits<double>::infinity();  // metres; it gives no light beyond
+    // Angles from a spot light's axis: where it begins to fade, and where it is dark.
     double innerConeRad = 0.0;
     double outerConeRad = 0.7853981633974483;
-    int node = -1;  // as Instance::node
+    int node = -1;  // see Instance::node
 };
 
-// Everything is at rest, as the nodes of the file put it; a Pose of the animation says where what moves is at
-// a time.
+// A scene in its rest pose, as the nodes of the file place it. A Pose of the animation moves it.
 struct Scene {
     std::string path;
     std::vector<Texture> textures;
@@ -155,12 +158,12 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Camera> cameras;
     std::vector<DirectionalLight> lights;       // at most one: the sun
-    std::vector<PunctualLight> punctualLights;  // all others
+    std::vector<PunctualLight> punctualLights;  // all other lights
     Animation animation;
-    // Of all instances' vertices that triangles use: at rest, and in the animation's poses as far as
-    // computeBounds() says.
+    // Bounds of the vertices that triangles of instances use, at rest and, within the limit of
+    // computeBounds(), in the poses of the animation.
     Bounds boundsWorld;
-    std::vector<std::string> warnings;  // what the file asks for that is not honoured
+    std::vector<std::string> warnings;  // features of the file that are not supported
 
     std::size_t triangleCount() const {
         std::size_t count = 0;

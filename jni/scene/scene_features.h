@@ -1,5 +1,5 @@
-// What occurs in a scene, found out once when it is loaded: programs, buffers, targets and calls for the rest
-// do not exist. Only what instances place counts; a material that no instance has costs nothing.
+// The features that a scene uses, found once when it is loaded. The renderer has programs, buffers, targets
+// and calls only for these. Only materials of instances count: an unused material costs nothing.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace vct {
 
-// What programs differ by, from material to material and, of lights, from scene to scene. Bits; draw calls
-// are sorted by them, and those that fewer passes read come first, so that programs change as rarely as
-// possible.
+// Bits by which programs differ, from material to material or (lights) from scene to scene. Draw calls are
+// sorted by them. Bits that fewer passes read come first, in the low digits: passes that ignore them see
+// their own bits in order, so programs change rarely.
 enum MaterialFeature : unsigned {
     featureDoubleSided = 1,
     featureEmissive = 2,
@@ -25,20 +25,20 @@ enum MaterialFeature : unsigned {
     featureNormalMap = 512,
 };
 unsigned materialFeatures(const Material& material);
-// Those of the whole scene.
+// Feature bits that all materials of the scene have.
 unsigned sharedFeatures(const Scene& scene);
 
 struct SceneFeatures {
-    std::vector<unsigned> materialFeatures;  // each combination that occurs once, ascending
-    bool glossy = false;                     // a roughness below 1, or a texture of it
-    std::vector<bool> textures;              // of Scene::textures: whether a material reads it as a colour
-    std::vector<bool> dataTextures;          // likewise as numbers: gloss, or a normal map
-    int materials = 0;                       // how many occur
+    std::vector<unsigned> materialFeatures;  // the combinations that occur, each once, ascending
+    bool glossy = false;                     // a material has a roughness below 1 or a gloss texture
+    std::vector<bool> textures;              // per texture of Scene::textures: a material reads it as colour
+    std::vector<bool> dataTextures;          // per texture: read as numbers (gloss, normal map)
+    int materials = 0;                       // number of materials that occur
     bool movingObjects = false;              // an animation moves an instance
-    bool deforms = false;                    // and changes the form of its mesh
-    bool movingLight = false;                // or a light
+    bool deforms = false;                    // an animation deforms a mesh
+    bool movingLight = false;                // an animation moves a light
 
-    // Whether any material has this feature.
+    // True if any material has this feature.
     bool has(MaterialFeature feature) const;
 };
 

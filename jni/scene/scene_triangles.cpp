@@ -1,4 +1,4 @@
-// What gltf.h offers on the triangles of a loaded scene.
+// Implements computeBounds() and shuffleTriangles() of gltf.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,17 +13,18 @@
 namespace vct {
 namespace {
 
-// Beyond this a coordinate squared leaves the range of float.
+// The square of a larger coordinate exceeds the range of float.
 constexpr double maxCoordinate = 1e18;
 
-// Fisher and Yates; std::shuffle differs between standard libraries, and a seed must mean one order.
+// Fisher-Yates shuffle. std::shuffle is not used, because it differs between standard libraries, and a seed
+// must always give the same order.
 template <class T>
 void shuffle(std::vector<T>& items, std::mt19937& random) {
     for (std::size_t i = items.size(); i > 1; --i)
         std::swap(items[i - 1], items[random() % i]);
 }
 
-// The corners of triangles, each vertex once, in object space.
+// Positions of the vertices that triangles use, each once, in object space.
 std::vector<glm::dvec3> usedPositions(const Mesh& mesh) {
     std::vector<bool> used(mesh.vertices.size());
     for (const std::uint32_t index : mesh.indices)
@@ -35,7 +36,7 @@ std::vector<glm::dvec3> usedPositions(const Mesh& mesh) {
     return positions;
 }
 
-// Of all keys and three between each two, at most `most` of them, evenly.
+// The times of all keys and three times between each two, thinned out evenly to at most `most` times.
 std::vector<double> poseTimes(const Animation& animation, std::size_t most) {
     std::vector<double> keys;
     for (const AnimationChannel& channel : animation.channels)
@@ -60,18 +61,18 @@ bool isUsable(const glm::dvec3& world) {
     return std::isfinite(world.x + world.y + world.z) && largest <= maxCoordinate;
 }
 
-// Around `rest` and whatever the poses reach of `limit`.
+// Returns the bounds of `rest` and all poses, where poses count only inside of `limit`.
 Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit) {
     struct Moving {
         int node;
         const std::vector<glm::dvec3>* positions;
-        std::vector<glm::dvec3> corners;  // of the box around them
+        std::vector<glm::dvec3> corners;  // corners of the box around the positions
     };
     struct Deforming {
         const Deformation* deformation;
         DeformationBoxes boxes;
     };
-    std::map<int, std::vector<glm::dvec3>> positionsOf;  // of the meshes that move
+    std::map<int, std::vector<glm::dvec3>> positionsOf;  // vertices of the moving meshes
     std::vector<Moving> moving;
     std::vector<Deforming> deforming;
     std::size_t work = scene.animation.nodes.size();
@@ -91,11 +92,11 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
     }
 
     Bounds bounds = rest;
-    // `bounds` with what lies in this box and in `limit`.
+    // Returns `bounds`, enlarged by the part of this box that lies in `limit`.
     const auto reach = [&](const Bounds& reached) {
         return united(bounds, {glm::max(reached.min, limit.min), glm::min(reached.max, limit.max)});
     };
-    // Most poses stay inside: the box says so at once.
+    // Most poses stay inside of the bounds, which their box shows without testing all vertices.
     const auto include = [&](const Bounds& box, const auto& exactBounds) {
         const Bounds with = reach(box);
         if (with.min != bounds.min || with.max != bounds.max) bounds = reach(exactBounds());
@@ -104,9 +105,9 @@ Bounds boundsOfPoses(const Scene& scene, const Bounds& rest, const Bounds& limit
         if (isUsable(world)) return;
         throw Error("cannot use the scene " + scene.path + ": at " + numberText(seconds) +
                     " s its animation \"" + scene.animation.name +
-                    "\" moves a mesh beyond 1e18, or to where no number is; correct its values");
+                    "\" moves a mesh beyond 1e18 or to a position that is not finite; correct its values");
     };
-    // A second or two, whatever the file says.
+    // Limits the time to a second or two for any file.
     const std::size_t most =
         std::max<std::size_t>(16, (std::size_t{1} << 28) / std::max<std::size_t>(work, 1));
     for (const double seconds : poseTimes(scene.animation, most)) {
@@ -162,7 +163,7 @@ void computeBounds(Scene& scene) {
     }
     const glm::dvec3 extent = bounds.max - bounds.min;
     const double reach = 0.5 * std::max({extent.x, extent.y, extent.z});
-    // A scene that grows out of one point has no size at rest to go by.
+    // A scene that is a point at rest has no size, so its animation is not limited.
     const double limit = reach > 0.0 ? reach : maxCoordinate;
     if (!scene.animation.channels.empty())
         bounds = boundsOfPoses(scene, bounds, {bounds.min - limit, bounds.max + limit});

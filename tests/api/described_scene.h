@@ -1,4 +1,4 @@
-// A scene as a program describes it that embeds the library, and the same as a file.
+// A scene as an embedding program describes it, and the same scene as a file.
 #pragma once
 
 #include <EGL/egl.h>
@@ -17,10 +17,10 @@
 
 namespace vct::test {
 
-// Of the pictures.
+// Size of the pictures.
 constexpr int width = 96, height = 72;
 
-// A floor, a box on it, a lamp and a glossy wall, for the library and as a file.
+// A floor, a box on it, an emitter and a glossy wall.
 struct Described {
     std::vector<float> positions, normals;
     std::vector<std::uint32_t> indices;

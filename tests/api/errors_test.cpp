@@ -1,4 +1,4 @@
-// What include/vct/vct.h does not take, and the words in which it says so.
+// Errors of the interface in include/vct/vct.h.
 #include <functional>
 
 #include "api/described_scene.h"

@@ -1,4 +1,4 @@
-// The library as a program sees it that embeds it: include/vct/vct.h keeps its promises.
+// A program that embeds the library: include/vct/vct.h keeps its promises.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -50,7 +50,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf(GetParam()));
     const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
     const Image picture = imageOf(pictures.radiance, light.radianceUnit());
-    // The camera comes as two matrices, whose product differs in its last bits from that of the program.
+    // The product of the camera's two matrices differs in its last bits from the program's matrix.
     const Difference difference = compareImages(picture, expected, 0.002F);
     EXPECT_TRUE(difference.comparable) << difference.reason;
     EXPECT_LE(difference.fraction, 0.002) << "largest difference " << difference.largest;
@@ -60,7 +60,7 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile", "quality"),
+INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile"),
                          [](const auto& preset) { return std::string(preset.param); });
 
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
@@ -89,11 +89,11 @@ TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     EXPECT_GT(mean(imageOf(light.render(view).radiance, 1.0, 40, 30)), 0.05);
 }
 
-// What vct.h says of Pictures, on the floor, whose base colour and normal are known.
+// The floor has a known base colour and normal, so vct.h gives its radiance.
 TEST_F(Embedded, PartsMakeThePicture) {
     described_.camera = lookAt({0, 0.6, 1}, {0, 0, 1}, 40);
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
+    const Pictures pictures = light.render(described_.view());
     const Image radiance = imageOf(pictures.radiance), irradiance = imageOf(pictures.irradiance),
                 visibility = imageOf(pictures.sunVisibility);
     const float cosine = 1.0F / std::sqrt(0.4F * 0.4F + 1.0F + 0.5F * 0.5F);
@@ -104,7 +104,7 @@ TEST_F(Embedded, PartsMakeThePicture) {
     }
 }
 
-TEST_F(Embedded, WhatMovesIsSeenAtItsNewPlace) {
+TEST_F(Embedded, AMovedInstanceIsSeenAtItsNewPlace) {
     SceneDescription& scene = described_.scene;
     scene.instances[1].moves = true;
     scene.bounds = Box{{-1.5, -0.2, -1.5}, {1.5, 1.5, 1.5}};
@@ -120,11 +120,11 @@ TEST_F(Embedded, WhatMovesIsSeenAtItsNewPlace) {
 
     scene.instances[1].worldFromObject = moved;
     scene.sun.directionToSun = {-0.4, 1, 0.5};
-    GlobalIllumination anew(getProcAddress, scene, optionsOf("mobile"));
-    EXPECT_EQ(imageOf(anew.render(view).sunVisibility).pixels, after.pixels);
+    GlobalIllumination fresh(getProcAddress, scene, optionsOf("mobile"));
+    EXPECT_EQ(imageOf(fresh.render(view).sunVisibility).pixels, after.pixels);
 }
 
-// All that vct.h says is left as it was, and some of what it says is not used.
+// The state that vct.h says is unchanged, and some that it says is not used.
 std::map<GLenum, std::vector<GLfloat>> stateNow() {
     std::map<GLenum, std::vector<GLfloat>> state;
     const std::vector<GLenum> groups[] = {
@@ -149,9 +149,9 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
     described_.scene.instances[1].moves = true;
     {
         GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-        clean = imageOf(light.render(view, GlobalIllumination::Light::converged).radiance);
+        clean = imageOf(light.render(view).radiance);
     }
-    // As bad as a frame can leave it: each of these would spoil a pass.
+    // Each of these would spoil a pass.
     const gl::Texture target = gl::Texture::make2d("of the test", GL_RGBA8, 8, 8);
     const gl::Framebuffer drawn("drawn", {&target}, nullptr), read("read", {&target}, nullptr);
     drawn.bind();
@@ -187,7 +187,7 @@ TEST_F(Embedded, StateIsLeftAsVctHPromises) {
         light.resize(width + 1, height);
         light.resize(width, height);
         expectSame("resize()");
-        const Pictures pictures = light.render(view, GlobalIllumination::Light::converged);
+        const Pictures pictures = light.render(view);
         expectSame("render()");
         GLint bound = -1;
         gl::ActiveTexture(GL_TEXTURE0 + VCT_TEX_G_NORMAL);

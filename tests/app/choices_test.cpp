@@ -1,4 +1,4 @@
-// What is chosen in words or by touch.
+// Choices from the text of an intent.
 #include "app/choices.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace vct::app {
 namespace {
 
-// Another preset's grid may be more than a phone can hold.
+// The grid of another preset may be too large for a phone.
 TEST(Choices, APresetBringsItsOwnGrid) {
     Choices choices;
     choosePreset(choices, "mobile");
@@ -35,15 +35,7 @@ TEST(Choices, ATimeStopsTheAnimationThere) {
         EXPECT_THROW(showRequestFromText(wrong), Error) << wrong;
 }
 
-TEST(Choices, RevoxelizeIsOfTheSettings) {
-    EXPECT_FALSE(settingsFor(showRequestFromText("show").choices, glm::ivec2(8), 1.0).revoxelize);
-    const Choices choices = showRequestFromText("show revoxelize=on").choices;
-    EXPECT_TRUE(settingsFor(choices, glm::ivec2(8), 1.0).revoxelize);
-    EXPECT_NE(choices, showRequestFromText("show").choices);
-    EXPECT_THROW(showRequestFromText("show revoxelize=1"), Error);
-}
-
-TEST(Choices, LampsAreSwitchedAndTheSkyIsChosenInWords) {
+TEST(Choices, LightsAreSwitchedAndTheSkyIsChosenInWords) {
     const Choices choices = showRequestFromText("show sky=plain lights-off=1,16").choices;
     EXPECT_EQ(choices.sky, Sky::plain);
     EXPECT_EQ(choices.lightsOff.to_ulong(), 0x8001UL);

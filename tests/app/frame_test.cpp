@@ -1,9 +1,8 @@
-// What the app shows is what `vct render` renders.
+// The app shows the pictures of `vct render`.
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <optional>
 #include <thread>
 
 #include "cli/program_run.h"
@@ -11,13 +10,12 @@
 #include "stand_in/stand_in.h"
 #include "support/errors.h"
 #include "support/moving_scenes.h"
-#include "support/render_passes.h"
 #include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
 
-// The window without the display. `scenes`: the APK's; the source tree's where it is empty.
+// The window without the panel. `scenes`: the APK's folder, or "" for the source tree's.
 Image screenOf(const std::string& show, int width, int height, const std::string& scenes = "") {
     StandIn android;
     if (!scenes.empty()) android.scenes = scenes;
@@ -31,7 +29,7 @@ Image screenOf(const std::string& show, int width, int height, const std::string
     return android.screen;
 }
 
-// The largest difference of 8-bit values between what is shown and the linear picture in a file.
+// The largest difference of 8-bit values between the window and the picture in a file.
 long maxDifference(const Image& screen, const std::string& file) {
     const Image picture = readImage(file);
     if (screen.pixels.size() != picture.pixels.size()) return 256;
@@ -50,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Frame, testing::Values("phong", "gi", "gi-cone-s
                              return name == "gi-cone-shadow" ? std::string("giConeShadow") : name;
                          });
 
-TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
+TEST_P(Frame, EqualsThePictureOfRender) {
     const std::string mode = GetParam();
     const Image screen = screenOf("scene=courtyard.glb preset=thesis pixels=1 grid=64 mode=" + mode, 120, 90);
     ProgramRun program;
@@ -60,44 +58,8 @@ TEST_P(Frame, OnTheScreenIsThePictureOfRender) {
     EXPECT_EQ(maxDifference(screen, program.folder.file("out/" + mode + ".png")), 0);
 }
 
-TEST(Frame, ReadsNothingOfTheWindowAndLeavesNoDepthInIt) {
-    StandIn android;
-    android.intentExtra = "show scene=courtyard.glb preset=thesis grid=64 pixels=1 mode=phong";
-    android.startUntilSceneShown(96, 72);
-    std::optional<gl::CallLog> log;
-    std::vector<gl::Call> calls;
-    android.then([&] { log.emplace(); });
-    android.frames(2);
-    android.then([&] {
-        calls = log->calls();
-        log.reset();
-    });
-    android.run();
-    const RenderPasses passes = renderPassesOf(calls);
-    EXPECT_EQ(passes.count, 2);
-    EXPECT_EQ(passes.loaded, std::set<std::string>{});
-    EXPECT_EQ(passes.unread, std::set<std::string>{});
-}
-
-TEST(Frame, AScenesViewWithoutACameraIsThatOfRender) {
-    GltfBuilder builder = openFloor();
-    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
-    builder.document.erase("cameras");
-    for (auto& node : builder.document["nodes"])
-        node.erase("camera");
-    const TemporaryFolder scenes;
-    writeBytes(scenes.file("bare.glb"), builder.glb());
-    const Image screen =
-        screenOf("scene=bare.glb preset=thesis grid=64 pixels=1 mode=phong", 96, 72, scenes.path());
-    ProgramRun program;
-    program.expectSuccess("render '" + scenes.file("bare.glb") +
-                          "' --preset thesis --grid 64 --size 96x72 --out out --mode phong");
-    expectMentions(program.err, {"the scene has no camera"});
-    EXPECT_EQ(maxDifference(screen, program.folder.file("out/phong.png")), 0);
-}
-
-TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
-    // The light of the other presets comes to a still picture's by and by.
+TEST(Animated, APoseIsThePictureOfRenderAtThatTime) {
+    // Light of the other presets converges over several frames.
     const Image screen = screenOf("scene=moving.glb preset=thesis pixels=1 mode=gi time=1.5", 96, 72);
     ProgramRun program;
     program.expectSuccess("render " VCT_SOURCE_DIR
@@ -106,7 +68,6 @@ TEST(Animated, AtATimeItIsThePictureOfRenderThere) {
     EXPECT_LE(maxDifference(screen, program.folder.file("out/gi.png")), 1);
 }
 
-// The one is played in real time, the other stands still.
 TEST(Animated, PlaysUnlessItIsStopped) {
     const auto changes = [](const std::string& how) {
         StandIn android;
@@ -126,8 +87,8 @@ TEST(Animated, PlaysUnlessItIsStopped) {
     EXPECT_FALSE(changes("time=1"));
 }
 
-// A floor and a box; lamps with so much candela each, side by side above them.
-Bytes sceneWithLamps(const std::vector<double>& candela) {
+// A floor and a box below a row of lights.
+Bytes sceneWithLights(const std::vector<double>& candela) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     json& lights = builder.document["extensions"]["KHR_lights_punctual"]["lights"];
@@ -139,11 +100,11 @@ Bytes sceneWithLamps(const std::vector<double>& candela) {
     return builder.glb();
 }
 
-// Those of light 1 alone: a scene with another second one has other maps and voxels, but modes without them.
-TEST(Lamps, ThatAreOffGiveNothing) {
+// The mode phong has no shadow maps and voxels, which differ between the two scenes.
+TEST(Lights, GiveNoLightIfTheyAreOff) {
     const TemporaryFolder scenes;
-    writeBytes(scenes.file("both.glb"), sceneWithLamps({40, 30}));
-    writeBytes(scenes.file("first.glb"), sceneWithLamps({40}));
+    writeBytes(scenes.file("both.glb"), sceneWithLights({40, 30}));
+    writeBytes(scenes.file("first.glb"), sceneWithLights({40}));
     const auto screenWith = [&](const std::string& scene) {
         return screenOf("preset=mobile pixels=1 mode=phong scene=" + scene, 96, 72, scenes.path());
     };
@@ -153,7 +114,7 @@ TEST(Lamps, ThatAreOffGiveNothing) {
     EXPECT_FALSE(screenWith("both.glb lights-off=1").pixels == first.pixels);
 }
 
-TEST(Sky, OfASceneInWhichNothingShinesIsThatOfRender) {
+TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     const TemporaryFolder scenes;
     GltfBuilder builder;
     builder.triangle();
@@ -174,24 +135,7 @@ TEST(Sky, OfASceneInWhichNothingShinesIsThatOfRender) {
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }
 
-// Nothing else moves in this scene.
-TEST(Animated, TheViewGoesWithTheScenesCamera) {
-    GltfBuilder builder = openFloor();
-    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
-    builder.animate(2, "translation", {0, 1}, {0, 2.6F, 5.2F, 2, 2.6F, 5.2F});
-    const TemporaryFolder scenes;
-    writeBytes(scenes.file("camera.glb"), builder.glb());
-    const auto screenAt = [&](const std::string& time) {
-        return screenOf("scene=camera.glb preset=mobile pixels=1 mode=phong time=" + time, 96, 72,
-                        scenes.path());
-    };
-    const Image first = screenAt("0"), second = screenAt("0.9");
-    ASSERT_EQ(first.pixels.size(), second.pixels.size());
-    EXPECT_TRUE(screenAt("0").pixels == first.pixels);
-    EXPECT_FALSE(second.pixels == first.pixels);
-}
-
-// Rendered at half the sides and shown as large as the window: the same picture with fewer details.
+// Half the resolution gives the same picture with fewer details.
 TEST(Frame, ALowerResolutionFillsTheWindow) {
     const Image full = screenOf("grid=64 mode=phong pixels=1", 96, 64);
     const Image half = screenOf("grid=64 mode=phong pixels=2", 96, 64);
@@ -210,8 +154,7 @@ TEST(Frame, TheThesissSquareIsNotStretched) {
     EXPECT_GT(glm::length(screen.at(64, 32)), 0.05F);
 }
 
-// For people to look at (docs/images are made of these), and with an assertion that holds on any driver:
-// letters are drawn.
+// Letters are bright. With VCT_KEEP_PICTURES the pictures are kept: docs/images has some of them.
 void expectText(const Image& screen, int left, int top, int right, int bottom) {
     int bright = 0;
     for (int y = top; y < bottom; ++y)
@@ -248,7 +191,7 @@ TEST(Display, IsReadableOnAPhoneUprightAndSideways) {
     }
 }
 
-// Mesa's own means of leaving things out: the driver is real.
+// Mesa can leave extensions out.
 class LesserDriver {
   public:
     LesserDriver(const char* version, const char* extensions) {

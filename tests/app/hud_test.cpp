@@ -1,7 +1,6 @@
-// The display under a finger.
+// Touches on the panel.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "app/hud.h"
@@ -14,7 +13,7 @@ namespace {
 
 constexpr glm::ivec2 window{400, 800};
 
-// A display of its own, without GL.
+// A panel without GL.
 class Fingers {
   public:
     app::HudActions tap(glm::vec2 at) {
@@ -30,7 +29,7 @@ class Fingers {
         hud.touch(to, false);
         return frames();
     }
-    // What was asked for in any of them.
+    // The actions of all of these frames.
     app::HudActions frames(int count = 4) {
         app::HudActions all;
         for (int i = 0; i < count; ++i) {
@@ -76,21 +75,20 @@ TEST(Hud, HidesAndShows) {
     EXPECT_TRUE(fingers.hud.covers(inside));
 }
 
-// Everything in the panel is somewhere: every row is touched, and what opens is too.
+// Every row of the panel is touched, and every list that opens.
 TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     Fingers fingers;
     fingers.message = "wrong";
     fingers.animated = true;
-    fingers.lights = {"lamp", "lamp", ""};
+    fingers.lights = {"light", "light", ""};
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
-    std::vector<std::string> changed;
+    std::set<std::string> changed;
     const auto look = [&] {
         const app::Choices& now = fingers.choices;
-        const auto note = [&](bool is, const char* what) {
-            if (is && std::find(changed.begin(), changed.end(), what) == changed.end())
-                changed.push_back(what);
+        const auto note = [&](bool hasChanged, const char* choice) {
+            if (hasChanged) changed.insert(choice);
         };
         note(now.mode != before.mode, "mode");
         note(now.grid != before.grid, "grid");
@@ -98,8 +96,8 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         note(now.resolution != before.resolution, "pixels");
         note(now.coneAngleDeg != before.coneAngleDeg, "cone");
         note(now.lightAnglesDeg.has_value(), "light");
-        note(now.lightsOff.any(), "lamps");
-        note(now.lightsOff.test(1), "second lamp");
+        note(now.lightsOff.any(), "lights");
+        note(now.lightsOff.test(1), "second light");
         note(now.sky != before.sky, "sky");
         note(now.timeSteps != before.timeSteps, "time");
         note(now.play != before.play, "play");
@@ -117,19 +115,17 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.drag({60.0F, y}, {180.0F, y});
         look();
         actions.measure |= fingers.tap({210.0F, y}).measure;
-        fingers.tap({165.0F, y});  // the second in its row
+        fingers.tap({165.0F, y});  // the second one of a row
         look();
     }
-    std::sort(changed.begin(), changed.end());
-    EXPECT_EQ(changed, (std::vector<std::string>{"cone", "grid", "lamps", "light", "mode", "pixels", "play",
-                                                 "preset", "scene", "second lamp", "sky", "time"}));
+    EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lights", "light", "mode", "pixels", "play",
+                                              "preset", "scene", "second light", "sky", "time"}));
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);
     EXPECT_TRUE(actions.measure);
 }
 
-// Whatever of the panel is touched, and whatever opens.
 TEST(Hud, OffersNoGridThatIsNotPossible) {
     const auto chosenWith = [](const std::vector<int>& grids) {
         Fingers fingers;
@@ -150,7 +146,7 @@ TEST(Hud, OffersNoGridThatIsNotPossible) {
     EXPECT_EQ(chosenWith({64, 128}), (std::set<int>{64, 128, 256})) << "256 is where it began";
 }
 
-// A finger down the panel, over a driver that will compile nothing more: what was good stays on the screen.
+// The driver fails to compile any shader after the first picture.
 TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
     StandIn android;
     android.intentExtra = "show grid=64 mode=ao pixels=4";
@@ -178,7 +174,6 @@ TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
         << "the picture is gone";
 }
 
-// Its message, and the scene before it stays.
 TEST(Hud, ASceneThatCannotBeLoadedIsReported) {
     TemporaryFolder files;
     writeBytes(files.file("broken.glb"), "glTF, or not");

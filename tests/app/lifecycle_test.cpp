@@ -1,7 +1,8 @@
-// The app's life, step by step: what it draws and when, what it keeps and what it makes anew.
+// The lifecycle of the app: when it draws, which objects it keeps and which it rebuilds.
 #include <gtest/gtest.h>
 
 #include "stand_in/stand_in.h"
+#include "support/element_buffers.h"
 #include "support/temporary_folder.h"
 
 namespace vct::test {
@@ -15,7 +16,7 @@ void expectClean(const StandIn& android) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-// Cheap frames: what is tested here does not depend on them.
+// The tests do not depend on the frames, so these are cheap.
 class Small : public StandIn {
   public:
     Small() { intentExtra = "show grid=64 mode=ao pixels=2"; }
@@ -39,7 +40,7 @@ TEST(Lifecycle, StartsTestsTheDriverShowsASceneAndEnds) {
 TEST(Lifecycle, DrawsOnlyWithAWindowAndWhileResumed) {
     Small android;
     int before = 0;
-    const auto remember = [&] { before = android.shown; };
+    const auto keep = [&] { before = android.shown; };
     const auto expectNoFrame = [&](const char* when) {
         android.frames(3);
         android.then([&, when] { EXPECT_EQ(android.shown, before) << when; });
@@ -51,14 +52,14 @@ TEST(Lifecycle, DrawsOnlyWithAWindowAndWhileResumed) {
     android.window(width, height);
     android.frames(3);
     android.then([&] { EXPECT_GT(android.shown, before); });
-    android.then(remember);
+    android.then(keep);
     android.command(APP_CMD_PAUSE);
     expectNoFrame("paused");
     android.command(APP_CMD_RESUME);
     android.frames(3);
     android.then([&] { EXPECT_GT(android.shown, before); });
     android.loseWindow();
-    android.then(remember);
+    android.then(keep);
     expectNoFrame("without a window");
     android.run();
     expectClean(android);
@@ -79,7 +80,7 @@ TEST(Lifecycle, ALostWindowKeepsTheContextAndEverythingInIt) {
     android.run();
     EXPECT_GT(android.shown, before);
     EXPECT_EQ(android.contextsMade, 1);
-    EXPECT_FALSE(android.logged("renderer:")) << "GL objects were made anew";
+    EXPECT_FALSE(android.logged("renderer:")) << "GL objects were rebuilt";
     expectClean(android);
 }
 
@@ -98,7 +99,7 @@ TEST(Lifecycle, RotationGivesASurfaceOfTheNewSize) {
     expectClean(android);
 }
 
-TEST(Lifecycle, AContextLostBetweenFramesIsMadeAnew) {
+TEST(Lifecycle, AContextLostBetweenFramesIsReplaced) {
     Small android;
     android.startUntilSceneShown(width, height);
     android.then([&] { android.loseContextAtSwap(1); });
@@ -111,8 +112,8 @@ TEST(Lifecycle, AContextLostBetweenFramesIsMadeAnew) {
     expectClean(android);
 }
 
-// Wherever in a frame the driver says it first, set-up of the GL objects included.
-TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsMadeAnew) {
+// The driver may report the loss at any call of a frame, or while GL objects are set up.
+TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
     for (int call : {1, 2, 3, 5, 8, 13, 21, 34}) {
         Small android;
         android.startUntilSceneShown(width, height);
@@ -136,7 +137,7 @@ TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsMadeAnew) {
     }
 }
 
-TEST(Lifecycle, AContextLostWhilePausedIsMadeAnew) {
+TEST(Lifecycle, AContextLostWhilePausedIsReplaced) {
     Small android;
     android.startUntilSceneShown(width, height);
     android.command(APP_CMD_PAUSE);
@@ -153,7 +154,7 @@ TEST(Lifecycle, AContextLostWhilePausedIsMadeAnew) {
     expectClean(android);
 }
 
-TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererAndLaterMakesItAgain) {
+TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
     Small android;
     android.startUntilSceneShown(width, height);
     int before = 0;
@@ -210,15 +211,36 @@ TEST(Lifecycle, ASurfaceThatCannotBeMadeWaitsForTheNextWindow) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
 }
 
-// The stand-in is worth as much as what it notices.
 TEST(StandInTest, NoticesADeadWindowsSurface) {
     Small android;
     android.startUntilSceneShown(width, height);
-    // The window dies without a word to the app, which goes on drawing.
+    // The window dies without a command, so the app goes on drawing.
     android.then([&] { android.glue.window->alive = false; });
     android.frames(2);
     android.run();
     EXPECT_FALSE(android.misuse.empty());
+}
+
+TEST(DriverFaultsOfTheApp, ElementsAreBoundAfterTheirVertexArrayAndNothingIsQueried) {
+    StandIn android;
+    android.intentExtra = "show grid=64 mode=phong pixels=4";
+    android.startUntilSceneShown(400, 800);
+    struct Spies {
+        int finishes = 0;
+        ElementBufferCheck elements;
+        const GlSpy<&gl::Finish> finished{[this] { ++finishes; }};
+        const GlSpy<&gl::BeginQuery> queried{[](GLenum, GLuint) { ADD_FAILURE() << "a query"; }};
+    };
+    std::unique_ptr<Spies> spies;
+    android.then([&] { spies = std::make_unique<Spies>(); });
+    android.frames(2);
+    android.then([&] {
+        EXPECT_GT(spies->elements.uses, 4);
+        EXPECT_GT(spies->finishes, 0) << "steps were not timed";
+        spies.reset();
+    });
+    android.run();
+    EXPECT_EQ(android.errors(), "");
 }
 
 }  // namespace

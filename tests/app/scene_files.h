@@ -1,4 +1,4 @@
-// An APK's scenes, of which there is one that costs nothing.
+// A folder of scenes, as in the APK, with one tiny scene.
 #pragma once
 
 #include <filesystem>

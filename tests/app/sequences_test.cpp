@@ -1,5 +1,5 @@
-// Random legal lives of the app: whatever Android does to it, in whatever order, nothing leaks, no GL error
-// happens and no dead window is used. VCT_SEQUENCE_SEED runs one of them.
+// Random legal lives of the app: nothing leaks, no GL error happens and no dead window is used.
+// VCT_SEQUENCE_SEED runs one of them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,10 +11,10 @@
 namespace vct::test {
 namespace {
 
-constexpr int shards = 10;
+constexpr int shards = 4;
 constexpr int perShard = 100;
 
-// Android's rules: started before resumed, fingers and focus only with a window, and so on.
+// The events follow Android's rules, such as start before resume, and touches only with a window.
 class RandomLife {
   public:
     RandomLife(StandIn& android, unsigned seed) : android_(android), random_(seed) {

@@ -1,4 +1,4 @@
-// One run of `vct` in an empty folder of its own: what it said, what it left.
+// Runs of `vct` in an empty folder: their output and their files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace vct::test {
 
 class ProgramRun {
   public:
-    // The scene of the tests; absolute, as the program runs elsewhere.
+    // An absolute path, as the program runs elsewhere.
     static constexpr const char* cornell = VCT_SOURCE_DIR "/assets/cornell.glb";
 
-    // `before` is shell text in front of the program: variables, or a limit.
+    // `before`: shell text in front of the program, such as a variable or a limit. Returns the exit status.
     int run(const std::string& arguments, const std::string& before = "") {
         const std::string command = "cd '" + folder.path() + "' && " + before + " '" + VCT_PROGRAM + "' " +
                                     arguments + " > '" + said.file("out") + "' 2> '" + said.file("err") + "'";
@@ -29,7 +29,6 @@ class ProgramRun {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
-    // Runs it, and expects that it ends well.
     void expectSuccess(const std::string& arguments) { EXPECT_EQ(run(arguments), 0) << arguments << err; }
 
     nlohmann::json json(const std::string& name) const {

@@ -1,5 +1,4 @@
-// `vct render` of an animated scene: a moment and a sequence. What does not go together is in
-// errors_test.cpp.
+// `vct render` of an animated scene: one moment, or a sequence.
 #include <gtest/gtest.h>
 
 #include "cli/program_run.h"
@@ -12,13 +11,13 @@ namespace {
 constexpr const char* moving = VCT_SOURCE_DIR "/assets/moving.glb";
 
 std::string renderOf(const char* scene, const std::string& options, const char* preset = "mobile") {
-    return std::string("render ") + scene + " --preset " + preset + " --mode gi --size 48x40 --out out " +
-           options;
+    return std::string("render ") + scene + " --preset " + preset +
+           " --mode gi --size 48x40 --light-frames 2 --out out " + options;
 }
 
 TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     ProgramRun program;
-    // The light of the other presets remembers the frames before.
+    // Light of the other presets depends on the frames before.
     const char* const options = "--grid 64 --time 0.5 --frames 3 --fps 2 --timings t.json";
     program.expectSuccess(renderOf(moving, options, "thesis"));
     EXPECT_EQ(program.folder.list("out"),
@@ -35,10 +34,10 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     program.expectSuccess(renderOf(moving, "--grid 64 --time 1.5", "thesis"));
     EXPECT_EQ(bytes("gi.png"), bytes("gi_0002.png"));
     EXPECT_NE(bytes("gi.png"), bytes("gi_0000.png"));
-    expectMentions(program.err, {"not of this run, but in out: gi_0000.exr"});
+    expectMentions(program.err, {"out also has files of earlier runs: gi_0000.exr"});
 }
 
-// Without a time it is as the file puts the nodes, which is said.
+// Without a time the nodes are where the file puts them.
 TEST(Sequence, AtRestAnAnimatedSceneSaysSo) {
     ProgramRun program;
     program.expectSuccess(renderOf(moving, ""));
@@ -47,12 +46,11 @@ TEST(Sequence, AtRestAnAnimatedSceneSaysSo) {
     EXPECT_EQ(program.err.find("--time"), std::string::npos) << program.err;
 }
 
-// The scene's light and camera move; one that the command line gives stands still.
 TEST(Sequence, TheLightAndTheCameraMoveUnlessTheCommandLineGivesThem) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     GltfBuilder withCamera = builder;
-    // About +X: from 60 to 30 degrees down; and to the side.
+    // The sun turns about +X from 60 to 30 degrees above the horizon, and the camera moves to the side.
     builder.animate(1, "rotation", {0, 1}, {-0.5F, 0, 0, 0.8660254F, -0.258819F, 0, 0, 0.9659258F});
     withCamera.animate(2, "translation", {0, 1}, {0, 2.6F, 5.2F, 2, 2.6F, 5.2F});
     ProgramRun program;

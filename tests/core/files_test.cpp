@@ -1,4 +1,4 @@
-// Files are written whole or not at all, and nothing else is touched.
+// Files are written whole or not at all, and no other file changes.
 #include "core/files.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(ReplaceFile, ManyAtOnceDoNotDisturbEachOther) {
     EXPECT_EQ(folder.list(), FileNames{"a"});
 }
 
-TEST(ReplaceFile, WhatDoesNotFitLeavesTheOldFileAndNoOther) {
+TEST(ReplaceFile, ALackOfSpaceLeavesTheOldFileAndNoOther) {
     const TemporaryFolder folder;
     writeBytes(folder.file("a"), "of yesterday");
     rlimit before{};
@@ -78,7 +78,9 @@ TEST(Interruption, RemovesFilesAndEmptyFoldersThatAreHalfMade) {
         std::filesystem::create_directory(folder.file(name));
     writeBytes(folder.file("used/mine"), "mine");
     writeBytes(folder.file("half"), "half");
-    { const RemovedOnInterruption kept(folder.file("kept")); }
+    {
+        const RemovedOnInterruption kept(folder.file("kept"));
+    }
     const RemovedOnInterruption empty(folder.file("empty")), used(folder.file("used")),
         half(folder.file("half"));
     removeAfterInterruption();

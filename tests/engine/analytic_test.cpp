@@ -1,4 +1,4 @@
-// Truths of packed voxels that need no renderer: an empty volume and a half-space.
+// Closed forms for packed voxels: an empty volume and a half-space.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,8 +29,7 @@ FrameInspector overVoxels(const Context& context, const Scene& scene, const glm:
     return frame;
 }
 
-// Without geometry in the voxels nothing but the sky is seen, nothing occludes: exactly.
-TEST(EmptyVolume, IndirectIsTheSkyAndOcclusionAndShadowAreOne) {
+TEST(EmptyVolume, IndirectLightIsTheSkyAndNothingIsOccluded) {
     const Context context = openContext(Backend::egl);
     const Scene scene = lonePlane(0.0);
     const Camera camera = lookAt({0, 3, 0.5}, {0, 0, 0}, 40);
@@ -81,7 +80,7 @@ double halfSpaceGather(const glm::dvec3& start, const glm::dvec3& from, const gl
 class HalfSpace : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Axes, HalfSpace, testing::Values(0, 1, 2));
 
-TEST_P(HalfSpace, GatherEqualsTheClosedForm) {
+TEST_P(HalfSpace, IsGatheredAsItsClosedFormSays) {
     const int axis = GetParam();
     const Context context = openContext(Backend::egl);
     const Scene scene = lonePlane(0.0);
@@ -95,23 +94,19 @@ TEST_P(HalfSpace, GatherEqualsTheClosedForm) {
         }
     };
     FrameInspector frame = overVoxels(context, scene, {1, 2, 3}, lookAt({0, 3, 0.5}, {0, 0, 0}, 40), fill);
-    const Image image = frame.view(Output::indirectLight);
+    const std::vector<SeenSurface> seen = frame.seen(Output::indirectLight);
     glm::dvec3 from(0.0);
     from[axis] = first;
     double largest = 0.0;
-    int surfaces = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        if (!frame.pixels()[i].surface) continue;
-        ++surfaces;
-        const glm::dvec3 start =
-            frame.pixels()[i].positionVolume * (1.0 * analyticGrid) + glm::dvec3(0, 5, 0);
-        // The half-space shines with 1, and of the sky is seen what it leaves.
+    for (const auto& [surface, light] : seen) {
+        const glm::dvec3 start = surface.positionVolume * (1.0 * analyticGrid) + glm::dvec3(0, 5, 0);
+        // The radiance of the half-space is 1, and the sky is behind it.
         const double opacity = halfSpaceGather(start, from, glm::dvec3(analyticGrid));
-        ASSERT_NEAR(image.pixels[i].x, opacity + (1.0 - opacity) * skyRadiance, 4e-3)
+        ASSERT_NEAR(light.x, opacity + (1.0 - opacity) * skyRadiance, 4e-3)
             << "at " << start.x << " " << start.y << " " << start.z;
         largest = std::max(largest, opacity);
     }
-    ASSERT_GT(surfaces, 1000);
+    ASSERT_GT(seen.size(), 1000U);
     EXPECT_GT(largest, axis == 1 ? 0.75 : 0.5);  // the half-space is there
 }
 

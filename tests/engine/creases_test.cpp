@@ -1,11 +1,10 @@
-// Where two walls without thickness meet, a shadow map's bias and its filter let the sun in that no ray from
-// there can reach: in the picture by the hard and the soft shadow, and in the voxels as light. Of a room
-// whose walls are the planes of a cube it is known where the sun is seen: through the wall that is missing.
+// Creases between walls without thickness. A shadow map's bias and filter let the sun in there, into the hard
+// shadow, the soft shadow and the voxels. In a room whose walls are the planes of a cube, the sun comes in
+// through the missing wall alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
@@ -18,7 +17,7 @@ namespace {
 struct CubeRoom {
     const char* name;
     bool open;         // without the wall at +z
-    double thickness;  // of walls that are boxes; 0: they are rectangles, whose front is inside
+    double thickness;  // of walls that are boxes; 0: the walls are rectangles with their front inside
     bool doubleSided;
     double angleDeg;  // turns everything around an oblique axis
 };
@@ -29,10 +28,11 @@ const CubeRoom cubeRooms[] = {{"closed", false, 0.0, false, 25.0},
                               {"open, double-sided, turned", true, 0.0, true, 25.0},
                               {"open, thin walls", true, 0.04, false, 0.0}};
 
-// In through the front, along a wall nearly, and from where walls and floor shade each other.
+// Directions to the sun: through the front, nearly along a wall, and two that let walls and floor shade each
+// other.
 const glm::dvec3 suns[] = {{0.3, 0.5, 0.8}, {0.8, 0.5, 0.1}, {-0.63, 0.72, 0.2}, {0.23, -0.75, 0.62}};
 
-// And turns it: `turn` is what takes the cube into the world.
+// `turn` is set to the matrix from the cube to the world.
 Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
     Scene scene = room.thickness > 0.0 ? emptyScene() : closedBox(0.0);
     scene.materials.front().doubleSided = room.doubleSided;
@@ -44,21 +44,22 @@ Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
                 centre[axis] = side * (1.0 + 0.5 * room.thickness);
                 addBox(scene, sides, centre);
             }
-    if (room.open) scene.instances.pop_back();  // both ways the last
+    if (room.open) scene.instances.pop_back();  // the last one in either form
     turn = turnScene(scene, room.angleDeg);
     return finished(std::move(scene));
 }
 
-// A map knows a wide penumbra in a crease by 16 samples, of which three may go astray.
+// A wide penumbra in a crease comes from 16 samples, three of which may be wrong.
 constexpr float hardLeak = 0.02F, softLeak = 0.2F;
-// Share of the dark pixels in creases. The soft shadow can't afford the hard one's look at the texel beyond
-// the four, and the moments' finest filter is two texels wide.
+// Share of the dark pixels in creases. The soft shadow does not read a fifth texel as the hard one does, and
+// the finest filter of the moments is two texels wide.
 constexpr double softLeaks = 0.0015;
 constexpr float sunDeg = 2.0F;
 
 struct Count {
-    int dark = 0, leaks = 0;  // within 4 pixels of a crease, where no sun is; anywhere of these, lit
-    int lit = 0, lost = 0;    // where nothing is in shadow; of these less than half lit
+    int dark = 0,
+        leaks = 0;          // pixels without sun within 4 pixels of a crease; pixels without sun that are lit
+    int lit = 0, lost = 0;  // pixels in the sun; those that are less than half lit
 };
 
 struct Sizes {
@@ -79,7 +80,7 @@ class Creases : public testing::TestWithParam<Sizes> {
         settings.shadowMapSize = GetParam().map;
         settings.shadowConeAngleDeg = sunDeg;
         settings.grid = 64;
-        settings.lightFrames = 1;  // what surfaces receive is taken off again
+        settings.lightFrames = 1;  // the indirect light is subtracted
         FrameInspector frame(context_, scene, lightFrom({0, 1, 0}), settings, camera);
         const double texel =  // of the map, or less
             glm::length(scene.boundsWorld.max - scene.boundsWorld.min) / GetParam().map;
@@ -95,16 +96,16 @@ class Creases : public testing::TestWithParam<Sizes> {
                 if (!frame.pixels()[i].surface) continue;
                 const glm::dvec3 p = cubeFromWorld * frame.pixels()[i].positionWorld;
                 const glm::dvec3 normal = cubeFromWorld * frame.pixels()[i].normal;
-                // A sun partly below the surface's horizon is left to n.l.
+                // n.l accounts for a sun that is partly below the surface's horizon.
                 if (glm::dot(normal, directionToLight) < std::sin(discRad) + 0.05) continue;
                 glm::dvec3 toWalls = glm::abs(1.0 - glm::abs(p));
-                std::sort(&toWalls.x, &toWalls.x + 3);  // the nearest is its own
+                std::sort(&toWalls.x, &toWalls.x + 3);  // the nearest wall is the pixel's own
                 const double near = 4.0 * pixel * glm::length(p - eye);
-                // A rasterizer's corners are rounded: this near to the crease either wall may be seen. And
-                // walls that have a thickness have sides of it.
+                // The rasterizer rounds corners, so either wall may be seen this near to a crease. Walls with
+                // a thickness have narrow sides, too.
                 if (toWalls[0] > 1e-3 || toWalls[1] < near / 80.0 || glm::dot(normal, p) > 0.0) continue;
                 const double outside = outsideOfTheOpening(p, directionToLight, room.open);
-                // As far as the filter mixes in what is beside, and the sun's size.
+                // The filter's reach and the sun's size.
                 const double border =
                     2.0 * (6.0 * texel + 4.0 * discRad) / std::max(std::abs(directionToLight.z), 1e-3);
                 if (outside > border) {
@@ -120,8 +121,8 @@ class Creases : public testing::TestWithParam<Sizes> {
     }
 
   private:
-    // How far beside the wall that is missing a ray leaves the cube; below 0: through it, as far from its
-    // border.
+    // Distance between the missing wall and the point where a ray leaves the cube; negative where the ray
+    // leaves through that wall.
     static double outsideOfTheOpening(const glm::dvec3& p, const glm::dvec3& directionToLight, bool open) {
         if (!open || directionToLight.z <= 0.0) return 1e9;
         const glm::dvec3 leaves = p + (1.0 - p.z) / directionToLight.z * directionToLight;
@@ -137,8 +138,6 @@ TEST_P(Creases, AreDarkWhereNoSunReaches) {
         Count all;
         for (const CubeRoom& room : cubeRooms) {
             const Count count = countOf(room, soft);
-            std::printf("  %-28s %7d dark pixels in creases, %d lit; %7d lit pixels, %d dark\n", room.name,
-                        count.dark, count.leaks, count.lit, count.lost);
             EXPECT_GT(count.dark, 100) << room.name;
             all.dark += count.dark;
             all.leaks += count.leaks;
@@ -151,8 +150,8 @@ TEST_P(Creases, AreDarkWhereNoSunReaches) {
     }
 }
 
-// No face that looks into a closed room holds the sun's light. Of a turned one only rectangles are looked at
-// whose back is not there: all their faces look inside.
+// No face towards the inside of a closed room holds sunlight. In the turned room all faces are towards the
+// inside.
 TEST(CreasesOfVoxels, HoldNoSun) {
     const Context context = openContext(Backend::egl);
     for (const CubeRoom& room : cubeRooms) {
@@ -166,10 +165,10 @@ TEST(CreasesOfVoxels, HoldNoSun) {
                              lookAt({0, 0, 0}, {0, 0, -1}, 90));
         for (const glm::dvec3& sun : suns) {
             frame.setLight(sun);
-            frame.faceLevels();  // measures the range
+            frame.faceLevels();  // the range of the next frame follows from this one
             const FaceLevel level = frame.faceLevels().front();
             const double largest = 2.0 / frame.faceRange();  // 2 / 255 of the sun's light
-            int faces = 0, inVain = 0;
+            int faces = 0, lit = 0;
             level.forEachVoxel([&](const glm::ivec3& voxel) {
                 const glm::dvec3 fromMiddle = glm::dvec3(voxel) + 0.5 - 0.5 * level.side();
                 for (int face = 0; face < faceCount; ++face) {
@@ -177,11 +176,11 @@ TEST(CreasesOfVoxels, HoldNoSun) {
                     if (value.a == 0) continue;
                     if (room.angleDeg == 0.0 && glm::dot(fromMiddle, faceDirection(face)) > 0.0) continue;
                     ++faces;
-                    inVain += std::max({value.r, value.g, value.b}) > largest;
+                    lit += std::max({value.r, value.g, value.b}) > largest;
                 }
             });
             EXPECT_GT(faces, 1000) << room.name;
-            EXPECT_EQ(inVain, 0) << room.name;
+            EXPECT_EQ(lit, 0) << room.name;
         }
     }
 }

@@ -1,4 +1,4 @@
-// How light steps gather, from change to convergence; without GL.
+// The schedule of gather steps from a change to convergence, without GL.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -44,13 +44,6 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
     EXPECT_EQ(visited.size(), 256U);
 }
 
-TEST(GatherSchedule, AFewLightFramesAreNotRefined) {
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 1).convergenceSteps(), 1);
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 256, 8), 15).convergenceSteps(), 15);
-    EXPECT_EQ(GatherSchedule(settingsWith(64, 0, 8), 16).convergenceSteps(), 16);
-    EXPECT_EQ(GatherSchedule(settingsWith(128, 256, 16), 16).convergenceSteps(), 32);
-}
-
 TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
     GatherSchedule schedule(settingsWith(64, 256, 8), 16);
     while (!schedule.isConverged())
@@ -73,7 +66,7 @@ TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
     EXPECT_EQ(steps, schedule.convergenceSteps());
 }
 
-// Voxels that are made again in the same light: the light has converged, and its histories stay long.
+// Voxels that are rebuilt in the same light keep converged light and long histories.
 TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
     GatherSchedule schedule(settingsWith(64, 256, 8), 16);
     while (!schedule.isConverged())
@@ -82,17 +75,6 @@ TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
         EXPECT_GT(schedule.advance(otherLists).history, 100.0F);
         EXPECT_TRUE(schedule.isConverged());
     }
-}
-
-TEST(GatherSchedule, InvalidatingBeginsWithoutHistory) {
-    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
-    for (int i = 0; i < 20; ++i)
-        schedule.advance(noChange);
-    schedule.invalidate();
-    const GatherStep first = schedule.advance(noChange);
-    EXPECT_EQ(first.history, 0.0F);
-    EXPECT_EQ(first.amplitude, 0.0F);
-    EXPECT_EQ(first.roundShare, 0.0F);
 }
 
 }  // namespace

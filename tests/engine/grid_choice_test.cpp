@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t enough = std::numeric_limits<std::size_t>::max();
 
-// A floor of 10 m, so that voxels are of 16.9, 8.1, 4.0 and 2.0 cm, and boxes on it.
+// A floor of 10 m with boxes on it: voxels are 16.9, 8.1, 4.0 or 2.0 cm wide.
 Scene floorWith(int boxes, const glm::dvec3& sides) {
     Scene scene = emptyScene();
     addQuad(scene, {-5, 0, -5}, {0, 0, 10}, {10, 0, 0});
@@ -38,16 +38,15 @@ GridChoice choose(const Scene& scene, const std::string& preset, std::size_t byt
     return chooseGrid(scene, presetSettings(preset), driverWith(2048), bytes);
 }
 
-TEST(GridChoice, TwoVoxelsAcrossTheNarrowestParts) {
+TEST(GridChoice, HasTwoVoxelsAcrossTheNarrowestParts) {
     // 20 slats of 0.4 m^2 and more beside 100 m^2.
     EXPECT_EQ(choose(floorWith(20, {0.35, 0.35, 1}), "mobile").grid, 64);
     const GridChoice narrow = choose(floorWith(20, {0.17, 0.17, 1}), "mobile");
     EXPECT_EQ(narrow.grid, 128);
-    expectMentions(narrow.reason, {"grid 128: voxels of 8.13 cm"});
-    expectMentions(narrow.reason, {"17 cm wide (\"slat\")"});
+    expectMentions(narrow.reason, {"grid 128: voxels of 8.13 cm", "17 cm wide (\"slat\")"});
 }
 
-TEST(GridChoice, FacesMindRodsAndWordsMindWallsToo) {
+TEST(GridChoice, FollowsRodsAndWithPackedVoxelsWallsToo) {
     const Scene walls = floorWith(4, {3, 2, 0.1});
     EXPECT_EQ(choose(walls, "mobile").grid, 64);
     const GridChoice words = choose(walls, "thesis");
@@ -55,12 +54,12 @@ TEST(GridChoice, FacesMindRodsAndWordsMindWallsToo) {
     expectMentions(words.reason, {"10 cm thick"});
 }
 
-TEST(GridChoice, LittleSurfaceDecidesNothing) {
+TEST(GridChoice, IgnoresALittleSurface) {
     EXPECT_EQ(choose(floorWith(1, {0.1, 0.1, 1}), "mobile").grid, 64);
     EXPECT_EQ(choose(floorWith(20, {0.1, 0.1, 1}), "mobile").grid, 128);
 }
 
-TEST(GridChoice, ThePresetAndTheMemorySetTheLimit) {
+TEST(GridChoice, IsLimitedByThePresetAndTheMemory) {
     const Scene scene = floorWith(20, {0.1, 0.05, 1});
     const GridChoice finest = choose(scene, "mobile");
     EXPECT_EQ(finest.grid, 128);
@@ -74,7 +73,7 @@ TEST(GridChoice, ThePresetAndTheMemorySetTheLimit) {
     EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0)).grid, 128);
 }
 
-TEST(GridChoice, TheDriversLimitsSetTheLimit) {
+TEST(GridChoice, IsLimitedByTheDriver) {
     const Scene scene = floorWith(20, {0.1, 0.05, 1});
     const Settings quality = presetSettings("quality");  // six faces take three voxels' width
     EXPECT_EQ(chooseGrid(scene, quality, driverWith(3 * 256), enough).grid, 256);
@@ -82,7 +81,7 @@ TEST(GridChoice, TheDriversLimitsSetTheLimit) {
     EXPECT_EQ(coarser.grid, 128);
     expectMentions(coarser.reason, {"grid 128", "the finest that the driver allows"});
 
-    // Where there is none, the settings with the coarsest are refused with what is missing.
+    // With no possible grid, the coarsest is refused by the name of the limit.
     const gl::Capabilities tiny = driverWith(100);
     Settings refused = quality;
     refused.grid = chooseGrid(scene, quality, tiny, enough).grid;
@@ -91,7 +90,7 @@ TEST(GridChoice, TheDriversLimitsSetTheLimit) {
                    {"GL_MAX_3D_TEXTURE_SIZE >= 384", "found: 100", "use a coarser grid"});
 }
 
-TEST(GridChoice, PartsSmallerThanAVoxelAreWarnedOf) {
+TEST(GridChoice, WarnsOfPartsSmallerThanAVoxel) {
     const auto warning = [](double across, int grid) {
         Settings settings = presetSettings("mobile");
         settings.grid = grid;
@@ -102,8 +101,8 @@ TEST(GridChoice, PartsSmallerThanAVoxelAreWarnedOf) {
     EXPECT_EQ(warning(0.16, 128), "");
 }
 
-// Column and slat are narrower than two voxels of 64^3; the thin wall is not, in two directions.
-TEST(GridChoice, OfTheScenes) {
+// Columns and slats are narrower than two voxels of 64^3.
+TEST(GridChoice, IsFineForScenesWithColumnsOrSlatsAlone) {
     for (const char* name : {"courtyard", "corridor"})
         EXPECT_EQ(choose(loadGltf(asset(std::string(name) + ".glb")), "mobile").grid, 128) << name;
     for (const char* name : {"cornell", "cornell_1mm", "cornell_10km", "contact", "glossy", "thin_wall",
@@ -111,19 +110,14 @@ TEST(GridChoice, OfTheScenes) {
         EXPECT_EQ(choose(loadGltf(asset(std::string(name) + ".glb")), "mobile").grid, 64) << name;
 }
 
-TEST(GridChoice, VoxelsOfASizeGiveTheSmallestGridThatHasThem) {
+TEST(GridChoice, IsTheCoarsestWithVoxelsOfAGivenSize) {
     const Bounds bounds{{0, 0, 0}, {10, 1, 1}};  // 10 m over 59, 123, 251 or 507 voxels
     EXPECT_EQ(gridForVoxelSize(bounds, 1.0), 64);
     EXPECT_EQ(gridForVoxelSize(bounds, 10.0 / 59 + 1e-9), 64);
     EXPECT_EQ(gridForVoxelSize(bounds, 10.0 / 59 - 1e-9), 128);
     EXPECT_EQ(gridForVoxelSize(bounds, 0.02), 512);
-    try {
-        gridForVoxelSize(bounds, 0.01);
-        FAIL() << "no grid has such voxels";
-    } catch (const Error& error) {
-        const std::string text = error.what();
-        expectMentions(text, {"512^3, gives this scene voxels of 1.97 cm"});
-    }
+    expectMentions(errorOf([&] { gridForVoxelSize(bounds, 0.01); }),
+                   {"512^3, gives this scene voxels of 1.97 cm"});
 }
 
 }  // namespace

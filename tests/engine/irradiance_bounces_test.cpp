@@ -1,4 +1,4 @@
-// Light that goes round in closed rooms, where the balance is known.
+// Bounces of light in closed rooms, where the equilibrium is known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,31 +12,28 @@
 namespace vct::test {
 namespace {
 
-// In the dark: radiance is in the scene's unit.
+// Without a sun, radiance is in the scene's unit.
 Settings roomSettings(int lightFrames) {
-    Settings settings = presetSettings("mobile");
-    settings.grid = 64;
-    settings.size = glm::ivec2(16);
+    Settings settings = mobileAt(16);
     settings.shadowMapSize = 16;
     settings.lightFrames = lightFrames;
     return settings;
 }
 
-// What the walls of a closed box of side 2 received when their light stands still: mean radiance over the
-// hemisphere, and the mean over all faces.
-struct ReceivedByWalls {
+// Converged irradiance of the walls of a closed box of side 2: the mean and the largest of all faces.
+struct WallIrradiance {
     double mean = 0.0, largest = 0.0;
 };
-ReceivedByWalls receivedByWalls(const Context& context, const Scene& scene, int steps) {
+WallIrradiance irradianceOfWalls(const Context& context, const Scene& scene, int steps) {
     FrameInspector frame(context, scene, noLight(), roomSettings(steps), lookAt({0, 0, 0.9}, {0, 0, -1}, 60));
-    ReceivedByWalls result;
+    WallIrradiance result;
     double weights = 0.0;
-    for (const auto& [entry, face] : frame.received(true)) {
-        const double received = face.light.g;
-        EXPECT_TRUE(std::isfinite(received) && received >= 0.0);
+    for (const auto& [entry, face] : frame.irradiance(true)) {
+        const double light = face.light.g;
+        EXPECT_TRUE(std::isfinite(light) && light >= 0.0);
         weights += face.coverage;
-        result.mean += face.coverage * received;
-        result.largest = std::max(result.largest, received);
+        result.mean += face.coverage * light;
+        result.largest = std::max(result.largest, light);
     }
     result.mean /= weights;
     return result;
@@ -49,28 +46,27 @@ Scene furnace(float albedo, float emission) {
     return scene;
 }
 
-// A lamp of radiance 1 under the ceiling.
-constexpr double lampSide = 0.5;
-Scene roomWithLamp(float albedo) {
+// An emitter of radiance 1 under the ceiling.
+constexpr double patchSide = 0.5;
+Scene roomWithLitPatch(float albedo) {
     Scene scene = furnace(albedo, 0.0F);
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].emissive = glm::vec3(1.0F);
-    addQuad(scene, {-0.25, 0.98, -0.25}, {lampSide, 0, 0}, {0, 0, lampSide}, 1);
+    addQuad(scene, {-0.25, 0.98, -0.25}, {patchSide, 0, 0}, {0, 0, patchSide}, 1);
     return finished(std::move(scene));
 }
 
 constexpr int presetFrames = 16;
-// What goes round is known where all walls are alike: of emission e and albedo a, each of which receives the
-// share g of what the others send, they receive e g / (1 - a g). Of what is right, where g is 1, cones that
-// end early and meet the gaps of walls cost some more in each bounce.
-TEST(ClosedRoom, AFurnaceComesToItsBalance) {
+// Walls of emission e and albedo a that receive the share g of what they send receive e g / (1 - a g). The
+// right g is 1; cones that end early or meet gaps of walls lose some light in each bounce.
+TEST(ClosedRoom, AFurnaceConvergesToItsEquilibrium) {
     const Context context = openContext(Backend::egl);
     ASSERT_EQ(presetSettings("mobile").lightFrames, presetFrames);
-    // What faces send on makes up for what cones lose.
+    // The reflected light makes up for the losses of the cones.
     const double bounceGain = presetSettings("mobile").gather.bounceGain;
     double share = 0.0;
-    for (const float albedo : {0.0F, 0.5F, 0.9F}) {
-        const ReceivedByWalls room = receivedByWalls(context, furnace(albedo, 1.0F), presetFrames);
+    for (const float albedo : {0.0F, 0.9F}) {
+        const WallIrradiance room = irradianceOfWalls(context, furnace(albedo, 1.0F), presetFrames);
         const double a = albedo, right = 1.0 / (1.0 - a);
         if (albedo == 0.0F) share = room.mean;
         const double balance = share / (1.0 - a * bounceGain * share);
@@ -80,14 +76,13 @@ TEST(ClosedRoom, AFurnaceComesToItsBalance) {
     }
 }
 
-// All that a lamp of area A sends is absorbed by the walls: of an area W, they receive A / W / (1 - albedo)
-// of its radiance; less what is lost in each bounce, as above. Light that goes round needs many steps to come
-// to its balance, each of which adds a bounce; those of the presets must do.
-TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
+// The walls absorb all light of an emitter: with the area W they receive A / W / (1 - albedo) of the radiance
+// of an emitter of area A. Each step adds a bounce, and the presets' steps must suffice.
+TEST(ClosedRoom, TheWallsAbsorbTheLightOfAnEmitterWithinThePresetsSteps) {
     const Context context = openContext(Backend::egl);
     const auto lit = [&](float albedo, int steps) {
-        const double right = lampSide * lampSide / 24.0 / (1.0 - static_cast<double>(albedo));
-        return receivedByWalls(context, roomWithLamp(albedo), steps).mean / right;
+        const double right = patchSide * patchSide / 24.0 / (1.0 - static_cast<double>(albedo));
+        return irradianceOfWalls(context, roomWithLitPatch(albedo), steps).mean / right;
     };
     EXPECT_NEAR(lit(0.0F, presetFrames), 1.0, 0.06);
     const double few = lit(0.8F, presetFrames);
@@ -95,11 +90,11 @@ TEST(ClosedRoom, WhatALampSendsIsAbsorbedWithinThePresetsSteps) {
     EXPECT_NEAR(few / lit(0.8F, 3 * presetFrames), 1.0, 0.025);
 }
 
-// Nothing absorbs anything: there is no balance, and yet a bound, largestBounceShare()'s.
+// White walls absorb nothing, so there is no equilibrium; the renderer bounds the light.
 TEST(ClosedRoom, LightThatNothingAbsorbsIsBounded) {
     const Context context = openContext(Backend::egl);
-    const double first = lampSide * lampSide / 24.0;
-    const double times = receivedByWalls(context, roomWithLamp(1.0F), 3 * presetFrames).mean / first;
+    const double first = patchSide * patchSide / 24.0;
+    const double times = irradianceOfWalls(context, roomWithLitPatch(1.0F), 3 * presetFrames).mean / first;
     EXPECT_LE(times, 1.12 / (1.0 - 0.95));
     EXPECT_GE(times, 3.0);
 }

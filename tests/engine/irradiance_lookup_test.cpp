@@ -1,12 +1,9 @@
-// The light that faces received, where pixels look it up: in bricks, filtered.
+// The look-up of irradiance by pixels, in bricks with filtering.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "scene/camera.h"
-#include "scene/light_choice.h"
 #include "support/frame_inspector.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -14,85 +11,8 @@
 namespace vct::test {
 namespace {
 
-// shaders/directional/irradiance.glsl over what the faces hold in memory, without bricks.
-class CpuLookUp {
-  public:
-    explicit CpuLookUp(ReceivedFaces faces) : faces_(std::move(faces)) {
-        for (const auto& [entry, face] : faces_)
-            blocks_.insert(shared::packFace(shared::unpackFaceVoxel(entry) >> 2U, shared::unpackFace(entry)));
-    }
-
-    // Light, and the coverage that it was found by.
-    glm::dvec4 at(const glm::dvec3& positionVoxels, const glm::dvec3& normal) const {
-        glm::dvec4 sum(0.0);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double weight = normal[axis] * normal[axis];
-            if (weight < 0.02) continue;
-            const auto face = static_cast<std::uint32_t>(2 * axis + (normal[axis] > 0.0 ? 0 : 1));
-            const glm::uvec3 block(positionVoxels / 4.0);
-            if (blocks_.count(shared::packFace(block, face)) == 0) continue;
-            sum += weight * filtered(positionVoxels - 0.5, face);
-        }
-        return sum.a > 0.0 ? glm::dvec4(glm::dvec3(sum) / sum.a, sum.a) : sum;
-    }
-
-  private:
-    glm::dvec4 filtered(const glm::dvec3& texel, std::uint32_t face) const {
-        const glm::ivec3 first(glm::floor(texel));
-        const glm::dvec3 part = texel - glm::dvec3(first);
-        glm::dvec4 sum(0.0);
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-            const auto found = faces_.find(shared::packFace(glm::uvec3(first + offset), face));
-            if (found == faces_.end()) continue;
-            const glm::dvec3 w = glm::mix(1.0 - part, part, glm::dvec3(offset));
-            sum += w.x * w.y * w.z * found->second.coverage * glm::dvec4(found->second.light, 1.0);
-        }
-        return sum;
-    }
-
-    ReceivedFaces faces_;
-    std::set<std::uint32_t> blocks_;
-};
-
-// Every pixel, and so across every border of the bricks.
-TEST(IrradianceLookUp, IsWhatTheFacesAroundAPixelHoldInMemory) {
-    const Context context = openContext(Backend::egl);
-    for (const char* name : {"cornell", "courtyard"}) {
-        SCOPED_TRACE(name);
-        const Scene scene = loadGltf(asset(std::string(name) + ".glb"));
-        const Settings settings = mobileAt(128);
-        FrameInspector frame(context, scene, chooseLight(scene), settings, chooseCamera(scene, ""));
-        const Image image = frame.view(Output::indirectLight);
-        const CpuLookUp faces(frame.received(false));
-        const std::vector<SurfacePixel>& pixels = frame.pixels();
-        int looked = 0, surfaces = 0;
-        double largest = 0.0, sum = 0.0, differences = 0.0;
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const SurfacePixel& pixel = pixels[i];
-            if (!pixel.surface) continue;
-            ++surfaces;
-            const glm::dvec4 right =
-                faces.at(pixel.positionVolume * static_cast<double>(settings.grid), pixel.normal);
-            // The test knows coverage by 8 bits, which are few where there is little of it.
-            if (right.a < 0.3) continue;
-            ++looked;
-            for (int c = 0; c < 3; ++c) {
-                if (pixel.albedo[c] < 0.05) continue;
-                const double light = image.pixels[i][c] / pixel.albedo[c];
-                largest = std::max(largest, std::abs(light - right[c]) / (right[c] + 1e-3));
-                sum += right[c];
-                differences += light - right[c];
-            }
-        }
-        EXPECT_GT(looked, surfaces * 8 / 10);
-        EXPECT_LE(largest, 0.01);
-        EXPECT_LE(std::abs(differences), 0.001 * sum);
-    }
-}
-
-// A sloping plane under a ceiling that shines, through many bricks: from pixel to pixel the light changes no
-// more from one brick's voxels to the next one's than between voxels of one.
+// A sloping plane under an emitting ceiling passes through many bricks. From pixel to pixel the light changes
+// no more between two bricks than between voxels of one.
 TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();
@@ -103,7 +23,6 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     scene.materials[1].emissive = glm::vec3(1.0F);
     addQuad(scene, {6, 58, 6}, {50, 0, 0}, {0, 0, 50}, 1);
     scene.boundsWorld = boundsForVoxelsAsWorld(64);
-    // From the side, between the two.
     FrameInspector frame(context, scene, noLight(), settings, lookAt({31, 50, 31.01}, {31, 16, 31}, 60));
     const Image image = frame.view(Output::indirectLight);
     const std::vector<SurfacePixel>& pixels = frame.pixels();
@@ -125,12 +44,12 @@ TEST(IrradianceLookUp, HasNoSeamsBetweenBricks) {
     }
     ASSERT_GT(across.count, 2000);
     EXPECT_LE(across.sum / across.count, 1.2 * within.sum / within.count);
-    // The largest of thousands of steps of a few halves' last bits: a seam would be ten times as large.
+    // Steps are a few of a half's last bits. A seam would be ten times as large.
     EXPECT_LE(across.largest, 2.0 * within.largest);
     EXPECT_GT(within.sum, 0.0);
 }
 
-// Where rounding decides into which of two voxels, and so bricks, the fragments fall.
+// Rounding decides which of two voxels, and so bricks, holds a fragment.
 TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
     const Context context = openContext(Backend::egl);
     Settings settings = mobileAt(64);
@@ -159,7 +78,7 @@ TEST(IrradianceLookUp, FindsAPlaneOnTheBorderOfBlocks) {
         }
 }
 
-// A grille before the sky, thinner than a voxel: some of it has no face that looks as its pixels do.
+// The rods of a grille are thinner than a voxel, so some pixels have no face on their normal's side.
 TEST(IrradianceLookUp, ThinRodsBeforeTheSkyAreLit) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();

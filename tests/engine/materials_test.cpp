@@ -1,4 +1,4 @@
-// Materials against answers that need no renderer, or against the same scene in other words.
+// Materials, compared with closed forms or with the same scene described in another way.
 #include <gtest/gtest.h>
 
 #include "scene/camera.h"
@@ -45,7 +45,7 @@ Scene twoFloors() {
     return finished(std::move(scene));
 }
 
-// The floors' texture coordinates: as x and z of the world, the floor being [0, 1]^2.
+// The texture coordinates of the floors grow with x and z of the world; the floor is [0, 1]^2.
 void setFloorUv(Scene& scene, glm::vec2 VertexExtras::* member, bool turned = false) {
     for (int m = 0; m < 2; ++m) {
         Mesh& mesh = scene.meshes[static_cast<std::size_t>(m)];
@@ -62,7 +62,7 @@ Image drawn(const Context& context, const Scene& scene) {
     return frame.view(Output::gi);
 }
 
-TEST(Materials, AGlossTextureOfTwoHalvesIsTwoMaterials) {
+TEST(Materials, AGlossTextureOfTwoHalvesEqualsTwoMaterials) {
     const Context context = openContext(Backend::egl);
     Scene factors = twoFloors();
     for (int i = 0; i < 2; ++i)
@@ -72,7 +72,7 @@ TEST(Materials, AGlossTextureOfTwoHalvesIsTwoMaterials) {
     factors.materials[0].metallic = 1.0F;
     factors.materials[1].roughness = 153.0F / 255.0F;
     factors.materials[1].metallic = 102.0F / 255.0F;
-    // Red and alpha mean nothing here.
+    // Red and alpha have no meaning here.
     textured.textures.push_back(texels({255, 51, 255, 9, 0, 153, 102, 200}));
     textured.materials[0].glossTexture = textured.materials[1].glossTexture = 0;
     textured.materials[0].metallic = textured.materials[1].metallic = 1.0F;
@@ -83,7 +83,7 @@ TEST(Materials, AGlossTextureOfTwoHalvesIsTwoMaterials) {
     EXPECT_GT(expected.pixels[40 * 64 + 20].x, 0.01F);
 }
 
-TEST(Materials, ColoursOfVerticesAreThoseOfMaterials) {
+TEST(Materials, VertexColoursEqualMaterialsOfThoseColours) {
     const Context context = openContext(Backend::egl);
     const glm::vec4 red(0.8, 0.1, 0.05, 1.0), blue(0.1, 0.2, 0.7, 1.0);
     for (const char* preset : {"mobile", "thesis"}) {
@@ -101,7 +101,7 @@ TEST(Materials, ColoursOfVerticesAreThoseOfMaterials) {
         }
         FrameInspector expected(context, ofMaterials, slantingSun, settings, overhead());
         FrameInspector frame(context, vertexValues, slantingSun, settings, overhead());
-        // Of their light too, that the white wall receives from them.
+        // The white wall receives their light, too.
         for (const Output view : {Output::gi, Output::indirectLight})
             expectSameInHalves(frame.view(view), expected.view(view));
     }
@@ -114,24 +114,23 @@ TEST(Materials, AnUnlitSurfaceShowsItsBaseColourAndLightsNothing) {
     scene.materials[0].unlit = scene.materials[1].unlit = true;
     scene.materials[0].baseColor = scene.materials[1].baseColor = color;
     FrameInspector frame(context, scene, slantingSun, materialSettings(), overhead());
-    const Image image = frame.view(Output::gi);
     int count = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        if (!frame.pixels()[i].surface || frame.pixels()[i].normal.y < 0.5) continue;
+    for (const auto& [surface, shown] : frame.seen(Output::gi)) {
+        if (surface.normal.y < 0.5) continue;
         ++count;
         for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(image.pixels[i][c], color[c], 0.001) << i;
+            ASSERT_NEAR(shown[c], color[c], 0.001);
     }
     EXPECT_GT(count, 500);
-    // As from black floors, that the wall receives.
+    // The wall receives as much as from black floors.
     scene.materials[0].unlit = scene.materials[1].unlit = false;
     scene.materials[0].baseColor = scene.materials[1].baseColor = {0, 0, 0, 1};
     FrameInspector black(context, scene, slantingSun, materialSettings(), overhead());
     expectSameInHalves(frame.view(Output::indirectLight), black.view(Output::indirectLight));
 }
 
-// Direct light of a Lambert surface is albedo times the cosine, here with the normal of a map. +X is where
-// the first coordinate grows, +Y where the second falls; from behind the same map's normal is reversed.
+// +X of the map is where the first texture coordinate grows and +Y where the second one falls. From behind
+// the normal is reversed.
 TEST(Materials, ANormalMapTurnsTheNormal) {
     const Context context = openContext(Backend::egl);
     for (const bool turned : {false, true})
@@ -149,14 +148,14 @@ TEST(Materials, ANormalMapTurnsTheNormal) {
                 FrameInspector frame(context, scene, slantingSun, materialSettings(),
                                      lookAt(eye, {0, 0, 0}, 50));
                 const glm::dvec3 stored = glm::dvec3(191, 166, 230) / 127.5 - 1.0;
-                // World: texture coordinates go with x and z, turned by 180 degrees against them.
+                // Texture coordinates grow with x and z of the world, or against them if turned.
                 const double sign = turned ? -1.0 : 1.0;
                 glm::dvec3 right =
                     glm::normalize(glm::dvec3(sign * scale * stored.x, stored.z, -sign * scale * stored.y));
                 if (fromBehind) right = -right;
                 int count = 0;
                 for (const SurfacePixel& pixel : frame.pixels()) {
-                    // The wall's foot is none of the floor.
+                    // The foot of the wall does not belong to the floor.
                     if (!pixel.surface || std::abs(pixel.positionWorld.y) > 1e-3 ||
                         pixel.positionWorld.z < -0.95)
                         continue;

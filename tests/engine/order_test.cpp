@@ -1,5 +1,4 @@
-// Surfaces whose order or rounding could decide what is seen: coincident ones, and light that is
-// perpendicular.
+// Coincident surfaces, whose order could decide the picture, and perpendicular light, where rounding could.
 #include <gtest/gtest.h>
 
 #include "scene/camera.h"
@@ -16,7 +15,7 @@ Image picture(const Context& context, const Scene& scene, const DirectionalLight
     return renderer.radiance();
 }
 
-TEST(Order, CoincidentSurfacesLookTheSameInAnyOrderOfInstances) {
+TEST(OrderOfInstances, DoesNotChangeAPictureOfCoincidentSurfaces) {
     const Context context = openContext(Backend::egl);
     Scene scene = emptyScene();
     for (int i = 0; i < 4; ++i) {
@@ -25,7 +24,7 @@ TEST(Order, CoincidentSurfacesLookTheSameInAnyOrderOfInstances) {
         scene.materials.push_back(material);
         addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, i + 1);
     }
-    // The same mesh in the same place twice, by transforms that differ in nothing visible.
+    // The same mesh is in the same place twice.
     scene.instances.push_back(scene.instances[0]);
     addQuad(scene, {-1, 0, 0}, {2, 0, 0}, {0, 1, 0}, 1);
     scene = finished(std::move(scene));
@@ -49,8 +48,7 @@ TEST(ShadowMapBias, PerpendicularLightLeavesNoAcne) {
         const glm::dvec3 u = glm::normalize(glm::cross(helper, up));
         const glm::dvec3 v = glm::cross(up, u);
         addQuad(scene, -30.0 * (u + v), 60.0 * u, 60.0 * v);
-        // Something that gives the depth range an extent; far to the side, its shadow on nothing that is
-        // seen.
+        // This quad gives the depth range an extent. Its shadow is outside the picture.
         addQuad(scene, 20.0 * (u + v) + 13.7 * up, 4.0 * u, 4.0 * v);
         scene = finished(std::move(scene));
         const Camera camera = lookAt(40.0 * up - 5.0 * u, -5.0 * u, 40);

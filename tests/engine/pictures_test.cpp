@@ -1,8 +1,8 @@
-// Pictures: across drivers, and against goldens. Of the thesis's preset all modes and debug views, of the
-// others the modes that need voxels.
+// Pictures, compared with goldens and between drivers. The preset thesis has all modes and debug views, the
+// others have the modes that need voxels.
 //
-// Goldens are made by VCT_UPDATE_GOLDENS=1 (scripts/update-goldens.sh), looked at, and committed with the
-// reason. They are llvmpipe's; other drivers are compared with llvmpipe's picture of the same run.
+// VCT_UPDATE_GOLDENS=1 (scripts/update-goldens.sh) makes goldens; commit them with the reason after looking
+// at them. They are llvmpipe's; other drivers are compared with llvmpipe's picture of the same run.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ namespace {
 constexpr float maxDifference = 5.0F / 255.0F;
 constexpr double maxFraction = 0.001;
 
-// What a PNG stores: encoded, clamped and rounded to 8 bits.
+// The picture as a PNG stores it: encoded, clamped and rounded to 8 bits.
 Image asPng(Image image) {
     for (glm::vec3& pixel : image.pixels)
         for (int c = 0; c < 3; ++c)
@@ -44,7 +44,7 @@ Pictures picturesOf(Backend backend, const std::string& sceneName, const std::st
     const Scene scene = loadGltf(asset(sceneName + ".glb"));
     const bool thesis = preset == "thesis";
     Settings settings = presetSettings(preset);
-    // The grid of a preset is large for the sake of thin parts; its shaders and numbers are the same on any.
+    // Thin parts need the finer grids of the presets; shaders and numbers are the same on any grid.
     settings.grid = thesis ? 128 : 64;
     settings.size = glm::ivec2(200);
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
@@ -70,7 +70,7 @@ Pictures picturesOf(Backend backend, const std::string& sceneName, const std::st
 const auto scenes = testing::Values("cornell", "courtyard");
 const auto presets = testing::Values("thesis", "mobile", "quality");
 
-// The shaders of `quality` are those of `mobile`, and take minutes there.
+// The shaders of `quality` are those of `mobile`, and would take minutes on other drivers.
 struct OtherPicture {
     Backend backend;
     const char* scene;
@@ -125,6 +125,27 @@ TEST_P(Golden, EveryModeAndDebugViewIsUnchanged) {
         }
         expectAlike(asPng(readImage(file)), image, file);
     }
+}
+
+// The shift of a picture, which anti-aliasing uses for parts of a pixel, is exact for whole pixels.
+TEST(PictureShift, ByWholePixelsMovesThePictureAndKeepsTheLight) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = loadGltf(asset("contact.glb"));
+    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), mobileAt(64));
+    const Camera front = chooseCamera(scene, "");
+    renderer.render({{Output::gi}, front, LightSteps::all});
+    const Image still = renderer.radiance();
+    renderer.setPictureShift({3.0F, 2.0F});
+    renderer.render({{Output::gi}, front});
+    const Image moved = renderer.radiance();
+    int different = 0;
+    for (int y = 2; y < 64; ++y)
+        for (int x = 0; x < 61; ++x)
+            different += glm::length(moved.at(x + 3, y - 2) - still.at(x, y)) > 2e-3F;
+    EXPECT_LT(different, 20);  // Edges whose rounding differs.
+    renderer.setPictureShift({0.0F, 0.0F});
+    renderer.render({{Output::gi}, front});
+    EXPECT_EQ(renderer.radiance().pixels, still.pixels);
 }
 
 }  // namespace

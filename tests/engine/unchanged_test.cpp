@@ -1,11 +1,9 @@
-// What has not changed since the last frame is not made always.
+// Frames rebuild only the resources whose inputs have changed.
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
 #include "core/error.h"
-#include "gl/call_log.h"
 #include "lab/debug_view.h"
 #include "lab/options.h"
 #include "scene/camera.h"
@@ -13,18 +11,11 @@
 #include "support/grids.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
+#include "support/steps.h"
+#include "support/voxel_kinds.h"
 
 namespace vct::test {
 namespace {
-
-Settings unchangedSettings(const std::string& preset) {
-    Settings settings = presetSettings(preset);
-    settings.grid = 64;
-    settings.size = glm::ivec2(48);
-    settings.shadowMapSize = 128;
-    settings.lightFrames = 1;  // what is received stands still after the first frame
-    return settings;
-}
 
 // A box that crosses the floor in two seconds.
 GltfBuilder slidingBox() {
@@ -34,50 +25,34 @@ GltfBuilder slidingBox() {
     return builder;
 }
 
-// The steps of a frame by their debug groups, but for those of every frame.
-std::string madeBy(Renderer& renderer, Output mode, const Camera& camera) {
-    const gl::CallLog log;
-    renderer.render({{mode}, camera});
-    std::set<std::string> groups;
-    for (const auto& [group, calls] : gl::summarize(log.calls()).byGroup)
-        groups.insert(group);
-    for (const char* ofEveryFrame : {"", "G-buffer", "cone trace"})
-        groups.erase(ofEveryFrame);
-    if (groups.empty()) return "nothing";
-    std::string made;
-    if (groups.count("accumulate") > 0) groups.insert("voxelize");
-    for (const char* step : {"shadow map", "shadow map's moments", "voxelize", "inject", "mipmap", "gather"})
-        if (groups.count(step) > 0) made += (made.empty() ? "" : ", ") + std::string(step);
-    return made;
-}
-
 class Unchanged : public testing::TestWithParam<const char*> {
   protected:
     Unchanged()
         : context_(openContext(Backend::egl)),
           scene_(load(slidingBox())),
           light_(chooseLight(scene_)),
-          settings_(unchangedSettings(GetParam())),
-          renderer_(makeRenderer(context_, scene_, light_, settings_)) {}
+          settings_(smallPreset(GetParam())),
+          renderer_(newRenderer()) {}
 
+    Renderer newRenderer() {
+        settings_.lightFrames = 1;  // the irradiance has converged after one frame
+        return makeRenderer(context_, scene_, light_, settings_);
+    }
     void frame(Output mode = Output::gi, const char* camera = "") {
         renderer_.render({{mode}, cameraFromText(camera, scene_)});
     }
     void pose(double seconds) { renderer_.setPose(poseAt(scene_.animation, seconds)); }
+    std::string steps(Output mode = Output::gi, const char* camera = "") {
+        return stepsOf(renderer_, [&] { frame(mode, camera); });
+    }
 
-    // What the next frame makes besides G-buffer and picture: all of it, all that light changes, nothing, or
-    // steps by name.
-    std::string made(Output mode = Output::gi, const char* camera = "") {
-        const std::string groups = madeBy(renderer_, mode, cameraFromText(camera, scene_));
-        if (groups == everything()) return "everything";
-        return groups == "shadow map, inject, mipmap, gather" ? "its light" : groups;
+    bool isPacked() const { return settings_.voxels == Voxels::packed; }
+    std::string all() const {
+        return isPacked() ? "shadow_map, voxelize, mipmap"
+                          : "shadow_map, voxelize, inject, mipmap, irradiance";
     }
-    // What another light makes: packed voxels are made anew as a whole.
-    std::string itsLight() const { return packed() ? "everything" : "its light"; }
-    bool packed() const { return settings_.voxels == Voxels::packed; }
-    std::string everything() const {
-        return packed() ? "shadow map, voxelize, mipmap" : "shadow map, voxelize, inject, mipmap, gather";
-    }
+    // Another light needs other packed voxels, but not other directional ones.
+    std::string allForLight() const { return isPacked() ? all() : "shadow_map, inject, mipmap, irradiance"; }
 
     Context context_;
     Scene scene_;
@@ -85,101 +60,82 @@ class Unchanged : public testing::TestWithParam<const char*> {
     Settings settings_;
     Renderer renderer_;
 };
-INSTANTIATE_TEST_SUITE_P(Presets, Unchanged, testing::Values("thesis", "mobile"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Presets, Unchanged, everyVoxelKind(), nameOfPreset);
 
-TEST_P(Unchanged, AFrameLikeTheLastMakesNothingNorDoesAMovingCamera) {
-    EXPECT_EQ(made(), "everything");
-    EXPECT_EQ(made(), "nothing");
-    EXPECT_EQ(made(Output::gi, "eye=1,2,3,target=0,0,0,fov=40"), "nothing");
-    EXPECT_EQ(made(Output::giConeShadow), packed() ? "nothing" : "shadow map's moments");
-    EXPECT_EQ(made(Output::giConeShadow), "nothing");
+TEST_P(Unchanged, ARepeatedFrameRunsNoStepNorDoesAMovedCamera) {
+    EXPECT_EQ(steps(), all());
+    EXPECT_EQ(steps(), "");
+    EXPECT_EQ(steps(Output::gi, "eye=1,2,3,target=0,0,0,fov=40"), "");
+    EXPECT_EQ(steps(Output::giConeShadow), isPacked() ? "" : "shadow_map");  // its moments
+    EXPECT_EQ(steps(Output::giConeShadow), "");
     renderer_.setShadowConeAngle(10.0F);
-    EXPECT_EQ(made(Output::giConeShadow), "nothing");
+    EXPECT_EQ(steps(Output::giConeShadow), "");
 }
 
-TEST_P(Unchanged, AnotherLightOrPoseIsMadeAndTheSameMakesNothing) {
+TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     frame();
     renderer_.setLightDirection(light_.directionToLight);
-    EXPECT_EQ(made(), "nothing");
+    EXPECT_EQ(steps(), "");
     renderer_.setLightDirection(glm::dvec3(0.1, 1.0, 0.2));
-    EXPECT_EQ(made(), itsLight());
-    EXPECT_EQ(made(), "nothing");
+    EXPECT_EQ(steps(), allForLight());
+    EXPECT_EQ(steps(), "");
+    pose(0.2);
+    EXPECT_EQ(steps(), all());
+    pose(0.2);
+    EXPECT_EQ(steps().find("mipmap"), std::string::npos);
+    // Two changes before a frame of a mode that needs neither.
+    pose(0.5);
     renderer_.setLightDirection(light_.directionToLight);
-    pose(0.2);
-    EXPECT_EQ(made(), "everything");
-    // Moved and moved back, between frames.
-    pose(0.4);
-    renderer_.setLightDirection(glm::dvec3(0.1, 1.0, 0.2));
-    pose(0.2);
-    EXPECT_EQ(made(), itsLight());
-    pose(0.5);
-    EXPECT_EQ(made(), "everything");
-    pose(0.5);
-    EXPECT_EQ(made(), "nothing");
-    pose(1.5);
-    EXPECT_EQ(made(), "everything");
-    // Both at once, in a frame of a mode that needs neither.
-    pose(0.5);
-    EXPECT_EQ(made(Output::phong), "nothing");
-    EXPECT_EQ(made(Output::shadowMap), "shadow map");
-    EXPECT_EQ(made(Output::shadowMap), "nothing");
-    EXPECT_EQ(made(), everything().substr(std::string("shadow map, ").size()));
-    EXPECT_EQ(made(Output::phong), "nothing");
-    EXPECT_EQ(made(), "nothing");
-    // The soft shadow's levels are those of the map that there is.
-    const std::string levels = packed() ? "nothing" : "shadow map's moments";
-    EXPECT_EQ(made(Output::giConeShadow), levels);
-    renderer_.setLightDirection(glm::dvec3(-0.2, 1.0, 0.1));
-    EXPECT_EQ(made(), itsLight());
-    EXPECT_EQ(made(Output::giConeShadow), levels);
-    EXPECT_EQ(made(Output::giConeShadow), "nothing");
+    frame(Output::phong);
+    EXPECT_EQ(steps(Output::shadowMap), "shadow_map");
+    EXPECT_EQ(steps(Output::shadowMap), "");
+    EXPECT_EQ(steps(), all().substr(std::string("shadow_map, ").size()));
+    EXPECT_EQ(steps(Output::phong), "");
+    EXPECT_EQ(steps(), "");
 }
 
-// What is open is received like light, beside it; the light parts show the first bounce alone.
-TEST_P(Unchanged, LightAndOcclusionAreReceivedEachOnItsOwn) {
+// The light parts show the first bounce alone.
+TEST_P(Unchanged, LightAndOcclusionAreGatheredIndependently) {
     frame();
-    const std::string occlusion = packed() ? "nothing" : "gather";
-    const std::string light = packed() ? "nothing" : "inject, mipmap, gather";
-    EXPECT_EQ(made(Output::ao), occlusion);
-    EXPECT_EQ(made(Output::ao), "nothing");
-    EXPECT_EQ(made(Output::gi), "nothing");
+    const std::string occlusion = isPacked() ? "" : "irradiance";
+    const std::string light = isPacked() ? "" : "inject, mipmap, irradiance";
+    EXPECT_EQ(steps(Output::ao), occlusion);
+    EXPECT_EQ(steps(Output::ao), "");
+    EXPECT_EQ(steps(Output::gi), "");
     pose(0.3);
-    EXPECT_NE(made(Output::ao), "nothing");
-    EXPECT_EQ(made(Output::gi), light);
-    EXPECT_EQ(made(Output::ao), "nothing");
-    EXPECT_EQ(made(Output::gi), "nothing");
+    EXPECT_NE(steps(Output::ao), "");
+    EXPECT_EQ(steps(Output::gi), light);
+    EXPECT_EQ(steps(Output::ao), "");
     lightParts(renderer_, chooseCamera(scene_, ""));
-    EXPECT_EQ(made(Output::gi), light);
-    EXPECT_EQ(made(Output::ao), "nothing");
-    EXPECT_EQ(made(Output::gi), "nothing");
+    EXPECT_EQ(steps(Output::gi), light);
+    EXPECT_EQ(steps(Output::gi), "");
 }
 
-TEST_P(Unchanged, AfterAnErrorEverythingIsMade) {
+TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
     frame();
-    gl::Enable(GL_TEXTURE_3D);  // no such state in ES: the error is found at the frame's end
+    gl::Enable(GL_TEXTURE_3D);  // ES has no such state: the frame finds the error at its end
     EXPECT_THROW(frame(), Error);
-    EXPECT_EQ(made(), "everything");
-    renderer_.setPose({});  // of too few nodes: found half way
+    EXPECT_EQ(steps(), all());
+    renderer_.setPose({});  // it has too few nodes, which is found half way
     EXPECT_ANY_THROW(frame());
     pose(0.0);
-    EXPECT_EQ(made(), "everything");
-    EXPECT_EQ(made(), "nothing");
+    EXPECT_EQ(steps(), all());
+    EXPECT_EQ(steps(), "");
 }
 
-// Voxels that are made anew receive a little more light in each frame, so those pictures are others.
-TEST_P(Unchanged, RevoxelizeMakesEverythingInEveryFrameAndTheSamePictures) {
+// Voxels that are rebuilt receive a little more light in each frame, so pictures with it differ.
+TEST_P(Unchanged, RevoxelizeRunsEveryStepInEveryFrameAndGivesTheSamePictures) {
     settings_.revoxelize = true;
-    Renderer always = makeRenderer(context_, scene_, light_, settings_);
-    const auto expectSamePicture = [&](Output mode, const char* camera, const std::string& what) {
+    Renderer always = newRenderer();
+    const auto expectSamePicture = [&](Output mode, const char* camera, const std::string& name) {
         frame(mode, camera);
         always.render({{mode}, cameraFromText(camera, scene_)});
-        if (packed() || !reads(mode).voxels) {
-            EXPECT_TRUE(renderer_.radiance().pixels == always.radiance().pixels) << what;
+        if (isPacked() || !reads(mode).voxels) {
+            EXPECT_TRUE(renderer_.radiance().pixels == always.radiance().pixels) << name;
         } else {
-            expectSameGrid(gridOf(renderer_), gridOf(always), what);
+            expectSameGrid(gridOf(renderer_), gridOf(always), name);
         }
-        EXPECT_EQ(renderer_.activeVoxels(), always.activeVoxels()) << what;
+        EXPECT_EQ(renderer_.activeVoxels(), always.activeVoxels()) << name;
     };
     for (Output mode : allModes()) {
         expectSamePicture(mode, "", outputName(mode));
@@ -195,7 +151,8 @@ TEST_P(Unchanged, RevoxelizeMakesEverythingInEveryFrameAndTheSamePictures) {
     expectSamePicture(Output::giConeShadow, "", "moved");
     EXPECT_FALSE(renderer_.radiance().pixels == before.pixels);
     expectSamePicture(Output::giConeShadow, "", "moved before");
-    EXPECT_EQ(madeBy(always, Output::gi, chooseCamera(scene_, "")), everything());
+    const auto draw = [&] { always.render({{Output::gi}, chooseCamera(scene_, "")}); };
+    EXPECT_EQ(stepsOf(always, draw), all());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One number for all that voxelization leaves, to compare with that of another processor (scripts/arm64.sh).
+// Hashes of all voxels, to compare with those of another processor (scripts/arm64.sh).
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -14,7 +14,7 @@
 namespace vct::test {
 namespace {
 
-// FNV-1a of 64 bits, by words.
+// FNV-1a of 64 bits over words.
 class Hash {
   public:
     void add(std::uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, VoxelHash,
                              return std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
                          });
 
-TEST_P(VoxelHash, IsThatOfEveryRenderer) {
+TEST_P(VoxelHash, IsTheSameForTwoRenderers) {
     const auto [name, preset] = GetParam();
     const Context context = openContext(Backend::egl);
     Scene scene = loadGltf(asset(std::string(name) + ".glb"));
@@ -66,7 +66,8 @@ TEST_P(VoxelHash, IsThatOfEveryRenderer) {
     };
     const auto first = hashes();
     EXPECT_EQ(hashes(), first);
-    // llvmpipe filters textures in other steps on other processors: what the voxels hold is compared without.
+    // llvmpipe filters textures in other steps on other processors, so the content is compared without
+    // textures.
     for (Material& material : scene.materials)
         material.baseColorTexture = material.emissiveTexture = -1;
     const auto plain = hashes();

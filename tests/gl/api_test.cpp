@@ -25,7 +25,7 @@ TEST(Load, NamesEveryMissingEntryPointAtOnce) {
 }
 
 // Entry points are there without a context, but each query of theirs gives nothing.
-TEST(Load, NamesAMissingContextInPlaceOfWhatItsQueriesDoNotFind) {
+TEST(Load, NamesAMissingContext) {
     const auto withoutContext = [](const char* name, const void*) -> Proc {
         if (std::strcmp(name, "glGetString") != 0) return stub;
         return reinterpret_cast<Proc>(+[](GLenum) -> const GLubyte* { return nullptr; });

@@ -1,37 +1,20 @@
+// Comparison of pictures, as a function and as `vct compare`.
+#include "image/compare.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "cli/program_run.h"
 #include "core/error.h"
-#include "image/compare.h"
-#include "support/errors.h"
 
-namespace vct {
+namespace vct::test {
 namespace {
 
 float step(int n) {
     return float(n) / 255.0F;
-}
-
-TEST(CompareImages, EqualPicturesDoNotDiffer) {
-    const Image a(5, 4, {0.25F, 3.0F, -1.0F});
-    const Difference difference = compareImages(a, a, 0.0F);
-    EXPECT_TRUE(difference.comparable);
-    EXPECT_EQ(difference.largest, 0.0F);
-    EXPECT_EQ(difference.fraction, 0.0);
-}
-
-TEST(CompareImages, CountsAPixelOnceHoweverManyChannelsDiffer) {
-    const Image a(5, 4);
-    Image b = a;
-    b.at(1, 1) = {0.5F, 0.5F, 0.5F};
-    b.at(2, 3) = {0.0F, 0.0F, -0.75F};
-    b.at(0, 0) = {0.05F, 0.0F, 0.0F};  // within the limit
-    const Difference difference = compareImages(a, b, 0.1F);
-    EXPECT_EQ(difference.largest, 0.75F);
-    EXPECT_DOUBLE_EQ(difference.fraction, 2.0 / 20.0);
-    EXPECT_DOUBLE_EQ(compareImages(b, a, 0.1F).fraction, 2.0 / 20.0);
 }
 
 TEST(CompareImages, ADifferenceOfExactlyTheLimitIsNone) {
@@ -40,42 +23,22 @@ TEST(CompareImages, ADifferenceOfExactlyTheLimitIsNone) {
         EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 5))), step(5)).fraction, 0.0) << n;
         EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 6))), step(5)).fraction, 1.0) << n;
     }
-}
-
-TEST(CompareImages, ALimitOfZeroSeesTheLastBit) {
     const Image a(1, 1, glm::vec3(1000.0F));
     const Image b(1, 1, glm::vec3(std::nextafter(1000.0F, 2000.0F)));
     EXPECT_EQ(compareImages(a, b, 0.0F).fraction, 1.0);
 }
 
-TEST(CompareImages, SizesMustAgree) {
-    const Difference difference = compareImages(Image(4, 2), Image(2, 4), 1.0F);
-    EXPECT_FALSE(difference.comparable);
-    test::expectMentions(difference.reason, {"4 x 2"});
-    test::expectMentions(difference.reason, {"2 x 4"});
-    EXPECT_FALSE(compareImages(Image(), Image(), 1.0F).comparable);
-}
-
-TEST(CompareImages, EveryValueMustBeFiniteEvenWhereBothAreNot) {
+TEST(CompareImages, EveryValueMustBeFiniteEvenIfBothAreNot) {
     const float infinity = std::numeric_limits<float>::infinity();
-    for (const float bad : {std::nanf(""), infinity, -infinity}) {
+    for (const float bad : {std::nanf(""), infinity, -infinity})
         for (int channel = 0; channel < 3; ++channel) {
             const Image good(5, 4);
             Image wrong = good;
             wrong.at(3, 2)[channel] = bad;
-            const Difference second = compareImages(good, wrong, 1.0F);
-            EXPECT_FALSE(second.comparable);
-            test::expectMentions(second.reason, {"second picture"});
-            test::expectMentions(second.reason, {"(3, 2)"});
-            test::expectMentions(compareImages(wrong, good, 1.0F).reason, {"first picture"});
+            EXPECT_FALSE(compareImages(good, wrong, 1.0F).comparable);
+            EXPECT_FALSE(compareImages(wrong, good, 1.0F).comparable);
             EXPECT_FALSE(compareImages(wrong, wrong, 1.0F).comparable);
         }
-    }
-}
-
-TEST(CompareImages, LargestStaysFinite) {
-    const float most = std::numeric_limits<float>::max();
-    EXPECT_EQ(compareImages(Image(1, 1, glm::vec3(most)), Image(1, 1, glm::vec3(-most)), 1.0F).largest, most);
 }
 
 TEST(DifferenceImage, ShowsTheLimitAsMidGrey) {
@@ -91,9 +54,65 @@ TEST(DifferenceImage, ShowsTheLimitAsMidGrey) {
     EXPECT_NEAR(srgbEncode(difference.at(2, 0).b), 0.25F, 1e-4F);
     EXPECT_EQ(difference.at(3, 0), glm::vec3(1.0F, 0.0F, 1.0F));
     EXPECT_EQ(differenceImage(a, b, 0.0F).at(1, 0), glm::vec3(1.0F));
-    EXPECT_EQ(differenceImage(a, b, 0.0F).at(0, 0), glm::vec3(0.0F));
     EXPECT_THROW(differenceImage(a, Image(1, 4), 0.2F), Error);
 }
 
+class CompareCommand : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        Image image(10, 10, glm::vec3(srgbDecode(100.0F / 255.0F)));
+        writePng(folder.file("a.png"), image);
+        image.at(4, 5) = glm::vec3(srgbDecode(107.0F / 255.0F));
+        writePng(folder.file("b.png"), image);
+        writePng(folder.file("small.png"), Image(9, 10));
+        Image bright(10, 10, glm::vec3(2.0F));
+        writeExr(folder.file("a.exr"), bright);
+        bright.at(7, 3).r = std::nanf("");
+        writeExr(folder.file("nan.exr"), bright);
+    }
+
+    int run(const std::string& arguments) {
+        const int status = program.run("compare " + arguments);
+        text = program.out + program.err;
+        return status;
+    }
+    bool says(const std::string& words) const { return text.find(words) != std::string::npos; }
+
+    ProgramRun program;
+    const TemporaryFolder& folder = program.folder;
+    std::string text;
+};
+
+TEST_F(CompareCommand, ExitStatusFollowsBothNumbers) {
+    EXPECT_EQ(run("a.png a.png --max-difference 0 --max-fraction 0"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 7/255 --max-fraction 0"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 6/255 --max-fraction 0.01"), 0) << text;
+    EXPECT_EQ(run("a.png b.png --max-difference 6/255 --max-fraction 0.0099 --diff diff.png"), 1);
+    EXPECT_TRUE(says("0.027451 (7/255)")) << text;
+    EXPECT_GT(readImage(folder.file("diff.png")).at(4, 5).g, srgbDecode(0.5F));
+}
+
+TEST_F(CompareCommand, PicturesThatCannotBeComparedFailWithTheReason) {
+    const std::string loose = " --max-difference 1 --max-fraction 1";
+    EXPECT_EQ(run("a.png none.png" + loose), 1);
+    EXPECT_TRUE(says("none.png: there is no such file")) << text;
+    EXPECT_EQ(run("a.png small.png" + loose), 1);
+    EXPECT_TRUE(says("9 x 10")) << text;
+    EXPECT_EQ(run("a.exr nan.exr" + loose), 1);
+    EXPECT_TRUE(says("second picture has a NaN or an infinity at pixel (7, 3)")) << text;
+    EXPECT_EQ(run("a.png a.exr" + loose), 1);
+    EXPECT_TRUE(says("one is a PNG, the other an EXR")) << text;
+}
+
+TEST_F(CompareCommand, BadTolerancesAreRefused) {
+    for (const char* difference : {"x", "5/", "5/0", "-1", "nan", "inf", "5/255x", "256/255"})
+        EXPECT_NE(run("a.png a.png --max-fraction 0 --max-difference=" + std::string(difference)), 0)
+            << difference;
+    for (const char* fraction : {"1.5", "-1", "nan", "x"})
+        EXPECT_NE(run("a.png a.png --max-difference 0 --max-fraction=" + std::string(fraction)), 0)
+            << fraction;
+    EXPECT_NE(run("a.png a.png"), 0);
+}
+
 }  // namespace
-}  // namespace vct
+}  // namespace vct::test

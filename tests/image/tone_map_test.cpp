@@ -14,8 +14,8 @@ glm::vec3 neutral(const glm::vec3& color) {
     return shared::neutralToneMapped(color);
 }
 
-// The three parts of the specification's curve, where they meet, and its limit.
-TEST(NeutralToneMap, KeepsBaseColoursAndPressesWhatIsBrighter) {
+// The three parts of the curve, the points where they meet, and the limit.
+TEST(NeutralToneMap, KeepsBaseColoursAndCompressesBrighterOnes) {
     const auto near = [](const glm::vec3& a, const glm::vec3& b) {
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(a[c], b[c], 1e-6F);
@@ -39,7 +39,7 @@ TEST(NeutralToneMap, KeepsBaseColoursAndPressesWhatIsBrighter) {
     EXPECT_GT(last, 0.999F);
 }
 
-TEST(NeutralToneMap, MakesNoNumberOfWhatIsNone) {
+TEST(NeutralToneMap, ShowsNoNumberAsBlack) {
     Image image(3, 1, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
     image.pixels[1] = glm::vec3(-1.0F);
     image.pixels[2] = glm::vec3(std::numeric_limits<float>::infinity());
@@ -57,7 +57,7 @@ TEST(AutomaticExposure, BringsAPictureToMiddleGrey) {
     EXPECT_EQ(automaticExposure(Image(0, 0)), 1.0F);
 }
 
-TEST(AutomaticExposure, IsMovedLittleByASmallLampAndNotByBlack) {
+TEST(AutomaticExposure, IsChangedLittleByASmallEmitterAndNotByBlack) {
     Image image(32, 32, glm::vec3(0.1F));
     const float without = automaticExposure(image);
     for (int i = 0; i < 5; ++i)

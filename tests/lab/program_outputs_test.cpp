@@ -1,5 +1,5 @@
-// What the programs declare, against what is asked of a driver for them: a row of requirements that asks for
-// less lets in a phone whose driver will not link a program.
+// The outputs that the programs declare equal the limits that are required of a driver. With a lower
+// requirement a phone might not link a program.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ class ProgramInterface {
     PFNGLGETPROGRAMRESOURCEIVPROC resource_;
 };
 
-TEST(ProgramOutputs, AreWhatDriversAreAskedForAndNeverMoreThanSeven) {
+TEST(ProgramOutputs, EqualTheRequirementsAndAreAtMostSeven) {
     const Context context = openContext(Backend::egl);
     const ProgramInterface interface(*context.platform);
     const gl::ShaderLibrary shaders{testShaders(), context.capabilities.language()};
@@ -68,7 +68,7 @@ TEST(ProgramOutputs, AreWhatDriversAreAskedForAndNeverMoreThanSeven) {
     for (const gl::ProgramDescription& description : everyProgram()) {
         const Outputs outputs = interface.of(gl::Program(shaders, description));
         const bool compute = description.shaders.size() == 1;
-        // A PowerVR Rogue has eight, and ANGLE says of them that others report too many.
+        // A PowerVR Rogue has eight, and according to ANGLE other drivers report too many.
         EXPECT_LE(outputs.combined(), 7) << description.name;
         note("combined", outputs.combined());
         note(compute ? "compute images" : "fragment images", outputs.images);

@@ -17,8 +17,8 @@ inline bool libraryExists(const char* name) {
     return handle != nullptr;  // left open: OSMesa does not survive being closed
 }
 
-// Why the back end cannot be on this machine, or nothing. Found out without the code under test, so that a
-// back end which is installed and does not start fails its tests instead of skipping them.
+// The reason why the back end is not on this machine, or "". It does not use the code under test, so that a
+// back end which is installed and does not start fails its tests.
 inline std::string whyAbsent(Backend backend) {
     if (backend == Backend::osmesa) {
         for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
@@ -49,7 +49,7 @@ inline std::unique_ptr<Platform> createContext(Backend backend, bool debug = tru
 
 }  // namespace vct::test
 
-// In the body of a test: skipping leaves the function.
+// For the body of a test, as skipping leaves the function.
 #define VCT_SKIP_IF_ABSENT(backend)                               \
     do {                                                          \
         const std::string reason = vct::test::whyAbsent(backend); \

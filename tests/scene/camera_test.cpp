@@ -74,15 +74,6 @@ TEST(ChooseCamera, ByNameOrIndexOrTheFirst) {
     }
 }
 
-TEST(ChooseCamera, WithoutOneGivesAViewAndSaysHowItIsRepeated) {
-    const Scene scene = sceneWithBounds({0, 0, 0}, {2, 1, 3});
-    const Camera camera = chooseCamera(scene, "", 1.5);
-    EXPECT_EQ(cameraNote(scene, "", camera, 1.5),
-              "the scene has no camera: seen by --camera " + cameraOption(camera, scene.boundsWorld));
-    EXPECT_EQ(cameraNote(scene, "eye=1,2,3", camera, 1.5), "");
-    expectMentions(errorOf([&] { chooseCamera(scene, "front"); }), {"no camera", "\"front\"", "leave out"});
-}
-
 TEST(ChooseCamera, OneOfAnotherShapeShowsAllThatItFrames) {
     Scene scene = sceneWithBounds({0, 0, 0}, {1, 1, 1});
     scene.cameras.resize(1);
@@ -111,25 +102,6 @@ TEST(CameraOption, RepeatsATurnedCamera) {
     expectMentions(errorOf([] { lookAt({0, 0, 1}, {0, 0, 0}, 40.0, glm::dvec3(0, 0, 2)); }), {"up"});
 }
 
-TEST(ClipFromWorld, HasAVerticalFieldOfViewAndTheAspectOfThePicture) {
-    const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
-    const Camera camera = lookAt({0, 0, 10}, {0, 0, 0}, 90.0);
-    const glm::dmat4 clip = clipFromWorld(camera, bounds, 2.0);
-    EXPECT_NEAR(project(clip, {0, 10, 0}).y, 1.0, 1e-9);
-    EXPECT_NEAR(project(clip, {20, 0, 0}).x, 1.0, 1e-9);
-}
-
-TEST(ClipFromWorld, NearAndFarEncloseTheSceneTightly) {
-    const Bounds bounds{glm::dvec3(-1), glm::dvec3(1)};
-    const glm::dmat4 clip = clipFromWorld(lookAt({0, 0, 1001}, {0, 0, 0}, 40.0), bounds, 1.0);
-    const double front = project(clip, {0, 0, 1}).z;
-    const double back = project(clip, {0, 0, -1}).z;
-    EXPECT_GT(front, -1.0);
-    EXPECT_LT(back, 1.0);
-    EXPECT_LT(project(clip, {0, 0, 502}).z, -0.99);  // near is half of the distance to the bounds
-    EXPECT_GT(project(clip, {0, 0, -3}).z, 1.0);     // far is just behind them
-}
-
 TEST(ClipFromWorld, WideViewsDoNotCutTheCornersOff) {
     // The nearest point of the scene lies in the corner of a very wide picture.
     const double tanHalf = std::tan(glm::radians(75.0));
@@ -146,7 +118,7 @@ TEST(ClipFromWorld, IsUsableInsideTheSceneAndLookingAway) {
     EXPECT_NEAR(project(inside, {0, 0, -1e-3 * diagonal}).z, -1.0, 1e-9);
     EXPECT_LT(project(inside, {0, 0, -5}).z, 1.0);
 
-    // A room of a few metres, and something 10 km away.
+    // The scene is a room of a few metres and an object 10 km away.
     Camera camera = lookAt({0, 0, 0}, {0, 0, -5}, 60.0);
     const Bounds wide{glm::dvec3(-5), glm::dvec3(1e4)};
     EXPECT_GE(project(clipFromWorld(camera, wide, 1.0), {0, 0, -0.11}).z, -1.0);

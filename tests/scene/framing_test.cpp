@@ -27,8 +27,8 @@ Scene boxOf(const glm::dvec3& sides) {
     return finished(std::move(scene));
 }
 
-// A room of 2 x 2 x 2 m with a box on its floor, of which the first walls are there: floor, ceiling, left,
-// right, back, front.
+// A room of 2 x 2 x 2 m with a box on its floor and the first `walls` of: floor, ceiling, left, right, back,
+// front.
 Scene roomWithABox(std::size_t walls = 6) {
     Scene scene = closedBox(0.0);
     scene.instances.resize(walls);
@@ -42,7 +42,7 @@ bool isInside(const Scene& scene, const Camera& camera) {
            glm::all(glm::lessThan(eye, scene.boundsWorld.max));
 }
 
-// Around all vertices, in the picture.
+// The bounds of all vertices in the picture.
 Bounds inThePicture(const Scene& scene, const Camera& camera, double aspect) {
     const glm::dmat4 clip = clipFromWorld(camera, scene.boundsWorld, aspect);
     Bounds seen = noBounds;
@@ -76,21 +76,13 @@ TEST(FrameScene, FillsThePictureWhateverItsShapeAndSize) {
                     EXPECT_GE(seen.min.x, -1.0) << what;
                     EXPECT_GE(seen.min.y, -1.0) << what;
                     EXPECT_GE(seen.min.z, -1.0) << what;
-                    // And touches two opposite edges, but for the margin.
+                    // Apart from a margin it touches two opposite edges.
                     const glm::dvec2 reach = glm::min(glm::dvec2(seen.max), -glm::dvec2(seen.min));
                     EXPECT_GT(std::max(reach.x, reach.y), 0.92) << what;
                 }
             }
         }
     }
-}
-
-TEST(FrameScene, IsFromTheFrontAndAboveALittleToTheRight) {
-    const Scene scene = boxOf({2, 1, 3});
-    const glm::dvec3 back(frameScene(scene, 1.0).worldFromCamera[2]);
-    EXPECT_GT(back.z, 0.8);
-    EXPECT_GT(back.y, 0.3);
-    EXPECT_GT(back.x, 0.1);
 }
 
 TEST(FrameScene, ItsOptionGivesExactlyTheSameCamera) {
@@ -119,11 +111,11 @@ TEST(FrameScene, ASheetIsSeenFromTheSideThatItFaces) {
     }
 }
 
-TEST(FrameScene, AnEmptyOneHasAViewToo) {
+TEST(FrameScene, AnEmptySceneHasAViewToo) {
     EXPECT_TRUE(std::isfinite(frameScene(emptyScene(), 1.0).worldFromCamera[3].z));
 }
 
-TEST(FrameScene, WhatMovesIsSeenWhereverItGoes) {
+TEST(FrameScene, AMovingObjectIsSeenInEveryPose) {
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
     builder.animate(static_cast<int>(builder.document["nodes"].size()) - 1, "translation", {0, 1},
@@ -138,7 +130,7 @@ TEST(FrameScene, WhatMovesIsSeenWhereverItGoes) {
     }
 }
 
-TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
+TEST(FrameRoom, AClosedRoomIsSeenFromInsideWhateverTheSidesOfItsWalls) {
     const Scene inwards = roomWithABox();
     EXPECT_TRUE(isInside(inwards, frameScene(inwards, 1.0)));
     Scene doubleSided = roomWithABox();
@@ -150,17 +142,8 @@ TEST(FrameRoom, AClosedOneIsSeenFromInsideWhicheverWayItsWallsAreMade) {
     addBox(outwards, {0.5, 0.6, 0.5}, {0.3, -1.2, -0.4});
     outwards = finished(std::move(outwards));
     EXPECT_TRUE(isInside(outwards, frameScene(outwards, 1.0)));
-    Scene thick = roomWithABox();
-    addBox(thick, {2.2, 2.2, 2.2});
-    thick = finished(std::move(thick));
-    EXPECT_TRUE(isInside(thick, frameScene(thick, 1.0)));
-    for (const double size : {1e-3, 1e4}) {
-        const Scene scaled = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(size)));
-        EXPECT_TRUE(isInside(scaled, frameScene(scaled, 1.0))) << size;
-    }
 }
 
-// From a wall or a corner, along the room.
 TEST(FrameRoom, LooksAlongTheRoom) {
     const Scene room = moved(roomWithABox(), glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, 4)));
     const Camera camera = frameScene(room, 1.0);
@@ -169,16 +152,14 @@ TEST(FrameRoom, LooksAlongTheRoom) {
     EXPECT_LT(std::abs(camera.worldFromCamera[2].y), 0.2);
 }
 
-TEST(FrameRoom, AnOpenOneAndAThingAreSeenFromOutside) {
+TEST(FrameRoom, AnOpenRoomAndAnObjectAreSeenFromOutside) {
     const Scene open = roomWithABox(5);
     const Camera camera = frameScene(open, 1.0);
     EXPECT_FALSE(isInside(open, camera));
     EXPECT_GT(camera.worldFromCamera[3].z, 1.0) << "through the front";
-    for (const bool doubleSided : {false, true}) {
-        Scene crate = boxOf({2, 2, 2});
-        crate.materials[0].doubleSided = doubleSided;
-        EXPECT_FALSE(isInside(crate, frameScene(crate, 1.0))) << doubleSided;
-    }
+    Scene crate = boxOf({2, 2, 2});
+    crate.materials[0].doubleSided = true;
+    EXPECT_FALSE(isInside(crate, frameScene(crate, 1.0)));
     Scene bottle = emptyScene();  // an outside and an inside, and nothing in it
     addBox(bottle, {2, 4, 2});
     addBox(bottle, {-1.9, -3.9, -1.9});

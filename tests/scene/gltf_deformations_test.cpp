@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/deformation.h"
+#include "support/errors.h"
 #include "support/gltf_builder.h"
 #include "support/moving_scenes.h"
 
@@ -33,24 +34,6 @@ TEST(Deformations, AtRestVerticesAreWhereTheirJointsAre) {
     expectNear(world(column, 0), {-0.75, 0.0, -0.5});
     expectNear(world(column, 64), {-0.75, 1.6, -0.5});
     expectNear(glm::dvec3(column.vertices[64].normal), {1, 0, 0});
-}
-
-// glTF 2.0, section 5.28: they are then the identity.
-TEST(Deformations, ASkinMayHaveNoInverseBindMatrices) {
-    GltfBuilder identities = twoThatDeform();
-    std::vector<float> values;
-    for (int i = 0; i < 3 * 16; ++i)
-        values.push_back(i % 16 % 5 == 0 ? 1.0F : 0.0F);
-    identities.document["skins"][0]["inverseBindMatrices"] = identities.floats(values, "MAT4");
-    GltfBuilder none = twoThatDeform();
-    none.document["skins"][0].erase("inverseBindMatrices");
-    const Scene expected = load(identities), loaded = load(none);
-    EXPECT_TRUE(loaded.warnings.empty());
-    const Mesh &a = deformingMesh(expected, 0), &b = deformingMesh(loaded, 0);
-    ASSERT_EQ(a.vertices.size(), b.vertices.size());
-    for (std::size_t i = 0; i < a.vertices.size(); ++i)
-        expectNear(world(b, i), world(a, i), 0.0);
-    EXPECT_GT(glm::length(world(b, 64) - world(deformingMesh(load(twoThatDeform()), 0), 64)), 0.1);
 }
 
 TEST(Deformations, AVertexBetweenTwoJointsGoesHalfTheWay) {
@@ -89,20 +72,8 @@ TEST(Deformations, MorphTargetsAddUpByTheirWeights) {
     }
 }
 
-TEST(Deformations, WeightsAtRestAreTheNodesBeforeTheMeshs) {
-    GltfBuilder builder = twoThatDeform();
-    builder.document.erase("animations");
-    const std::size_t meshes = builder.document["meshes"].size();
-    builder.document["meshes"][meshes - 1]["weights"] = {0.5, 0};
-    const auto height = [](const GltfBuilder& b) { return load(b).boundsWorld.max.y; };
-    builder.document["nodes"][builder.document["nodes"].size() - 1]["weights"] = {4.0, 0.0};
-    EXPECT_NEAR(height(builder), 1.0 + 4.0 * 0.3, 1e-5);
-    builder.document["nodes"][builder.document["nodes"].size() - 1].erase("weights");
-    EXPECT_NEAR(height(builder), 1.6, 1e-5);  // the column's
-    EXPECT_TRUE(load(builder).warnings.empty());
-}
-
-// Weights of splines have their tangents before and behind each value, of all targets (appendix C.5).
+// The weights of all targets of a key stand between their in-tangents and out-tangents (glTF 2.0, appendix
+// C.5).
 TEST(Deformations, WeightsFollowSplines) {
     GltfBuilder builder = twoThatDeform();
     const int box = static_cast<int>(builder.document["nodes"].size()) - 1;
@@ -138,17 +109,14 @@ TEST(Deformations, BoxesAndBoundsHoldEveryVertexAtEveryTime) {
     }
 }
 
-TEST(Deformations, WhatIsDamagedIsNamed) {
+TEST(Deformations, DamagedOnesAreNamed) {
     const auto changed = [](auto&& change) {
         GltfBuilder builder = twoThatDeform();
         change(builder);
         return loadError(builder);
     };
-    const auto has = [](const std::string& text, const char* part) {
-        EXPECT_NE(text.find(part), std::string::npos) << text;
-    };
+    const auto has = [](const std::string& text, const char* part) { expectMentions(text, {part}); };
     has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"].erase(2); }), "follow joint 2 of 2");
-    has(changed([](GltfBuilder& b) { b.document["skins"][0]["joints"][1] = 99; }), "node 99");
     has(changed([](GltfBuilder& b) {
             b.document["skins"][0]["inverseBindMatrices"] =
                 b.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4");
@@ -164,7 +132,7 @@ TEST(Deformations, WhatIsDamagedIsNamed) {
             primitive["targets"][0]["POSITION"] = b.floats({1, 0, 0});
         }),
         "morph target has 1 elements for 8 vertices");
-    // Weights that do not fit their keys keep the scene from playing, not from being drawn.
+    // With weights that do not fit their keys the scene is drawn, but does not play.
     GltfBuilder odd = twoThatDeform();
     const int box = static_cast<int>(odd.document["nodes"].size()) - 1;
     odd.document.erase("animations");

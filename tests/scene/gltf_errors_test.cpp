@@ -15,13 +15,13 @@
 namespace vct::test {
 namespace {
 
-// One sentence that names the file, on one line, and contains `part`.
+// The message is one line that names the file and a remedy and contains `part`.
 void expectError(const std::string& message, const std::string& part) {
-    expectMentions(message, {"test.glb", part, "; "});  // the last: a remedy
+    expectMentions(message, {"test.glb", part, "; "});
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-// What is put at a place of the document (RFC 6901), or taken away where `value` is "".
+// A value that replaces the one at a place of the document (RFC 6901), or "" to remove it.
 struct Damage {
     const char* place;
     const char* value;
@@ -30,11 +30,9 @@ struct Damage {
 
 const Damage damages[] = {
     {"/nodes/0/mesh", "7", "mesh 7"},
-    {"/nodes/0/mesh", "-2", "mesh -2"},
     {"/meshes/0/primitives/0/material", "7", "material 7"},
     {"/meshes/0/primitives/0/attributes/POSITION", "70", "accessor 70"},
     {"/meshes/0/primitives/0/indices", "70", "accessor"},
-    {"/meshes/0/primitives/0/mode", "9", "mesh 0 has the unknown mode 9"},
     {"/meshes/0", R"({"name": "wall", "primitives": [{"attributes": {"POSITION": 0}, "mode": 99}]})",
      "mesh 0 (wall) has the unknown mode 99"},
     {"/meshes/0/primitives/0/attributes", "", "attributes"},
@@ -46,7 +44,6 @@ const Damage damages[] = {
     {"/textures/0/sampler", "7", "sampler 7"},
     {"/samplers/0/wrapS", "1", "wrap"},
     {"/images/0/bufferView", "99", "buffer view 99"},
-    {"/images/0/bufferView", "1152921504606846976", "buffer view"},
     {"/images/0/bufferView", "", "image 0"},
     {"/images/0/bufferView", "0", "neither PNG nor JPEG"},
     {"/bufferViews/4/byteLength", "40", "cannot be decoded"},
@@ -59,48 +56,38 @@ const Damage damages[] = {
      R"({"type": "directional", "name": "sun", "color": [1, -0.5, 1]})",
      "light 0 (sun) has a negative colour"},
     {"/scene", "7", "scene 7"},
-    {"/scenes/0/nodes", "[7]", "node 7"},
     {"/scenes/0/nodes", "[]", "no triangles"},
     {"/nodes/0/children", "[7]", "node 7"},
     {"/nodes/0/children", "[0]", "node 0 is in the scene twice"},
     {"/nodes", R"([{"mesh": 0}, {"children": [2]}, {"children": [1]}])", "its own ancestor"},
     {"/nodes", R"([{"mesh": 0, "children": [2]}, {"children": [2]}, {}])", "two parents"},
-    {"/nodes/0/children", "[2]", "node 2 is in the scene twice"},
     {"/nodes/0/matrix", "[1, 0, 0]", "wrong number"},
     {"/nodes/0/matrix", "[1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]", "last row"},
     {"/nodes/0/rotation", "[0, 0, 0, 0]", "quaternion"},
     {"/nodes/0/translation", "[1e300, 0, 0]", "not a usable number"},
-    {"/bufferViews/0/byteOffset", "1073741824", "buffer view 0"},
     {"/bufferViews/0/byteLength", "18446744073709551615", "buffer view 0"},
     {"/bufferViews/1/byteOffset", "18446744073709551612", "buffer view 1"},
     {"/bufferViews/0/buffer", "4", "buffer 4"},
     {"/accessors/0/bufferView", "99", "buffer view 99"},
-    {"/accessors/0/byteOffset", "4", "accessor 0"},
     {"/accessors/0/byteOffset", "18446744073709551615", "accessor 0"},
-    {"/accessors/0/count", "4", "accessor 0"},
     {"/accessors/0/count", "18446744073709551615", "accessor 0"},
     {"/accessors/0", R"({"componentType": 5126, "count": 1099511627776, "type": "VEC3"})", "MiB"},
     {"/bufferViews/0/byteStride", "16", "accessor 0"},
     {"/bufferViews/0/byteStride", "4", "stride"},
     {"/accessors/0/componentType", "5125", "component type"},
-    {"/accessors/0/componentType", "5124", "component type"},
     {"/accessors/0/componentType", "1", "omponentType"},
     {"/accessors/0/type", R"("VEC2")", "VEC3"},
     {"/accessors/0/count", "2", "points at vertex 2 of 2"},
     {"/accessors/1/count", "2", "NORMAL"},
-    {"/accessors/2/count", "2", "TEXCOORD_0"},
     {"/accessors/2/componentType", "5123", "component type"},
     {"/accessors/3/componentType", "5126", "unsigned"},
-    {"/accessors/3/type", R"("VEC2")", "unsigned"},
     {"/accessors/3/count", "2", "no triangles"},
     {"/accessors/0/sparse/indices/byteOffset", "6", "writes element 3 of 3"},
     {"/accessors/0/sparse/indices/byteOffset", "-2", "negative"},
     {"/accessors/0/sparse/indices/componentType", "5126", "sparse"},
     {"/accessors/0/sparse/count", "99", "sparse"},
-    {"/accessors/0/sparse/count", "-2", "sparse"},
     {"/animations/0/channels/0/sampler", "", "animation 0 (spin), channel 0 has no sampler"},
     {"/animations/0/channels/0/sampler", "3", "channel 0 refers to sampler 3 of 1"},
-    {"/animations/0/channels/0/sampler", "-1", "sampler -1 of 1"},
     {"/animations/0/channels/0/target", "", "channel 0 has no target"},
     {"/animations/0/channels/0/target/node", "9", "node 9 of 3"},
     {"/animations/0/channels/1", R"({"sampler": 0, "target": {"node": 0, "path": "rotation"}})",
@@ -114,7 +101,6 @@ const Damage damages[] = {
     {"/accessors/5/componentType", "5123", "component type 5123"},
     {"/nodes/0/matrix", "[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]", "moves a node that has a matrix"},
     {"/animations", "5", "its animations are not a list of objects"},
-    {"/animations", "[1, 2]", "its animations are not a list of objects"},
     {"/animations/0/channels", "5", "its channels are not a list of objects"},
     {"/animations/0/samplers", "[7]", "its samplers are not a list of objects"},
     {"/buffers", R"([{"byteLength": 4, "uri": "gone.bin"}])", "gone.bin"},
@@ -122,14 +108,12 @@ const Damage damages[] = {
     {"/buffers", "[{}]", "byteLength"},
     {"/buffers", R"([{"byteLength": 9}, {"byteLength": 9}])", "buffer"},
     {"/buffers", R"([{"byteLength": 4, "uri": "data:;base64,!!!!"}])", "base64"},
-    {"/buffers", "[1, 2]", "buffers"},
     {"/asset/version", R"("1.0")", "glTF 1.0"},
     {"/asset/minVersion", R"("2.1")", "glTF 2.1"},
     {"/asset", "", "asset.version"},
-    {"/asset", "3", "asset.version"},
 };
 
-TEST(GltfErrors, TheFileThatIsDamagedBelowLoads) {
+TEST(GltfErrors, TheUndamagedFileLoads) {
     const Scene scene = load(completeFile(encodePng(8)));
     EXPECT_EQ(scene.triangleCount(), 1U);
     EXPECT_EQ(scene.textures.size(), 1U);
@@ -146,12 +130,12 @@ TEST(GltfErrors, EachDamageIsNamedInOneSentence) {
             builder.document[place.parent_pointer()].erase(place.back());
         else
             builder.document[place] = json::parse(damage.value);
-        // An animation is asked for: one that is not may be of any kind.
+        // The animation must be asked for, else its errors are warnings.
         expectError(loadError(builder, {.animation = "0"}), damage.part);
     }
 }
 
-TEST(GltfErrors, PositionsThatAreNotUsable) {
+TEST(GltfErrors, UnusablePositionsAreNamed) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {infinity, -infinity, std::nanf(""), 3e38F, 2e30F, 1e20F}) {
         GltfBuilder builder;
@@ -166,7 +150,7 @@ TEST(GltfErrors, PositionsThatAreNotUsable) {
     expectError(loadError(point), "one point");
 }
 
-TEST(GltfErrors, ImagesThatLieAboutTheirSize) {
+TEST(GltfErrors, ImagesWithAWrongSizeAreNamed) {
     for (const int side : {16384, 16385, 1 << 30}) {
         Bytes png = encodePng(8);
         for (std::size_t byte = 0; byte < 4; ++byte) {  // width and height, big-endian, at 16 and 20
@@ -179,7 +163,7 @@ TEST(GltfErrors, ImagesThatLieAboutTheirSize) {
     }
 }
 
-TEST(GltfErrors, DeepNodesAndDeepJson) {
+TEST(GltfErrors, DeepNodesAndDeepJsonAreRefused) {
     GltfBuilder builder;
     builder.triangle();
     for (int i = 1; i < 5000; ++i)
@@ -192,7 +176,7 @@ TEST(GltfErrors, DeepNodesAndDeepJson) {
     expectError(loadError(bytesOf(nested + std::string(1000000, ']') + "}")), "levels deep");
 }
 
-TEST(GltfErrors, FilesThatAreNotGltf) {
+TEST(GltfErrors, FilesThatAreNotGltfAreRefused) {
     const Bytes nothing;
     expectError(loadError(nothing), "empty");
     for (const char* text :
@@ -203,8 +187,8 @@ TEST(GltfErrors, FilesThatAreNotGltf) {
     expectError(loadError(newer), "version 3");
 }
 
-// glTF 2.0 section 3.1: a whole number may be written as 60.0, and an accessor without a view is zeros.
-TEST(GltfFiles, NumbersAndAccessorsThatTheSpecificationAllows) {
+// A whole number may be written as 60.0, and an accessor without a view is zeros (glTF 2.0).
+TEST(GltfFiles, MayHaveNumbersAndAccessorsThatTheSpecificationAllows) {
     GltfBuilder plain = completeFile(encodePng(8));
     // Every number of the document as a fraction.
     const std::function<void(json&)> asFraction = [&](json& value) {
@@ -229,7 +213,7 @@ TEST(GltfFiles, NumbersAndAccessorsThatTheSpecificationAllows) {
 }
 
 // A small file may name the same accessor or image any number of times.
-TEST(GltfErrors, WhatIsAllocatedIsCountedAndLimited) {
+TEST(GltfErrors, MemoryIsCountedAndLimited) {
     GltfFile file;
     file.path = "test.glb";
     file.reserveGeometry(1U << 30, 1);
@@ -267,7 +251,7 @@ TEST(GltfFiles, BuffersAndImagesAreFoundBesideTheFile) {
     EXPECT_EQ(scene.textures.at(0).width, 8);
 }
 
-TEST(GltfFiles, WhatIsNoReadableFileIsAnError) {
+TEST(GltfFiles, ThatCannotBeReadAreErrors) {
     const TemporaryFolder folder;
     for (const std::string& path : {folder.file("absent.glb"), folder.path(), std::string("/dev/zero")})
         EXPECT_THROW(loadGltf(path), Error) << path;

@@ -1,4 +1,4 @@
-// Damaged files either load or end in a vct::Error. Most telling with the sanitizers.
+// Damaged files either load or end in a vct::Error, which the sanitizers check best.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// What every scene that loads promises to the renderer.
+// The renderer relies on this in every scene that loads.
 void checkScene(const Scene& scene) {
     ASSERT_GT(scene.triangleCount(), 0U);
     for (const Mesh& mesh : scene.meshes) {
@@ -82,7 +82,7 @@ TEST_P(GltfFuzz, EveryTruncationIsRefused) {
 }
 
 TEST_P(GltfFuzz, FlippedBitsNeverCrash) {
-    // It looks up codes in tables that a damaged file left as they were in memory: it may crash or not.
+    // The decoder reads tables that a damaged file leaves uninitialized, so it may crash.
     if (std::string(GetParam()) == "jpeg")
         GTEST_SKIP()
             << "stb_image 2.27, which Debian has, reads beyond its tables in damaged JPEGs; 2.28 does not";
@@ -102,7 +102,7 @@ TEST_P(GltfFuzz, FlippedBitsNeverCrash) {
     EXPECT_LT(loaded, variants);
 }
 
-// Bits of JSON mostly break its syntax; digits and bytes of images reach what lies behind it.
+// Flipped bits mostly break the syntax of the JSON. Digits and bytes of images reach the code behind it.
 TEST_P(GltfFuzz, ChangedDigitsAndImageBytesNeverCrash) {
     const Bytes whole = file();
     std::vector<std::size_t> digits;

@@ -51,7 +51,7 @@ Bytes encodeIndices(const std::vector<std::uint32_t>& indices, bool triangles) {
     return stream;
 }
 
-// A .glb whose second buffer is the one that the views unpack to.
+// A .glb whose second buffer is the one that views unpack to.
 Bytes withFallback(GltfBuilder builder, json fallback) {
     builder.document["buffers"] = {{{"byteLength", builder.binary.size()}}, std::move(fallback)};
     return builder.glb();
@@ -61,7 +61,7 @@ json emptyFallback(const char* extension = "EXT_meshopt_compression") {
     return {{"byteLength", 1 << 20}, {"extensions", {{extension, {{"fallback", true}}}}}};
 }
 
-// Positions and texture coordinates as they are; normals by the octahedral filter.
+// Normals and texture coordinates are filtered.
 GltfBuilder packedField(bool triangles, const char* extension = "EXT_meshopt_compression") {
     const BumpyField& field = meshoptField;
     const std::size_t n = field.vertexCount();
@@ -93,7 +93,7 @@ GltfBuilder packedField(bool triangles, const char* extension = "EXT_meshopt_com
     return builder;
 }
 
-TEST(Meshopt, UnpacksToTheMeshThatIsNotPacked) {
+TEST(Meshopt, UnpacksToThePlainMesh) {
     const Mesh plain = load(plainField(meshoptField)).meshes.at(0);
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
         for (const bool triangles : {true, false}) {
@@ -113,7 +113,6 @@ TEST(Meshopt, UnpacksToTheMeshThatIsNotPacked) {
     }
 }
 
-// Two views of rotations, of an animation and of instances.
 TEST(Meshopt, QuaternionsAreUnpacked) {
     const std::vector<float> rotations{0, 0, 0, 1, 0.5F, 0.5F, 0.5F, 0.5F, 0, 0.6F, 0, 0.8F, 0, 0, 0, 1};
     std::vector<std::int16_t> filtered(16);
@@ -130,25 +129,17 @@ TEST(Meshopt, QuaternionsAreUnpacked) {
     EXPECT_NEAR(scene.instances[2].worldFromObject[0][2], -0.96, 1e-3) << "x towards -z";
 }
 
-TEST(Meshopt, AFallbackWithBytesIsNotAskedFor) {
+TEST(Meshopt, TheBytesOfAFallbackAreNotRead) {
     GltfBuilder builder = packedField(true);
     json fallback = emptyFallback();
     fallback["uri"] = "nowhere.bin";
     EXPECT_EQ(load(withFallback(builder, fallback)).triangleCount(), meshoptField.indices.size() / 3);
-    // But by a view that is not packed.
+    // A view that is not packed needs the bytes.
     builder.add("bufferViews", {{"buffer", 1}, {"byteLength", 4}});
     expectMentions(loadError(withFallback(builder, fallback)), {"nowhere.bin"});
 }
 
-TEST(Meshopt, AFallbackMayLackTheWord) {
-    const json fallback{{"byteLength", 1 << 20}};
-    GltfBuilder builder = packedField(true);
-    EXPECT_EQ(load(withFallback(builder, fallback)).triangleCount(), meshoptField.indices.size() / 3);
-    builder.add("bufferViews", {{"buffer", 1}, {"byteLength", 4}});
-    expectMentions(loadError(withFallback(builder, fallback)), {"buffer 1 has neither a uri"});
-}
-
-TEST(Meshopt, WhatIsWrongIsNamed) {
+TEST(Meshopt, ErrorsAreNamed) {
     const auto errorOf = [](const char* key, json value) {
         GltfBuilder builder = packedField(true);
         for (json& view : builder.document["bufferViews"])
@@ -184,7 +175,7 @@ TEST(Meshopt, WhatIsWrongIsNamed) {
     expectMentions(errorOf("byteLength", 20), {"damaged"});
 }
 
-// Streams that are damaged load as something or are refused; most telling with the sanitizers.
+// Damaged streams load or are refused, which the sanitizers check best.
 TEST(Meshopt, DamagedStreamsNeverCrash) {
     GltfBuilder builder = packedField(true);
     std::mt19937 random(7);
@@ -216,7 +207,7 @@ TEST(Meshopt, IsRefusedByTheNameOfTheLibrary) {
         {{"byteLength", 36}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
     expectMentions(loadError(bytesOf(builder.document.dump())),
                    {"test.glb", "buffer view 0", "meshoptimizer", "VCT_MESHOPT"});
-    // The same with the bytes.
+    // The bytes beside it are read without the library.
     builder.document["buffers"][1]["uri"] = builder.document["buffers"][0]["uri"];
     EXPECT_EQ(load(bytesOf(builder.document.dump())).triangleCount(), 1U);
 }

@@ -11,7 +11,7 @@ namespace {
 // A square in z = 0 as two triangles, (0,0) (1,0) (1,1) (0,1) counter-clockwise.
 const std::vector<float> squareList{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0};
 const std::vector<float> squareFan{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-// Along the diagonal that the list and the fan use: (1,0) (1,1) (0,0) (0,1).
+// A strip with the diagonal of the list and the fan: (1,0) (1,1) (0,0) (0,1).
 const std::vector<float> squareStrip{1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1, 0};
 const std::vector<float> fourUps{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
 
@@ -91,12 +91,6 @@ TEST(GltfTriangles, NormalsAreMadeUnitAndBadOnesReplaced) {
     EXPECT_TRUE(hasWarning(scene, "normals"));
 }
 
-TEST(GltfTriangles, TriangleWithoutAreaHasAUnitNormal) {
-    const Mesh mesh = loadPositions({0, 0, 0, 1, 0, 0, 2, 0, 0}, 4);
-    for (const Vertex& vertex : mesh.vertices)
-        EXPECT_NEAR(glm::length(vertex.normal), 1.0F, 1e-6F);
-}
-
 TEST(GltfTriangles, StridedAndQuantizedAttributes) {
     GltfBuilder builder;
     // Positions of 12 bytes and normals of 3 in records of 16.
@@ -146,47 +140,6 @@ TEST(GltfTriangles, VerticesKeepTheirPrecisionFarFromTheOrigin) {
     EXPECT_EQ(mesh.centre, glm::dvec3(1e6 + 0.03125, 0.03125, 0));
     EXPECT_EQ(mesh.vertices[0].position, glm::vec3(-0.03125F, -0.03125F, 0));
     EXPECT_EQ(mesh.vertices[1].position, glm::vec3(0.03125F, -0.03125F, 0));
-}
-
-TEST(GltfTriangles, OneMeshPerPrimitiveAndSharedBetweenNodes) {
-    GltfBuilder builder;
-    const json primitive = {{"attributes", {{"POSITION", builder.floats(squareList)}}}};
-    const int mesh = builder.add("meshes", {{"primitives", {primitive, primitive}}});
-    builder.node({{"mesh", mesh}});
-    builder.node({{"mesh", mesh}, {"translation", {5, 0, 0}}});
-    const Scene scene = load(builder);
-    EXPECT_EQ(scene.meshes.size(), 2U);
-    EXPECT_EQ(scene.instances.size(), 4U);
-    EXPECT_EQ(scene.triangleCount(), 8U);
-    EXPECT_EQ(scene.boundsWorld.min, glm::dvec3(0));
-    EXPECT_EQ(scene.boundsWorld.max, glm::dvec3(6, 1, 0));
-}
-
-TEST(GltfTriangles, BoundsLeaveOutVerticesThatNoTriangleUses) {
-    GltfBuilder builder;
-    const int positions =
-        builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, std::numeric_limits<float>::infinity(), 1e30F, 7});
-    const int indices = builder.accessor(std::vector<std::uint8_t>{0, 1, 2}, uint8, "SCALAR");
-    builder.node({{"mesh", builder.mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}})}});
-    EXPECT_EQ(load(builder).boundsWorld.max, glm::dvec3(1, 1, 0));
-}
-
-TEST(ShuffleTriangles, PermutesAndKeepsEveryTriangle) {
-    std::vector<float> positions;
-    for (int i = 0; i < 64; ++i) {
-        const auto x = static_cast<float>(i);
-        positions.insert(positions.end(), {x, 0, 0, x + 1, 0, 0, x, 1, 0});
-    }
-    GltfBuilder builder;
-    builder.node({{"mesh", builder.mesh({{"attributes", {{"POSITION", builder.floats(positions)}}}})}});
-    const Scene original = load(builder);
-    Scene same = original;
-    shuffleTriangles(same, 0);
-    EXPECT_EQ(same.meshes[0].indices, original.meshes[0].indices);
-    Scene shuffled = original;
-    shuffleTriangles(shuffled, 7);
-    EXPECT_NE(shuffled.meshes[0].indices, original.meshes[0].indices);
-    EXPECT_EQ(triangleSoup(shuffled.meshes[0]), triangleSoup(original.meshes[0]));
 }
 
 }  // namespace

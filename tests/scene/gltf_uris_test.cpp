@@ -1,4 +1,4 @@
-// Which files a scene may name: those of its folder and below, unless it is allowed others.
+// A scene may name files in its folder and below, and others only if that is allowed.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -22,7 +22,7 @@ class Uris : public ::testing::Test {
         fs::create_symlink("../outside.bin", folder.file("scene/leaves.bin"));
         fs::create_symlink("parts/inside.bin", folder.file("scene/stays.bin"));
         fs::create_directory_symlink("..", folder.file("scene/up"));
-        // A folder whose name only begins like the scene's is another one.
+        // The name of another folder begins like that of the scene's folder.
         fs::create_directory(folder.file("scene2"));
         writeBytes(folder.file("scene2/a.bin"), builder.binary);
     }
@@ -52,8 +52,8 @@ TEST_F(Uris, FilesOutsideAreRefusedAfterLinksAreResolvedUnlessTheyAreAllowed) {
     }
 }
 
-// The error must not tell whether there is such a file.
-TEST_F(Uris, AFileOutsideThatIsNotThereIsRefusedAlike) {
+// The error must not reveal that there is no such file.
+TEST_F(Uris, AMissingFileOutsideIsRefusedLikeAnyOther) {
     expectMentions(errorFor("../none.bin"), {"outside of the scene's folder"});
     expectMentions(errorFor("none.bin"), {"there is no such file"});
 }

@@ -15,7 +15,7 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
                        glm::min(fallback.directionToLight.y, fallback.directionToLight.z)),
               0.0);
     EXPECT_NEAR(fallback.intensity, 3.14159265F, 1e-6F);
-    // Where others shine it gives no light.
+    // Beside other lights the default gives none.
     scene.punctualLights.emplace_back();
     EXPECT_EQ(chooseLight(scene).color, glm::vec3(0.0F));
     EXPECT_GT(chooseLight(scene).intensity, 0.0F);
@@ -24,29 +24,28 @@ TEST(ChooseLight, TakesTheFirstOrADefaultFromAbove) {
     EXPECT_EQ(chooseLight(scene).intensity, 5.0F);
 }
 
-// A room of 2 x 2 x 2 m with a lamp in it, of which the first walls are there: floor, ceiling, left, right,
-// back, front.
-Scene roomWithALamp(std::size_t walls) {
+// A room of 2 x 2 x 2 m with an emitter and the first `walls` of: floor, ceiling, left, right, back, front.
+Scene roomWithAnEmitter(std::size_t walls) {
     Scene scene = closedBox(0.0);
     scene.instances.resize(walls);
-    Material lamp = scene.materials[0];
-    lamp.emissive = glm::vec3(2.0F);
-    scene.materials.push_back(lamp);
+    Material emitter = scene.materials[0];
+    emitter.emissive = glm::vec3(2.0F);
+    scene.materials.push_back(emitter);
     addBox(scene, {0.4, 0.05, 0.4}, {0.3, 0.9, 0.1}, static_cast<int>(scene.materials.size()) - 1);
     return finished(std::move(scene));
 }
 
-TEST(ChooseLight, ALampLightsItsRoom) {
+TEST(ChooseLight, AnEmitterLightsItsRoom) {
     for (const std::size_t walls : {6, 5}) {
-        const Scene room = roomWithALamp(walls);
+        const Scene room = roomWithAnEmitter(walls);
         EXPECT_EQ(chooseLight(room).intensity, 0.0F) << walls;
         EXPECT_EQ(chooseSky(room), glm::vec3(0.0F)) << walls;
     }
 }
 
-// A car with its headlights on is black but for these.
-TEST(ChooseLight, WhatGlowsInTheOpenIsNoLight) {
-    const Scene open = roomWithALamp(1);
+// A car with its headlights on needs another light.
+TEST(ChooseLight, AnEmitterInTheOpenDoesNotReplaceTheSun) {
+    const Scene open = roomWithAnEmitter(1);
     EXPECT_GT(chooseLight(open).intensity, 3.0F);
     EXPECT_GT(chooseSky(open).b, 0.1F);
     Scene car = emptyScene();
@@ -58,8 +57,8 @@ TEST(ChooseLight, WhatGlowsInTheOpenIsNoLight) {
     EXPECT_GT(chooseLight(finished(car)).intensity, 3.0F);
 }
 
-TEST(ChooseLight, WhatGlowsByATextureIsNoLight) {
-    Scene room = roomWithALamp(6);
+TEST(ChooseLight, AnEmissiveTextureDoesNotReplaceTheSun) {
+    Scene room = roomWithAnEmitter(6);
     room.textures.resize(1);
     room.materials.back().emissiveTexture = 0;
     EXPECT_GT(chooseLight(room).intensity, 3.0F);

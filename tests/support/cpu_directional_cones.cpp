@@ -41,7 +41,7 @@ std::map<std::uint32_t, FacePlane> readPlanes(const DirectionalVoxels& voxels) {
     return planes;
 }
 
-// What lies outside of a face's block is its border's.
+// Texels outside a block of faces have the values at its border.
 glm::dvec4 CpuFaceCones::faceAt(const glm::dvec3& texel, int face, int level) const {
     const FaceLevel& faces = levels_[static_cast<std::size_t>(level)];
     const glm::dvec3 at = glm::clamp(texel, 0.0, faces.side() - 1.0);
@@ -60,15 +60,15 @@ glm::dvec4 CpuFaceCones::faceAt(const glm::dvec3& texel, int face, int level) co
 CpuFaceCones::Met CpuFaceCones::sample(const glm::dvec3& positionVoxels, const glm::dvec3& direction,
                                        const glm::dvec3& share, int level) const {
     const glm::dvec3 texel = positionVoxels / std::exp2(level) - 0.5;
-    glm::dvec4 shining(0.0);
+    glm::dvec4 emitted(0.0);
     double coverage = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         // The face that looks against the ray.
         const glm::dvec4 face = faceAt(texel, 2 * axis + (direction[axis] > 0.0 ? 1 : 0), level);
-        shining += share[axis] * share[axis] * face;
+        emitted += share[axis] * share[axis] * face;
         coverage += share[axis] * face.a;
     }
-    return {glm::dvec3(shining) * (coverage / std::max(shining.a, 1e-4)), coverage};
+    return {glm::dvec3(emitted) * (coverage / std::max(emitted.a, 1e-4)), coverage};
 }
 
 CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::dvec3& normal, bool hasBack,
@@ -79,8 +79,8 @@ CpuFaceCones::Gathered CpuFaceCones::trace(const glm::dvec3& start, const glm::d
     glm::dvec3 nearShare = axisShare;
     double reach = 2.0 * grid;
     for (int axis = 0; axis < 3; ++axis) {
-        const bool ofBack = hasBack && std::abs(normal[axis]) >= 0.3;
-        if (direction[axis] * normal[axis] < 0.0 || ofBack) nearShare[axis] = 0.0;
+        const bool isBack = hasBack && std::abs(normal[axis]) >= 0.3;
+        if (direction[axis] * normal[axis] < 0.0 || isBack) nearShare[axis] = 0.0;
         const double end = direction[axis] >= 0.0 ? grid : 0.0;
         if (!s.fadesAtBorder) reach = std::min(reach, (end - start[axis]) / direction[axis]);
     }
@@ -137,13 +137,13 @@ CpuFaceCones::Gathered CpuFaceCones::gather(std::uint32_t face, const FacePlane&
     const bool hasBack = back != nullptr && glm::dot(back->normal, plane.normal) < -0.8 &&
                          levels_[0].at(voxel, number ^ 1).a > 0.5 * levels_[0].at(voxel, number).a;
     Gathered sum;
-    const int ofFace = 4096 * (voxel[(axis + 1) % 3] & 3) + 4 * 4096 * (voxel[(axis + 2) % 3] & 3);
+    const int faceNoise = 4096 * (voxel[(axis + 1) % 3] & 3) + 4 * 4096 * (voxel[(axis + 2) % 3] & 3);
     for (int i = first; i < first + cones; ++i) {
-        const int chance = (i & (settings_.directionSet() - 1)) * 49471 + ofFace;
+        const int noise = (i & (settings_.directionSet() - 1)) * 49471 + faceNoise;
         const Gathered cone =
             trace(start, n, hasBack,
                   frame * directionOf(i * golden & (settings_.directionSet() - 1), settings_.directionSet()),
-                  std::exp2((chance & 65535) / 65536.0 - 0.5));
+                  std::exp2((noise & 65535) / 65536.0 - 0.5));
         sum.light += cone.light / static_cast<double>(cones);
         sum.sky += cone.sky / cones;
     }

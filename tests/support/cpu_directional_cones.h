@@ -1,5 +1,5 @@
-// The cones of the received light in plain C++ over faces read back from the GPU: what
-// shaders/directional/cones.glsl and directional/irradiance.comp must compute.
+// The cones of a gather in C++, over faces that are read back from the GPU: the same as
+// shaders/directional/cones.glsl and gather.comp.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,27 +11,27 @@
 
 namespace vct::test {
 
-// Of a face of the base level, as voxelization leaves it (shaders/directional/face_sums.glsl).
+// The surface of a face of the base level (shaders/directional/face_sums.glsl).
 struct FacePlane {
     glm::dvec3 normal{0.0};
-    double offset = 0.0;  // of the voxel's middle, along the normal
+    double offset = 0.0;  // from the middle of the voxel along the normal
 };
-// By the face's entry, as shared::packFace() makes it.
+// The key is the face's entry, shared::packFace().
 std::map<std::uint32_t, FacePlane> readPlanes(const DirectionalVoxels& voxels);
 
 class CpuFaceCones {
   public:
-    // `levels`: the finest first.
+    // The finest level comes first.
     CpuFaceCones(std::vector<FaceLevel> levels, const GatherSettings& settings)
         : levels_(std::move(levels)), settings_(settings) {}
 
     struct Gathered {
-        glm::dvec3 light{0.0};  // mean over the cones, relative to what the faces store as 1
+        glm::dvec3 light{0.0};  // mean over the cones, relative to the radiance that faces store as 1
         double sky = 0.0;
     };
-    // What a face finds with `cones` of its directions, where its first one is number `direction` (of the
-    // step; its own place is added). `face`: its entry, as shared::packFace() makes it.
-    // `back`: that of the opposite face of its voxel, if there is one.
+    // The light that a face gathers with `cones` of its directions from number `direction` of the step on.
+    // `face`: its entry, shared::packFace(). `back`: the plane of the opposite face of its voxel, if there is
+    // one.
     Gathered gather(std::uint32_t face, const FacePlane& plane, const FacePlane* back, int direction,
                     int cones) const;
 

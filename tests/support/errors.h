@@ -1,4 +1,4 @@
-// What a call throws, for tests of messages.
+// Errors that calls throw, for tests of messages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace vct::test {
 
-// The message of the vct::Error that `call` ends in, "" where it ends in none.
+// The message of the vct::Error that `call` throws, or "".
 template <class Call>
 std::string errorOf(const Call& call) {
     try {

@@ -41,7 +41,7 @@ FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level) {
     gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
     const int side = voxels.grid() >> level;
     FaceLevel result(side);
-    // Three blocks of faces beside each other and two on top, as shaders/directional/voxels.glsl puts them.
+    // shaders/directional/voxels.glsl puts three blocks of faces beside each other and two on top.
     std::vector<glm::u8vec4> slice(static_cast<std::size_t>(faceCount) * side * side);
     for (int z = 0; z < side; ++z) {
         gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.faces().name(), level, z);
@@ -68,7 +68,7 @@ FaceLevel faceMipOnCpu(const FaceLevel& children) {
     parents.forEachVoxel([&](const glm::ivec3& parent) {
         for (int face = 0; face < faceCount; ++face) {
             const int axis = face / 2;
-            const int front = face % 2 == 0 ? 1 : 0;  // the child that the face looks out of
+            const int front = face % 2 == 0 ? 1 : 0;  // the child in front
             glm::dvec4 sum(0.0);
             for (int pair = 0; pair < 4; ++pair) {
                 glm::ivec3 child = 2 * parent;

@@ -1,4 +1,4 @@
-// Directional coverage voxels on the CPU: read back, and their mip levels computed plainly.
+// The faces of directional voxels on the CPU.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class FaceLevel {
     int side() const { return side_; }  // in voxels
     glm::u8vec4& at(const glm::ivec3& voxel, int face) { return texels_[index(voxel, face)]; }
     const glm::u8vec4& at(const glm::ivec3& voxel, int face) const { return texels_[index(voxel, face)]; }
-    // Whether any face of a voxel is not zero.
+    // Some face of the voxel is not zero.
     bool occupied(const glm::ivec3& voxel) const;
     bool operator==(const FaceLevel& other) const { return texels_ == other.texels_; }
 
@@ -52,8 +52,8 @@ FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level);
 // Every level, the finest first.
 std::vector<FaceLevel> readFaces(const DirectionalVoxels& voxels);
 
-// The next level: per face, of each of the four pairs of children along its axis the front one over the back
-// one, F + (1 - alpha of F) B; the mean of the pairs, rounded to nearest.
+// The next level. A face is the mean of four pairs of children along its axis, the front one over the back
+// one: F + (1 - alpha of F) B, rounded to nearest.
 FaceLevel faceMipOnCpu(const FaceLevel& children);
 
 }  // namespace vct::test

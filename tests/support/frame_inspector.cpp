@@ -41,7 +41,7 @@ std::vector<Number> readRgba(const gl::Texture& texture, GLenum format, GLenum t
     return numbers;
 }
 
-// Cigolle et al. 2014: the octahedron unfolded into a square, two coordinates of 0..65534.
+// Cigolle et al. 2014: the octahedron unfolded into a square with two coordinates of 0..65534.
 glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY) {
     const double x = codeX / 32767.0 - 1.0;
     const double y = codeY / 32767.0 - 1.0;
@@ -113,6 +113,14 @@ Image FrameInspector::view(Output output, bool allBounces) {
     return readImage(renderer_.output());
 }
 
+std::vector<SeenSurface> FrameInspector::seen(Output output) {
+    const Image image = view(output);
+    std::vector<SeenSurface> surfaces;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (pixels()[i].surface) surfaces.push_back({pixels()[i], image.pixels[i]});
+    return surfaces;
+}
+
 std::vector<float> FrameInspector::hardShadow() {
     pixels();
     const Image all = view(Output::gi);
@@ -143,10 +151,9 @@ const std::vector<SurfacePixel>& FrameInspector::pixels() {
 }
 
 Spread FrameInspector::spreadOf(Output output) {
-    const Image image = view(output);
     Spread spread;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (pixels()[i].surface) spread.add(image.pixels[i].x);
+    for (const SeenSurface& pixel : seen(output))
+        spread.add(pixel.value.x);
     return spread;
 }
 
@@ -170,9 +177,9 @@ std::vector<FaceLevel> FrameInspector::faceLevels() {
     return readFaces(renderer_.directional()->voxels());
 }
 
-ReceivedFaces FrameInspector::received(bool allBounces) {
+IrradianceByFace FrameInspector::irradiance(bool allBounces) {
     view(Output::indirectLight, allBounces);
-    return readReceived(renderer_);
+    return readIrradiance(renderer_);
 }
 
 }  // namespace vct::test

@@ -1,18 +1,18 @@
-// A renderer of a scene from one camera, whose pictures, G-buffer, voxels and received light are brought to
-// the CPU. Which volume is around the scene, its bounds decide: a test may set them by hand.
+// A renderer of a scene from one camera, which reads its outputs, G-buffer, voxels and face irradiance back
+// to the CPU. The scene's bounds determine the volume around it; a test may set them by hand.
 #pragma once
 
 #include <vector>
 
 #include "engine/renderer.h"
 #include "platform/platform.h"
+#include "support/face_irradiance.h"
 #include "support/faces.h"
-#include "support/received.h"
 #include "support/voxels.h"
 
 namespace vct::test {
 
-// What the G-buffer says of a pixel.
+// The G-buffer at one pixel.
 struct SurfacePixel {
     bool surface = false;  // false: sky, and nothing else is set
     glm::dvec3 positionVolume{0.0}, positionWorld{0.0};
@@ -20,7 +20,12 @@ struct SurfacePixel {
     glm::dvec3 albedo{0.0};
 };
 
-// Of values, one after the other.
+// A surface, and the output that is seen on it.
+struct SeenSurface {
+    const SurfacePixel& surface;
+    glm::dvec3 value;
+};
+
 struct Spread {
     double mean = 0.0, min = 1e9, max = -1e9;
     int count = 0;
@@ -38,28 +43,30 @@ class FrameInspector {
     Renderer& renderer() { return renderer_; }
     void setLight(const glm::dvec3& directionToLight);
 
-    // A converged output, relative to E/pi. That of indirect light shows one bounce unless all are asked for.
+    // A converged output, relative to E/pi. Indirect light has one bounce unless all are asked for.
     Image view(Output output);
     Image view(Output output, bool allBounces);
-    // Share of the sun that each pixel sees, row by row from the top, by the compared map of mode 4 or by the
-    // soft shadow of mode 5. The compared map's is 0 where the surface faces away.
+    // A converged output at the pixels that show a surface.
+    std::vector<SeenSurface> seen(Output output);
+    // Share of the sun that each pixel sees, row by row from the top, by the compared map of mode 4 (0 where
+    // the surface faces away) or by the soft shadow of mode 5.
     std::vector<float> hardShadow();
     std::vector<float> softShadow();
     // Row by row from the top, as in an Image.
     const std::vector<SurfacePixel>& pixels();
-    // An output's red channel over the surfaces.
+    // The red channel of an output over the surfaces.
     Spread spreadOf(Output output);
 
-    // The base level of the packed voxels; and that level replaced, whose other levels follow on the CPU.
-    Words packedVoxels();
+    Words packedVoxels();  // the base level
+    // The CPU computes the other levels.
     void replacePackedVoxels(const Words& base);
 
     // The radiance that faces store as 1 in the last frame, relative to E/pi.
     double faceRange() const;
-    // Of directional voxels: the faces, which shine with what they received only once received() was asked
-    // for; and what each face received, converged with all bounces or with one.
+    // The faces of directional voxels. They reflect their irradiance only after irradiance() was called.
     std::vector<FaceLevel> faceLevels();
-    ReceivedFaces received(bool allBounces);
+    // Converged irradiance of each face, with all bounces or with one.
+    IrradianceByFace irradiance(bool allBounces);
 
   private:
     Scene scene_;

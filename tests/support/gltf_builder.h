@@ -55,8 +55,8 @@ class GltfBuilder {
     int node(json node);
     // A node with one triangle (0,0,0) (1,0,0) (0,1,0); makes a file without geometry loadable.
     int triangle();
-    // Adds a channel, and a sampler of its own, to an animation, which is added where there is none. `values`
-    // of three or, of a rotation, four numbers, or, of weights, of one for each morph target.
+    // Adds a channel and a sampler to an animation, which is added if there is none. A value has three
+    // numbers, four for a rotation, or one for each morph target for weights.
     void animate(int node, const std::string& path, const std::vector<float>& times,
                  const std::vector<float>& values, const std::string& interpolation = "LINEAR",
                  std::size_t animation = 0);
@@ -69,8 +69,8 @@ class GltfBuilder {
     Bytes gltf(const std::string& uri) const;
 };
 
-// An indexed triangle with that image as its texture, a camera, a light and a rotation that is animated:
-// something of nearly all that a file can hold.
+// An indexed triangle with that image as its texture, a camera, a light and an animated rotation: an example
+// of nearly everything that a file can hold.
 GltfBuilder completeFile(const Bytes& image);
 
 // A picture of size x size pixels.

@@ -11,7 +11,7 @@ namespace vct::test {
 
 namespace {
 
-// The words of each face: the static geometry's and the dynamic objects' together.
+// The words of each face, summed over static geometry and dynamic objects.
 std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxels& voxels) {
     std::vector<std::uint32_t> words(voxels.faceData().bytes() / sizeof(std::uint32_t));
     voxels.faceData().read(words.data(), voxels.faceData().bytes());
@@ -24,7 +24,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
             const std::uint32_t* const face = &words.at(std::size_t{base.firstId + i} * voxels.faceWords());
             std::vector<std::uint32_t>& sum = sums[entry];
             sum.resize(voxels.faceWords() - 1);  // the surface is found when light is injected
-            sum[0] = std::max(sum[0], face[1]);  // the plane of what covers most
+            sum[0] = std::max(sum[0], face[1]);  // the plane of the surface that covers most
             for (std::uint32_t word = 1; word < sum.size(); ++word)
                 sum[word] += face[word + 1];
         }
@@ -32,7 +32,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
     return sums;
 }
 
-// Without the radiance of those faces that are listed: the others must be empty.
+// The coverage of listed faces; the others must be empty.
 std::vector<FaceLevel> coverageOf(const Grid& grid) {
     std::vector<FaceLevel> faces = grid.faces;
     for (std::size_t level = 0; level < faces.size(); ++level)
@@ -63,7 +63,7 @@ Grid gridOf(Renderer& renderer) {
             std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
         }
         grid.sums = sumsOf(voxels);
-        grid.received = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
+        grid.hasIrradiance = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
     }
     return grid;
 }
@@ -78,8 +78,8 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
             << " against " << b.faceLists[level].size();
     EXPECT_TRUE(a.sums == b.sums) << what << ": coverage, albedo, emission or plane differ";
     EXPECT_TRUE(coverageOf(a) == coverageOf(b)) << what << ": what faces cover differs";
-    if (a.received || b.received) return;
-    // Sums of static and dynamic geometry are rounded apart before they are added.
+    if (a.hasIrradiance || b.hasIrradiance) return;
+    // Sums of static and of dynamic geometry are rounded before they are added.
     for (std::size_t level = 0; level < std::min(a.faces.size(), b.faces.size()); ++level)
         EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1) << what << ": radiance, level " << level;
 }

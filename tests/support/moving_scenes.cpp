@@ -60,7 +60,7 @@ GltfBuilder twoThatMove() {
         builder.add("nodes", {{"mesh", mesh}, {"scale", {-0.5, 0.5, 0.3}}, {"translation", {0, 0.9, 0}}});
     builder.document["nodes"][static_cast<std::size_t>(box)]["children"] = {child};
     builder.animate(box, "translation", {0, 2}, {-1, 0.6F, -1, 1.2F, 0.7F, -0.8F});
-    // Inside out, and flat in between.
+    // The child turns inside out.
     builder.animate(child, "scale", {0, 2}, {-0.5F, 0.5F, 0.3F, 0.5F, 0.5F, 0.3F});
     builder.animate(box, "rotation", {0, 1, 2},
                     {0, 0, 0, 1, 0.3F, 0.5F, 0.1F, 0.8F, 0.1F, 0.9F, -0.2F, 0.3F});
@@ -69,7 +69,7 @@ GltfBuilder twoThatMove() {
 
 namespace {
 
-// A column of `rings` octagons, 1.6 high, of which each ring follows the two joints next to it.
+// A column of `rings` octagons, 1.6 high. Each ring follows the two joints next to it.
 json columnOf(GltfBuilder& builder, int rings) {
     std::vector<float> positions, normals, weights;
     std::vector<std::uint8_t> joints;
@@ -108,7 +108,7 @@ json columnOf(GltfBuilder& builder, int rings) {
 GltfBuilder twoThatDeform() {
     GltfBuilder builder = openFloor();
     json& document = builder.document;
-    // Joints 0.8 apart, the lowest on the floor; the mesh is modelled with it at the origin.
+    // The joints are 0.8 apart. In the mesh the lowest one is at the origin.
     const int hand = builder.add("nodes", {{"translation", {0, 0.8, 0}}});
     const int knee = builder.add("nodes", {{"translation", {0, 0.8, 0}}, {"children", {hand}}});
     const int foot = builder.node({{"translation", {-1, 0, -0.5}}, {"children", {knee}}});

@@ -9,18 +9,17 @@ namespace vct::test {
 // Adds a cube of side 1 around the origin, with flat normals, as a node; `node` is glTF's, without its mesh.
 int addCube(GltfBuilder& builder, const std::vector<float>& color, json node);
 
-// A floor of 4 x 4 at y = 0, a sun from above and the side, a camera `front`. What is added stands on it.
+// A floor of 4 x 4 at y = 0, a slanting sun and a camera `front`.
 GltfBuilder openFloor();
 
-// On it a box that turns and crosses another, which stays; a mirrored child of it; light, camera. Two
+// The open floor with a box that turns and crosses a static one. The box has a mirrored child, so two
 // instances move.
 GltfBuilder twoThatMove();
 
-// On it a column that bends at two joints while it walks, and a box whose top swells, of which both change
-// their form.
+// The open floor with a column that bends at two joints while it walks, and a box whose top swells.
 GltfBuilder twoThatDeform();
 
-// The scene as it is at a time, without an animation: a fresh scene of that pose, in the same volume.
+// A static scene in the pose of a time, with the same volume.
 Scene frozenAt(Scene scene, double seconds);
 
 }  // namespace vct::test

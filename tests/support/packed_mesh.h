@@ -1,4 +1,4 @@
-// A small uneven surface, for tests of what meshes are packed with.
+// A small uneven surface, for tests of mesh compression.
 #pragma once
 
 #include <cmath>

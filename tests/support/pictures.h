@@ -1,4 +1,4 @@
-// Two pictures of one frame that two renderers drew.
+// Comparison of a frame that two renderers drew.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 
 namespace vct::test {
 
-// Of the presets with directional voxels: where a renderer puts a brick of received light is up to the order
-// in which its invocations ran. A place in that texture is rounded differently elsewhere, and so is a
-// filter's weight, which may turn the last bit of a half.
+// With directional voxels the order of shader invocations decides the places of bricks. Coordinates in that
+// texture round differently at other places, and so do filter weights, which may change the last bit of a
+// half.
 inline bool sameInHalves(const glm::vec3& a, const glm::vec3& b) {
     return glm::all(glm::lessThanEqual(glm::abs(a - b), b / 1024.0F));
 }

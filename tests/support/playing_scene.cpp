@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/face_irradiance.h"
 #include "support/grids.h"
-#include "support/received.h"
 
 namespace vct::test {
 
@@ -18,7 +18,7 @@ void PlayingScene::frameAt(double seconds, Output mode) {
     renderer_.render({{mode}, moveTo(seconds)});
 }
 
-void PlayingScene::settledAt(double seconds, Output mode) {
+void PlayingScene::drawTwiceAt(double seconds, Output mode) {
     frameAt(seconds, mode);
     gl::Finish();
     frameAt(seconds, mode);
@@ -31,7 +31,7 @@ void PlayingScene::convergedAt(double seconds, Output mode) {
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Output mode) {
     const std::string what = std::to_string(seconds) + " s, " + outputName(mode);
-    stage.settledAt(seconds, mode);
+    stage.drawTwiceAt(seconds, mode);
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
     fresh.frame(mode);
@@ -50,9 +50,10 @@ void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& 
     PlayingScene fresh(context, frozen, settings);
     fresh.convergedAt(0.0, mode);
     const GatherPurpose of = mode == Output::ao ? GatherPurpose::occlusion : GatherPurpose::light;
-    const ReceivedFaces now = readReceived(stage.renderer(), of), right = readReceived(fresh.renderer(), of);
+    const IrradianceByFace now = readIrradiance(stage.renderer(), of),
+                           right = readIrradiance(fresh.renderer(), of);
     ASSERT_EQ(now.size(), right.size()) << what;
-    const ReceivedDifference d = differenceOf(now, right);
+    const IrradianceDifference d = differenceOf(now, right);
     EXPECT_EQ(d.common, right.size()) << what;
     EXPECT_LE(d.rms, 0.06 * d.mean) << what;
     EXPECT_LE(d.largest, 0.5 * d.mean) << what;

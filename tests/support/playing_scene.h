@@ -1,5 +1,4 @@
-// An animated scene on a renderer of its own, at whatever time, and what a renderer leaves that never saw
-// another.
+// An animated scene with a renderer, and its comparison with a fresh renderer of the same pose.
 #pragma once
 
 #include "scene/camera.h"
@@ -16,9 +15,9 @@ class PlayingScene {
         : scene_(scene), renderer_(makeRenderer(context, scene, chooseLight(scene), settings)) {}
 
     void frameAt(double seconds, Output mode = Output::gi);
-    // Draws a frame in which the received light is converged.
-    // Two frames: where dynamic objects find no room, the frame after one that the GPU has finished makes it.
-    void settledAt(double seconds, Output mode = Output::gi);
+    // Draws two frames: where dynamic objects need more capacity, a frame after the GPU has finished adds it.
+    void drawTwiceAt(double seconds, Output mode = Output::gi);
+    // Draws a frame with converged irradiance.
     void convergedAt(double seconds, Output mode = Output::gi);
     void frame(Output mode = Output::gi) { renderer_.render({{mode}, chooseCamera(scene_, "")}); }
     Renderer& renderer() { return renderer_; }
@@ -29,13 +28,13 @@ class PlayingScene {
     Renderer renderer_;
 };
 
-// Draws a frame, and expects the grid of a fresh renderer of a scene that stands still there; and its
-// picture, where that does not show what faces received: they remember earlier poses.
+// Draws a frame and expects the grid of a fresh renderer of a static scene. Pictures are compared unless they
+// show irradiance, whose history has earlier poses.
 void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene, const Settings& settings,
                  double seconds, Output mode = Output::gi);
 
-// Expects the same of the converged light that faces received: the difference of the two is noise of the last
-// round of directions and of 8 bits, not a trace of where things were.
+// Expects the converged irradiance of a fresh renderer, apart from noise of the last directions and of 8
+// bits.
 void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& scene,
                       const Settings& settings, double seconds, Output mode = Output::gi);
 

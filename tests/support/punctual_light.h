@@ -1,4 +1,4 @@
-// Lights besides the sun made in code, and their closed forms (KHR_lights_punctual).
+// Punctual lights made in code, and their closed forms (KHR_lights_punctual).
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,10 +8,10 @@
 
 namespace vct::test {
 
-// E of a sun of intensity pi, relative to which pictures are where there is no sun.
+// E of a sun of intensity pi. Pictures without a sun are relative to it.
 constexpr double unitLux = pi;
 
-// At `place`, shining towards `target`.
+// A light at `place` towards `target`.
 inline PunctualLight punctualLightAt(PunctualLight::Type type, const glm::dvec3& place,
                                      const glm::dvec3& target) {
     PunctualLight light;
@@ -24,7 +24,7 @@ inline PunctualLight punctualLightAt(PunctualLight::Type type, const glm::dvec3&
     return light;
 }
 
-// A sun that gives nothing, with E = unitLux.
+// A sun without light, with E = unitLux.
 inline DirectionalLight darkSun() {
     DirectionalLight dark = lightFrom({0, 1, 0});
     dark.color = glm::vec3(0.0F);

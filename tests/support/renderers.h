@@ -1,4 +1,4 @@
-// A renderer on a back end, for tests.
+// Renderers and settings for tests.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ inline Renderer makeRenderer(const Context& context, const Scene& scene, const D
     return Renderer(scene, light, settings, context.capabilities, testShaders());
 }
 
-// Of a resource, or of all.
+// The size of one resource, or of all.
 inline std::size_t bytesOf(const Resources& resources, const std::string& name = "") {
     std::size_t sum = 0;
     for (const Resource& resource : resources)
@@ -39,7 +39,7 @@ inline Settings smallSettings(int grid = 64, int pixels = 64) {
     return settings;
 }
 
-// The preset at its own grid.
+// The preset mobile at its own grid.
 inline Settings mobileAt(int pixels) {
     Settings settings = presetSettings("mobile");
     settings.size = glm::ivec2(pixels);

@@ -1,4 +1,4 @@
-// Scenes made in code, for tests whose right answer is known.
+// Scenes made in code.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -26,14 +26,14 @@ glm::dmat4 turnScene(Scene& scene, double angleDeg);
 // A cube of side 2 around the origin whose inside is the front; turned by `angleDeg`.
 Scene closedBox(double angleDeg);
 
-// A square of side 2 in the plane y = 0, facing up; turned likewise.
+// A square of side 2 in the plane y = 0, facing up; turned by `angleDeg`.
 Scene lonePlane(double angleDeg);
 
 // Computes the bounds; call when all geometry is there.
 Scene finished(Scene scene);
 
 DirectionalLight lightFrom(const glm::dvec3& directionToLight);
-// For scenes lit by what glows in them, or by the sky.
+// For scenes with light from emitters or the sky alone.
 DirectionalLight noLight();
 
 }  // namespace vct::test

@@ -1,4 +1,4 @@
-// A folder that goes away with the test.
+// A folder that the end of the test removes.
 #pragma once
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// A preset for each kind of voxels, as parameters of a test suite.
+// A preset for each kind of voxels, as a parameter of tests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the app asks of Android's activity: how it was started, its folder, its screen, its fingers.
+// Queries to Android's activity: how the app was started, its folder, its screen and the fingers on it.
 #pragma once
 
 #include <android_native_app_glue.h>
@@ -11,11 +11,11 @@
 
 namespace vct::app {
 
-// The string extra `name` of the intent that started the activity (`am start --es NAME VALUE`), "" without
-// one.
+// Returns the string extra `name` of the intent that started the activity (`am start --es NAME VALUE`), or ""
+// if there is none.
 std::string intentExtra(ANativeActivity& activity, const char* name);
 
-// The app's files on the device that others can reach; "" where it has no such folder.
+// The app's folder on the device, if possible the one that other programs can access. Empty if there is none.
 std::string filesFolder(const ANativeActivity& activity);
 
 // The screen's density over 160 dpi.

@@ -1,4 +1,5 @@
-// The app's entry: native_app_glue calls android_main on a thread of its own, which ends when it returns.
+// The app's entry point: native_app_glue calls android_main on a thread of its own, which ends when it
+// returns.
 #include <android/trace.h>
 #include <android_native_app_glue.h>
 
@@ -22,7 +23,7 @@ int32_t onInput(android_app* glue, AInputEvent* event) {
     return static_cast<App*>(glue->userData)->onInput(event) ? 1 : 0;
 }
 
-// Waits for something to happen, a refresh of the display where one was asked for, and handles it.
+// Waits for an event (a refresh of the display is one, if it was requested) and handles all that are pending.
 void handleEvents(android_app* glue) {
     android_poll_source* source = nullptr;
     bool wait = true;
@@ -35,7 +36,7 @@ void handleEvents(android_app* glue) {
 }
 
 void run(android_app* glue, vct::app::FrameClock& frameClock) {
-    // The extra belongs to the first start, not to one after the system took the app away.
+    // The command applies to the first start only, not to a restart after the system ended the app.
     const bool restored = glue->savedState != nullptr;
     App app(*glue, restored ? "" : vct::app::intentExtra(*glue->activity, "vct"));
     glue->userData = &app;
@@ -60,7 +61,7 @@ void android_main(android_app* glue) {
     }
     glue->onAppCmd = nullptr;
     glue->onInputEvent = nullptr;
-    // Ended by itself: the glue still wants to be told of the activity's end.
+    // If the app ends by itself, the glue code still expects the activity's end.
     if (!glue->destroyRequested) ANativeActivity_finish(glue->activity);
     while (!glue->destroyRequested)
         handleEvents(glue);

@@ -26,7 +26,7 @@ ViewerHost hostFor(android_app& glue) {
     android.readScene = [assets](const SceneFile& file, const std::atomic<bool>& cancelled) {
         return sceneReader(assets, file.bundled, cancelled);
     };
-    // A screen that goes dark pauses the app.
+    // Android pauses the app when the screen goes dark, and so would end a measurement.
     android.keepScreenOn = [&activity](bool on) {
         ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
@@ -90,11 +90,11 @@ void App::onCommand(int command) {
             break;
         case APP_CMD_LOW_MEMORY:
             log(LogLevel::warning, "the system is low on memory");
-            // What is on the screen is needed again at once.
+            // A renderer whose picture is on the screen would be rebuilt at once.
             if (!animating()) viewer_->dropRenderer();
             break;
         case APP_CMD_SAVE_STATE:
-            // Whatever is here when the app comes back says that its intent has been followed already.
+            // Any saved state tells a restarted app that the command of its intent was executed already.
             glue_.savedState = std::malloc(1);
             glue_.savedStateSize = glue_.savedState != nullptr ? 1 : 0;
             break;
@@ -114,7 +114,7 @@ void App::frame() {
     } catch (const gl::ContextLost& error) {
         loseContext(error.what());
     } catch (const std::exception& error) {
-        // A driver that has lost the context may complain of anything first.
+        // A driver that has lost the context may report any other error first.
         if (context_ && viewer_->hasObjects() && gl::GetError() == GL_CONTEXT_LOST)
             loseContext(error.what());
         else
@@ -122,13 +122,14 @@ void App::frame() {
     }
 }
 
-// Every step is one layer, and does nothing where it is there.
+// Each step makes one layer (app.h), unless it exists.
 void App::prepare() {
     if (!display_) display_.emplace();
     if (surface_ && !surface_->fits(glue_.window)) dropSurface();
     if (!surface_) surface_.emplace(*display_, glue_.window);
     if (!context_) context_.emplace(*display_);
-    if (!context_->makeCurrent(&*surface_)) return halt("the window cannot be drawn into any more");
+    if (!context_->makeCurrent(&*surface_))
+        return halt("the window cannot be drawn into any more; leave the app and open it again");
 }
 
 void App::show() {
@@ -154,13 +155,13 @@ void App::dropSurface() {
 
 void App::loseContext(const std::string& how) {
     log(LogLevel::warning,
-        std::string("the GL context was lost (") + how + "); everything in it is made anew");
+        std::string("the GL context was lost (") + how + "); the app rebuilds everything in it");
     viewer_->loseContext();
     surface_.reset();
     context_.reset();
 }
 
-// Drawing has no chance in this window.
+// Stops drawing until there is another window.
 void App::halt(const std::string& why) {
     log(LogLevel::error, why);
     halted_ = true;

@@ -1,8 +1,9 @@
-// The app on Android: what holds a viewer (viewer.h) while windows and contexts come and go. Read frame() in
-// app.cpp first.
+// The app on Android. It owns a viewer (viewer.h) and keeps it while windows and contexts come and go. Read
+// frame() in app.cpp first.
 //
-// Layers, each made when a frame first needs it and on top of the one before: display, surface, context, GL
-// objects. A lost window takes the surface only; a lost context takes the GL objects with it.
+// The layers are display, surface, context and GL objects. Each needs the one before it, and is made when a
+// frame first needs it. If the window is lost, only the surface is destroyed; if the context is lost, the GL
+// objects are destroyed with it.
 #pragma once
 
 #include <android_native_app_glue.h>
@@ -17,21 +18,21 @@ namespace vct::app {
 
 class App {
   public:
-    // `command`: a measurement to start with ("bench ...", lab/bench_run.h), or what to show first ("show
-    // ...", choices.h), or "".
+    // `command`: a measurement ("bench ...", lab/bench_run.h), the first scene and choices ("show ...",
+    // choices.h), or "".
     App(android_app& glue, const std::string& command);
     ~App();
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
-    // APP_CMD_*. Throws nothing.
+    // Handles an APP_CMD_* of the glue code. Throws nothing.
     void onCommand(int command);
-    // Returns false where the system is to do what it does with the event, as for the back button.
+    // Returns false if the system is to handle the event (for example the back button).
     bool onInput(const AInputEvent* event);
 
-    // Whether frames are wanted: not without a window, and not while the activity is paused.
+    // True while there is a window that can be drawn into and the activity is not paused.
     bool animating() const;
-    // One frame: throws nothing.
+    // Draws one frame. Throws nothing.
     void frame();
 
   private:
@@ -43,7 +44,7 @@ class App {
 
     android_app& glue_;
     bool resumed_ = false;
-    bool halted_ = false;  // nothing can be drawn until there is another window
+    bool halted_ = false;  // drawing failed; nothing is drawn until there is another window
 
     std::optional<Display> display_;
     std::optional<Surface> surface_;

@@ -13,12 +13,12 @@ namespace {
 std::vector<unsigned char> readAsset(AAssetManager* assets, const std::string& path) {
     const std::unique_ptr<AAsset, decltype(&AAsset_close)> asset(
         AAssetManager_open(assets, path.c_str(), AASSET_MODE_STREAMING), AAsset_close);
-    if (!asset) throw Error("cannot read " + path + ": the APK has no such file; install it again");
+    if (!asset) throw Error("cannot read " + path + ": the APK has no such file; install the app again");
     std::vector<unsigned char> bytes(static_cast<std::size_t>(AAsset_getLength64(asset.get())));
     std::size_t done = 0;
     while (done < bytes.size()) {
         const int count = AAsset_read(asset.get(), bytes.data() + done, bytes.size() - done);
-        if (count <= 0) throw Error("cannot read " + path + ": the APK is damaged; install it again");
+        if (count <= 0) throw Error("cannot read " + path + ": the APK is damaged; install the app again");
         done += static_cast<std::size_t>(count);
     }
     return bytes;

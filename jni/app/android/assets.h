@@ -1,4 +1,4 @@
-// Files of the APK (its folders `shaders/` and `scenes/`) and of the app's folder on the device.
+// Reads files of the APK (from its folders `shaders/` and `scenes/`) and of the app's folder on the device.
 #pragma once
 
 #include <android/asset_manager.h>
@@ -12,14 +12,14 @@
 
 namespace vct::app {
 
-// From `shaders/` of the APK.
+// Reads shaders from `shaders/` in the APK.
 gl::ReadShader shadersFromAssets(AAssetManager* assets);
 
-// The scenes of the APK, then the .glb and .gltf files in `folder`, each by name.
+// Lists the scenes in the APK and then the .glb and .gltf files in `folder`, each sorted by name.
 std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder);
 
-// Reads the files of a scene. Once `cancelled` is true it throws vct::Error instead, so that loading ends
-// soon.
+// Returns a function that reads the files of a scene. It throws vct::Error once `cancelled` is true, so that
+// loading ends soon.
 ReadFile sceneReader(AAssetManager* assets, bool bundled, const std::atomic<bool>& cancelled);
 
 }  // namespace vct::app

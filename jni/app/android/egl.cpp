@@ -17,8 +17,8 @@ constexpr const char* remedy = "; restart the device, or try another one";
 
 Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
-        throw Error("there is no EGL display, " + eglErrorName(eglGetError()) + remedy);
-    // Colours only: the passes have depth targets of their own.
+        throw Error("cannot open the EGL display: " + eglErrorName(eglGetError()) + remedy);
+    // The window needs no depth buffer, because the passes have depth targets of their own.
     const EGLint attributes[][2] = {{EGL_SURFACE_TYPE, EGL_WINDOW_BIT | EGL_PBUFFER_BIT},
                                     {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT},
                                     {EGL_RED_SIZE, 8},
@@ -31,7 +31,8 @@ Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
     if (!eglChooseConfig(display_, attributes[0], configs.data(), static_cast<EGLint>(configs.size()),
                          &count))
         count = 0;
-    // The sizes asked for are the least, and EGL sorts those with more bits to the front.
+    // EGL takes the sizes as minimums and sorts configurations with more bits first, so 8 bits must be
+    // searched for.
     const auto end = configs.begin() + count;
     const auto found = std::find_if(configs.begin(), end, [this](EGLConfig config) {
         EGLint red = 0;
@@ -40,8 +41,8 @@ Display::Display() : display_(eglGetDisplay(EGL_DEFAULT_DISPLAY)) {
     if (found == end) {
         const EGLint error = eglGetError();
         eglTerminate(display_);
-        throw Error("EGL has no 8-bit configuration for OpenGL ES 3 in a window, " + eglErrorName(error) +
-                    remedy);
+        throw Error("EGL has no configuration with 8 bits per colour for OpenGL ES 3 in a window: " +
+                    eglErrorName(error) + remedy);
     }
     config_ = *found;
 }
@@ -54,7 +55,7 @@ Surface::Surface(const Display& display, ANativeWindow* window)
     : display_(display.get()), size_(ANativeWindow_getWidth(window), ANativeWindow_getHeight(window)) {
     surface_ = eglCreateWindowSurface(display_, display.config(), window, nullptr);
     if (surface_ == EGL_NO_SURFACE)
-        throw Error("the window cannot be drawn into, " + eglErrorName(eglGetError()) + remedy);
+        throw Error("the window cannot be drawn into: " + eglErrorName(eglGetError()) + remedy);
 }
 
 Surface::~Surface() {
@@ -73,7 +74,7 @@ GlContext::GlContext(const Display& display) : display_(display.get()) {
             context_ = eglCreateContext(display_, display.config(), EGL_NO_CONTEXT, attributes.data());
     }
     if (context_ == EGL_NO_CONTEXT)
-        throw Error("there is no OpenGL ES 3 context, " + eglErrorName(eglGetError()) +
+        throw Error("cannot create an OpenGL ES 3 context: " + eglErrorName(eglGetError()) +
                     "; this device cannot run the app");
     const std::array<EGLint, 5> onePixel{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
     idle_ = eglCreatePbufferSurface(display_, display.config(), onePixel.data());
@@ -81,7 +82,7 @@ GlContext::GlContext(const Display& display) : display_(display.get()) {
         const EGLint error = eglGetError();
         if (idle_ != EGL_NO_SURFACE) eglDestroySurface(display_, idle_);
         eglDestroyContext(display_, context_);
-        throw Error("the OpenGL ES context cannot be used, " + eglErrorName(error) + remedy);
+        throw Error("cannot use the OpenGL ES context: " + eglErrorName(error) + remedy);
     }
     current_ = idle_;
 }

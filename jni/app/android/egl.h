@@ -1,5 +1,5 @@
-// The window system in layers, each an owner: display, the surface of a window, context. A surface goes
-// whenever the system takes its window; the context, and with it every GL object, stays.
+// Owners of EGL's objects: the display, the surface of a window, the context. A surface is destroyed whenever
+// the system takes the window away; the context and its GL objects stay.
 #pragma once
 
 #include <EGL/egl.h>
@@ -26,7 +26,7 @@ class Display {
 
 class Surface {
   public:
-    // Throws vct::Error, also where the window is already gone.
+    // Throws vct::Error, for example if the window no longer exists.
     Surface(const Display& display, ANativeWindow* window);
     ~Surface();
     Surface(const Surface&) = delete;
@@ -34,8 +34,8 @@ class Surface {
 
     EGLSurface get() const { return surface_; }
     glm::ivec2 size() const { return size_; }  // pixels
-    // False once the window has been turned or resized: drivers differ in when a surface follows, so a new
-    // one is made.
+    // False after the window was rotated or resized. Drivers differ in when a surface follows the new size,
+    // so the caller makes a new one.
     bool fits(ANativeWindow* window) const;
 
   private:
@@ -46,15 +46,15 @@ class Surface {
 
 class GlContext {
   public:
-    // OpenGL ES 3.2, else 3.1, else 3.0: enough to say what is missing. Throws vct::Error. Current on this
-    // thread from now on, without a window.
+    // Creates an OpenGL ES context of version 3.2, 3.1 or 3.0, whichever is the highest possible; 3.0 is
+    // enough to show what is missing. Makes it current on this thread, without a window. Throws vct::Error.
     explicit GlContext(const Display& display);
     ~GlContext();
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    // Without a surface (null) GL goes on working, and nothing is shown. Throws gl::ContextLost; returns
-    // false where the surface is of no use any more.
+    // Makes the context current with this surface, or with none (null): then GL calls work, but nothing is
+    // shown. Returns false if the surface can no longer be used. Throws gl::ContextLost.
     bool makeCurrent(const Surface* surface);
 
     enum class Shown { yes, surfaceLost, contextLost };

@@ -6,21 +6,22 @@ namespace vct::app {
 
 namespace {
 
-// Below the refresh of a display of 60 Hz by more than clocks are wrong, and above that of 90 Hz.
+// Shorter than a refresh at 60 Hz (16.7 ms), with a margin for inexact clocks, and longer than one at 90 Hz
+// (11.1 ms).
 constexpr std::int64_t minFrameNs = 12'000'000;
 
 }  // namespace
 
 FrameClock::FrameClock() : choreographer_(AChoreographer_getInstance()) {
     if (choreographer_ == nullptr)
-        throw Error("the system does not tell of the display's refreshes; restart the app");
+        throw Error("cannot get the display's refresh signal (AChoreographer); restart the app");
 }
 
 void FrameClock::request() {
     if (requested_) return;
     requested_ = true;
-    // From Android 10 on there is one whose time has 64 bits everywhere. The app is of 64 bits, as is its
-    // long.
+    // Android 10 has a variant with a 64-bit time. This one passes a `long`, which has 64 bits too, because
+    // the app is built for 64-bit processors only.
     AChoreographer_postFrameCallback(
         choreographer_,
         [](long timeNs, void* data) {

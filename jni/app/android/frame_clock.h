@@ -1,4 +1,4 @@
-// When frames are drawn: at the display's refreshes, at most 60 of them a second and evenly.
+// Decides when frames are drawn: at the display's refreshes, evenly, and at most about 60 times a second.
 #pragma once
 
 #include <android/choreographer.h>
@@ -9,16 +9,16 @@ namespace vct::app {
 
 class FrameClock {
   public:
-    // On a thread with a looper, which then tells it of refreshes. It must live as long as the looper is
-    // polled. Throws vct::Error.
+    // Must be called on a thread with a looper, which then reports refreshes. The object must live as long as
+    // the looper is polled. Throws vct::Error.
     FrameClock();
     FrameClock(const FrameClock&) = delete;
     FrameClock& operator=(const FrameClock&) = delete;
 
-    // Wakes the looper at the display's next refresh.
+    // Asks to wake the looper at the display's next refresh.
     void request();
-    // Whether there has been a refresh since that is a frame's turn. On displays that refresh more often than
-    // 60 times a second that is every second one, or so: a frame every 12 ms is the most.
+    // Returns true once after a refresh at which a frame is due. Frames are at least 12 ms apart, so on
+    // displays with more than 60 refreshes a second only about every second one counts.
     bool take();
 
   private:

@@ -1,4 +1,4 @@
-// The one place that talks to Java: activity.getIntent().getStringExtra(name).
+// Reads the intent's string extra: activity.getIntent().getStringExtra(name). No other file calls Java.
 #include "app/android/activity.h"
 
 #include <jni.h>
@@ -7,7 +7,7 @@ namespace vct::app {
 
 namespace {
 
-// Attaches this thread to the virtual machine for as long as it lives, with a frame for local references.
+// Attaches this thread to the Java virtual machine during its lifetime. Detaching frees the local references.
 class Java {
   public:
     explicit Java(JavaVM* machine) : machine_(machine) {
@@ -21,7 +21,7 @@ class Java {
     Java(const Java&) = delete;
     Java& operator=(const Java&) = delete;
 
-    // The result of a method that takes nothing or a string; null where it throws or there is none.
+    // Calls a method without parameters or with one string. Returns null if it does not exist or throws.
     jobject call(jobject object, const char* method, const char* signature, jstring argument = nullptr) {
         if (object == nullptr) return nullptr;
         const jclass type = env->GetObjectClass(object);

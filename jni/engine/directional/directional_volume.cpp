@@ -90,8 +90,8 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     if (grows || dynamic.voxelCount > dynamic.capacity) voxels_.growDynamic(capacities);
     if (dynamic.voxelCount > dynamic.capacity) {
         cachedFor_.reset();
-        throw Error("dynamic objects fill " + std::to_string(dynamic.voxelCount) + " voxels at " +
-                    std::to_string(voxels_.grid()) + "^3, but their list holds " +
+        throw Error("dynamic objects occupy " + std::to_string(dynamic.voxelCount) + " voxels at " +
+                    std::to_string(voxels_.grid()) + "^3, but their list has a capacity of " +
                     std::to_string(dynamic.capacity) +
                     "; raise the limit of active voxels, or use a coarser grid");
     }

@@ -32,8 +32,8 @@ constexpr double nearShare = 1e-3;
 const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
     if (lights.size() > VCT_MAX_PUNCTUAL_LIGHTS)
         throw Error("the scene has " + std::to_string(lights.size()) +
-                    " lights besides the sun; there is room for " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
-                    ": remove the weakest");
+                    " lights besides the sun, and the limit is " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
+                    "; remove the weakest");
     return lights;
 }
 

@@ -1,4 +1,5 @@
-// What of the NDK's native_app_glue the app uses, for builds on a desktop. Names and values are the NDK's.
+// The parts of the NDK's native_app_glue that the app uses, for builds on a desktop. Names and values are the
+// NDK's.
 #pragma once
 
 #include <android/asset_manager.h>

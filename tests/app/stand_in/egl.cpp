@@ -1,5 +1,5 @@
-// EGL between the app and the real one, wrapped by the linker (--wrap): windows become pbuffers, misuse is
-// noted, and a context can be lost. Outside a run of the app everything goes straight through.
+// Wraps EGL (the linker's --wrap): windows become pbuffers, misuse is recorded, and a context can be lost.
+// Outside a run of the app every call goes to the real EGL.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl32.h>
@@ -16,7 +16,7 @@ using vct::test::StandIn;
 
 namespace {
 
-// The app's surfaces that live, each with its window.
+// The live surfaces of the app and their windows.
 std::map<EGLSurface, ANativeWindow*> surfaces;
 EGLint injectedError = EGL_SUCCESS;
 
@@ -24,7 +24,7 @@ void misuse(const std::string& what) {
     currentStandIn()->misuse.push_back(what);
 }
 
-// GL objects that live, by kind. The functions count and pass on; they are handed out by eglGetProcAddress.
+// Live GL objects by kind. eglGetProcAddress returns these functions, which count and call the driver.
 std::map<std::string, int> liveObjects;
 
 template <typename Function>
@@ -59,7 +59,7 @@ void deleteShader(GLuint name) {
     real<void (*)(GLuint)>("glDeleteShader")(name);
 }
 
-// A lost context says so until it is destroyed.
+// A lost context reports the loss until it is destroyed.
 GLenum getError() {
     StandIn* const android = currentStandIn();
     if (android != nullptr) {
@@ -71,7 +71,7 @@ GLenum getError() {
 
 using Proc = void (*)();
 
-// What is handed out in place of the driver's entry point; null where that is its own.
+// The function that replaces an entry point of the driver, or null.
 Proc wrapped(const std::string& name) {
 #define VCT_WRAP(GL, OURS) \
     if (name == GL) return reinterpret_cast<Proc>(OURS);
@@ -85,7 +85,7 @@ Proc wrapped(const std::string& name) {
     return nullptr;
 }
 
-// What is about to be shown, as it is: 8-bit values over 255, row 0 at the top.
+// The frame that is about to be shown: 8-bit values over 255, row 0 at the top.
 vct::Image readWindow(int width, int height) {
     std::vector<unsigned char> rgba(static_cast<std::size_t>(width) * height * 4);
     real<void (*)(GLenum, GLuint)>("glBindFramebuffer")(GL_FRAMEBUFFER, 0);
@@ -150,8 +150,7 @@ EGLBoolean __real_eglDestroySurface(EGLDisplay, EGLSurface);
 EGLBoolean __wrap_eglDestroySurface(EGLDisplay display, EGLSurface surface) {
     const auto found = surfaces.find(surface);
     if (found != surfaces.end()) {
-        // A window may go while its surface still lives, but the surface must not be used any more; the app
-        // is to have dropped it before it answered.
+        // The app must destroy the surface before it answers that the window goes.
         if (!found->second->alive) misuse("a surface outlived its window");
         surfaces.erase(found);
     }

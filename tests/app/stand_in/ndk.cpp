@@ -1,4 +1,4 @@
-// The NDK's functions over the stand-in that runs.
+// The NDK's functions, which call the stand-in that runs.
 #include <android/choreographer.h>
 #include <android/log.h>
 #include <android/trace.h>

@@ -112,7 +112,7 @@ void StandIn::run() {
     current = nullptr;
 }
 
-// A command as native_app_glue brings it.
+// Delivers a command as native_app_glue does.
 void StandIn::deliver(int command) {
     if (command == APP_CMD_DESTROY) glue.destroyRequested = 1;
     if (command == APP_CMD_SAVE_STATE) {
@@ -128,7 +128,7 @@ int StandIn::poll(int timeoutMs, void** data) {
             untilLogged_.clear();
             framesLeft_ = 0;
         }
-        // An app that asks for no refresh draws nothing: what comes next in the script wakes it.
+        // An app that asks for no refresh draws nothing until the next event of the script wakes it.
         if (framesLeft_ > 0 && timeoutMs == 0) return ALOOPER_POLL_TIMEOUT;
         if (framesLeft_ > 0 && atRefresh) {
             if (--framesLeft_ == 0 && !untilLogged_.empty()) {

@@ -1,7 +1,7 @@
-// Android for one run of the app on a desktop: events from a script, windows that are pbuffers, assets from
-// the source tree. Everything else (EGL, GL, the renderer) is real. EGL's entry points are wrapped by the
-// linker, so that the use of a dead window, a leaked GL object and the loss of a context can be seen or made
-// to happen.
+// Stands in for Android in one run of the app on a desktop: events come from a script, windows are pbuffers,
+// assets are files of the source tree. EGL, GL and the renderer are real. The linker wraps EGL's entry
+// points, so that tests notice the use of a dead window and leaked GL objects, and can cause the loss of a
+// context.
 #pragma once
 
 #include <android_native_app_glue.h>
@@ -45,12 +45,12 @@ class StandIn {
     StandIn(const StandIn&) = delete;
     StandIn& operator=(const StandIn&) = delete;
 
-    // The script: what happens, in order. The activity is destroyed at its end.
+    // These append events to the script. The activity is destroyed at its end.
     void command(int command);
     void window(int width, int height);  // the system makes one
     void loseWindow();
     void resize(int width, int height);
-    // Refreshes of the display, as long as the app asks for them, but no more.
+    // Up to `count` refreshes of the display, as many as the app asks for.
     void frames(int count);
     // Frames until the app has logged a line with `text`; at most `most`.
     void framesUntilLogged(const std::string& text, int most = 20000);
@@ -59,14 +59,14 @@ class StandIn {
     }
     void key() { input({AINPUT_EVENT_TYPE_KEY}); }
     void then(std::function<void()> what) { script_.push_back(std::move(what)); }
-    // started, resumed, with a window.
+    // Starts and resumes the app and gives it a window.
     void start(int width, int height);
     void startUntilSceneShown(int width, int height);
 
     // Runs the app from its start to its end.
     void run();
 
-    // What it starts with.
+    // The state at its start.
     std::string intentExtra;
     std::string scenes;                  // folder of the APK's scenes; the source tree's otherwise
     std::string files;                   // the app's external files folder
@@ -75,12 +75,12 @@ class StandIn {
     bool restored = false;
     std::int64_t refreshNs = 16'666'667;  // of the display
 
-    // What happens to it, once: the context is lost at the n-th glGetError or eglSwapBuffers from now.
+    // Faults that happen once. The context is lost at the n-th glGetError or eglSwapBuffers from now.
     void loseContextAtGlError(int n) { lossAtGlError_ = n; }
     void loseContextAtSwap(int n) { lossAtSwap_ = n; }
     void failSurface() { failSurface_ = true; }
 
-    // What it did.
+    // Observations of the app.
     struct LogLine {
         int priority;
         std::string text;
@@ -91,8 +91,8 @@ class StandIn {
     std::vector<std::string> misuse;  // of windows, surfaces, the context; leaks of GL objects
     int shown = 0;                    // frames on the screen
     int contextsMade = 0;
-    int lastHandled = -1;   // what the app said of the last input event
-    bool capture = false;   // keep what is shown
+    int lastHandled = -1;   // the answer of the app to the last input event
+    bool capture = false;   // keep the frames that are shown
     Image screen;           // the last frame shown, while `capture`; 8-bit values over 255
     bool finished = false;  // ANativeActivity_finish
     std::uint32_t windowFlags = 0;
@@ -109,7 +109,7 @@ class StandIn {
     bool failSurface_ = false;
 
   private:
-    // The app learns of it by `what`, when it asks for events.
+    // `what` runs when the app asks for events.
     void event(std::function<void()> what);
     void input(AInputEvent input);
     void deliver(int command);
@@ -127,10 +127,10 @@ class StandIn {
     std::int64_t timeNs_ = 0;
 };
 
-// The one that runs; null outside run().
+// The stand-in that runs; null outside run().
 StandIn* currentStandIn();
 
-// GL objects of the app that live: "Textures", "Buffers", ...
+// The number of live GL objects of the app: "Textures", "Buffers", ...
 int liveGlObjects(const std::string& kind);
 
 }  // namespace vct::test

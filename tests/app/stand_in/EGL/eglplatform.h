@@ -1,4 +1,4 @@
-// As on Android: a native window is an ANativeWindow.
+// A native window is an ANativeWindow, as on Android.
 #pragma once
 
 #include <KHR/khrplatform.h>

@@ -1,4 +1,4 @@
-#include "support/received.h"
+#include "support/face_irradiance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,24 +8,24 @@
 
 namespace vct::test {
 
-ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
+IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
     const Irradiance& irradiance = *renderer.directional()->irradiance(of);
-    const gl::Buffer& received = irradiance.faceIrradiance();
-    std::vector<std::uint32_t> words(received.bytes() / sizeof(std::uint32_t));
-    received.read(words.data(), received.bytes());
+    const gl::Buffer& buffer = irradiance.faceIrradiance();
+    std::vector<std::uint32_t> words(buffer.bytes() / sizeof(std::uint32_t));
+    buffer.read(words.data(), buffer.bytes());
     const FaceLevel base = readFaceLevel(voxels, 0);
-    ReceivedFaces faces;
+    IrradianceByFace faces;
     // shaders/directional/face_irradiance.glsl
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
-        ReceivedLight face;
+        FaceIrradiance face;
         for (std::size_t w = 0; w < 4; ++w)
             face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.irradianceWords() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.irradianceWords() == 6) {  // and of lamps
-            const std::uint32_t* const lamps = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
-            face.light += glm::dvec3(glm::unpackHalf2x16(lamps[0]), glm::unpackHalf2x16(lamps[1]).x);
+        if (irradiance.irradianceWords() == 6) {  // the light of emitters is apart
+            const std::uint32_t* const emitters = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
+            face.light += glm::dvec3(glm::unpackHalf2x16(emitters[0]), glm::unpackHalf2x16(emitters[1]).x);
         }
         face.steps = bSteps.y;
         face.coverage =
@@ -37,8 +37,8 @@ ReceivedFaces readReceived(const Renderer& renderer, GatherPurpose of) {
     return faces;
 }
 
-ReceivedDifference differenceOf(const ReceivedFaces& a, const ReceivedFaces& b) {
-    ReceivedDifference result;
+IrradianceDifference differenceOf(const IrradianceByFace& a, const IrradianceByFace& b) {
+    IrradianceDifference result;
     double squares = 0.0, sum = 0.0, differences = 0.0, weights = 0.0;
     for (const auto& [entry, face] : a) {
         const auto other = b.find(entry);

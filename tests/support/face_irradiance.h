@@ -1,0 +1,35 @@
+// The irradiance of each face of the directional voxels, read back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+
+#include "engine/renderer.h"
+
+namespace vct::test {
+
+struct FaceIrradiance {
+    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi; or ambientVisibility
+    double steps = 0.0;     // length of the history
+    double coverage = 0.0;  // of the face
+    std::array<std::uint32_t, 4> words{};
+
+    bool operator==(const FaceIrradiance& other) const { return words == other.words; }
+};
+
+// The key is shared::packFace(voxel, face), so the order of the list does not matter.
+using IrradianceByFace = std::map<std::uint32_t, FaceIrradiance>;
+IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of = GatherPurpose::light);
+
+// The green channel over the faces of both, weighted by coverage as pixels see them. `mean` is that of b.
+struct IrradianceDifference {
+    double mean = 0.0, rms = 0.0, bias = 0.0;
+    double largest = 0.0;  // of a face that is covered by a tenth
+    std::size_t common = 0;
+};
+IrradianceDifference differenceOf(const IrradianceByFace& a, const IrradianceByFace& b);
+
+}  // namespace vct::test
