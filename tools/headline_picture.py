@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Makes docs/images/headline.png: the courtyard by the preset `mobile` beside the same view by path tracing.
+
+    .venv/bin/python tools/headline_picture.py
+
+Both pictures have all bounces of light, a sun of 5 degrees and the sky of assets/patio.hdr, the same exposure and the same
+tone mapping. `vct render --samples` and the path tracer average several samples per pixel, so edges are smooth in both.
+The path tracer takes about five minutes on two cores; `--spp 32` gives a noisy draft in half a minute.
+"""
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+import metrics
+from files import ROOT, write_whole
+from truth.exr import read_exr
+
+SCENE = ROOT / "assets/courtyard.glb"
+ENVIRONMENT = ROOT / "assets/patio.hdr"
+CAMERA = "eye=2.03,1.5,2.95,target=0.42,1.2,-2.5,fov=62"
+LIGHT = "direction=-0.7,-0.6,0.25,color=1,0.85,0.65,intensity=6"
+EXPOSURE = 1.4
+SIZE = (796, 498)  # of each of the two pictures, pixels
+GAP = 8
+SAMPLES = 16  # per pixel of `vct render`
+
+
+def neutral(linear: np.ndarray) -> np.ndarray:
+    """The tone mapping of shaders/shared/tone_map.h, from linear radiance to linear 0 to 1."""
+    reflected, desaturation = 0.04, 0.15
+    compressed_from = 0.8 - reflected
+    least = linear.min(axis=2, keepdims=True)
+    color = linear - np.where(least < 2 * reflected, least - 6.25 * least**2, reflected)
+    peak = np.maximum(color.max(axis=2, keepdims=True), 1e-9)
+    room = 1 - compressed_from
+    compressed = 1 - room**2 / (np.maximum(peak, compressed_from) + room - compressed_from)
+    colored = 1 / (desaturation * (peak - compressed) + 1)
+    bright = compressed + (color * (compressed / peak) - compressed) * colored
+    return np.where(peak <= compressed_from, color, bright)
+
+
+def run(vct: Path, command: str, *options: object) -> str:
+    """Runs `vct COMMAND` on the scene from the picture's camera, and returns what it prints."""
+    words = [vct, command, SCENE, "--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA, *options]
+    try:
+        return subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout
+    except OSError as error:
+        raise SystemExit(f"error: {vct} does not start ({error.strerror}): scripts/build.sh desktop vct builds it") from None
+    except subprocess.CalledProcessError:
+        raise SystemExit(f"error: vct {command} failed; its message is above") from None
+
+
+def rendered(vct: Path) -> np.ndarray:
+    """Returns the picture of `mobile`, mode gi-cone-shadow, linear RGB."""
+    with tempfile.TemporaryDirectory() as folder:
+        run(vct, "render", "--preset", "mobile", "--mode", "gi-cone-shadow", "--light", LIGHT, "--environment", ENVIRONMENT,
+            "--samples", SAMPLES, "--exposure", "1", "--out", folder)
+        return read_exr(Path(folder) / "gi-cone-shadow.exr")
+
+
+def path_traced(vct: Path, spp: int) -> np.ndarray:
+    """Returns the same view by path tracing, linear RGB: all bounces, with the sun's disc in place of a point for direct light."""
+    from truth.asked import lit_by, seen_by
+    from truth.drawing import draw, make_world
+    from truth.scene import load_scene
+    view = json.loads(run(vct, "info", "--print-camera"))
+    scene = lit_by(seen_by(load_scene(SCENE, SIZE), view), LIGHT, None, ENVIRONMENT, 1.0)
+    world = make_world(scene)
+    direct_spp = min(spp, 128)  # there is little noise in direct light
+    full, direct, sun = (draw(world, scene, kind, SIZE, count, 0).image
+                         for kind, count in (("full", spp), ("direct", direct_spp), ("sun", direct_spp)))
+    return full - direct + sun
+
+
+def labelled(linear: np.ndarray, label: str) -> Image.Image:
+    shown = metrics.srgb_from_linear(neutral(np.maximum(linear, 0) * EXPOSURE))
+    image = Image.fromarray((shown * 255 + 0.5).astype(np.uint8))
+    draw, font = ImageDraw.Draw(image), ImageFont.load_default(20)
+    left, top, right, bottom = draw.textbbox((14, 12), label, font=font)
+    draw.rectangle((left - 6, top - 5, right + 6, bottom + 5), fill=(24, 24, 28))
+    draw.text((14, 12), label, "white", font)
+    return image
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=ROOT / "docs/images/headline.png", help="PNG (default: docs/images/headline.png)")
+    parser.add_argument("--spp", type=int, default=512, help="samples per pixel of the path tracer, even (default: %(default)s)")
+    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="the renderer (default: build/desktop/vct)")
+    options = parser.parse_args()
+    mobile = rendered(options.program)
+    truth = path_traced(options.program, options.spp)
+    canvas = Image.new("RGB", (2 * SIZE[0] + GAP, SIZE[1]), "white")
+    canvas.paste(labelled(mobile, "mobile, in real time"), (0, 0))
+    canvas.paste(labelled(truth, f"path tracing, {options.spp} samples per pixel"), (SIZE[0] + GAP, 0))
+    data = io.BytesIO()
+    canvas.save(data, "PNG", optimize=True)
+    write_whole(options.out, data.getvalue())
+    errors = metrics.compare(mobile, truth, flip=True)
+    print(f"{options.out}: {len(data.getvalue()) / 1e6:.2f} MB; relMSE {errors['relmse']:.4f}, FLIP {errors['flip']:.3f}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
