@@ -1,10 +1,10 @@
-// Renders one frame in the order of the thesis (README.md names it): shadow maps, G-buffer, lit voxels, and a
-// last pass that computes the light of every pixel.
+// Renders one frame in the order of C. Wahlén's thesis (docs/voxel-cone-tracing.md): shadow maps, G-buffer,
+// lit voxels, and a last pass that computes the light of every pixel.
 //
 // The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
-// Shadow maps and voxels depend on the scene's state and not on the camera. Each is created when an output
-// first needs it, stores the state that it was made for, and is rebuilt only when the state changes, or in
-// every frame if Settings::revoxelize asks for that, to measure it.
+// Shadow maps and voxels depend on the scene's state and, once light has converged, not on the camera. Each
+// is created when an output first needs it, stores the state that it was made for, and is rebuilt only when
+// the state changes, or in every frame if Settings::revoxelize asks for that, to measure it.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -31,6 +31,7 @@ void Renderer::render(const RenderRequest& request) {
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
     // light through them.
+    // The sun's map is drawn once for a state; an output with a soft shadow adds moments to it.
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())
@@ -48,8 +49,9 @@ void Renderer::render(const RenderRequest& request) {
         const Output output = request.outputs[i];
 
         // Lit voxels and their mip levels (thesis 4.4 and 4.5). Faces gather indirect light or ambient
-        // occlusion, whichever the output needs. If several outputs show indirect light, the first one
-        // takes the frame's light steps and the others reuse the result.
+        // occlusion, whichever the output needs. A frame takes one light step (inject, mip levels, gather),
+        // or all steps until the light has converged. If several outputs show indirect light, the first takes
+        // them, and the others reuse the result.
         VoxelLight light;
         if (reads(output).voxels) {
             const bool indirect = reads(output).indirectLight;

@@ -1,6 +1,7 @@
-// The history of each base-level face's irradiance, by the face's id. Irradiance is relative to E. The buffer
-// begins with sums over all faces for the last steps; after the histories come sums over the faces of each
-// block.
+// The irradiance of each face of level 0, by the face's id, as a running mean over its steps. It is relative
+// to E, the irradiance of a surface that faces the sun. The buffer has, in this order: sums over all faces
+// for the last three steps, the histories of the faces, the sums of the blocks, and the list of the faces
+// that gather.
 #include "directional/face_range.glsl"
 
 layout(std140, binding = VCT_UBO_LIGHT) uniform LightBlock {
@@ -13,7 +14,7 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 struct FaceIrradiance {
     vec3 light;       // mean irradiance; for ambient occlusion the ambient visibility in all channels
     float steps;      // history length; 0: no history
-    vec3 roundStart;  // `light` at the beginning of the present round
+    vec3 roundStart;  // `light` at the beginning of the round (directional/gather.comp: nextMean())
     float nearness;   // mean of 1 / distance to the surrounding surfaces, in voxels
 };
 // Words per face.
@@ -28,10 +29,11 @@ uint irradianceIndex(uint id) {
 
 FaceIrradiance faceIrradianceAt(uint id) {
     uint at = irradianceIndex(id);
-    vec2 last = unpackHalf2x16(faceIrradianceData[at + 1u]),
-         lastAtStart = unpackHalf2x16(faceIrradianceData[at + 3u]);
-    return FaceIrradiance(vec3(unpackHalf2x16(faceIrradianceData[at]), last.x), last.y,
-                          vec3(unpackHalf2x16(faceIrradianceData[at + 2u]), lastAtStart.x), lastAtStart.y);
+    vec2 blueAndSteps = unpackHalf2x16(faceIrradianceData[at + 1u]);
+    vec2 startBlueAndNearness = unpackHalf2x16(faceIrradianceData[at + 3u]);
+    return FaceIrradiance(vec3(unpackHalf2x16(faceIrradianceData[at]), blueAndSteps.x), blueAndSteps.y,
+                          vec3(unpackHalf2x16(faceIrradianceData[at + 2u]), startBlueAndNearness.x),
+                          startBlueAndNearness.y);
 }
 float historyLength(uint id) {
     return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
@@ -49,8 +51,9 @@ void storeFaceIrradiance(uint id, FaceIrradiance value) {
     faceIrradianceData[at + 3u] = packHalf2x16(vec2(roundStart.b, value.nearness));
 }
 
-// Irradiance varies the faster along a surface, the nearer the surrounding surfaces are (Ward, Rubinstein and
-// Clear 1988). Closeness is 1 if they are one voxel away, as along creases, and 0 from four voxels on.
+// The nearer the surrounding surfaces are, the faster irradiance varies along a surface (Ward, Rubinstein and
+// Clear 1988). Closeness is 1 if their harmonic mean distance is at most one voxel, as along creases, and
+// falls to 0 at four voxels.
 float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
@@ -58,7 +61,8 @@ bool isNearSurfaces(FaceIrradiance mean) {
     return closeness(mean.nearness) > 0.5;
 }
 
-// The index of a face among the 4 x 4 faces of its block's layer, row by row across its axis.
+// The index (0 to 15) of a face in its layer: the 4 x 4 faces of a block that have the same position along
+// the face's axis.
 int indexInBlock(ivec3 voxel, int axis) {
     ivec2 across = axis == 0 ? voxel.yz : axis == 1 ? voxel.zx : voxel.xy;
     return (across.x & 3) + 4 * (across.y & 3);
@@ -86,17 +90,20 @@ void storeEmitterIrradiance(uint id, vec3 light) {}
 
 // Sums over all faces in a step, weighted by coverage, three words each.
 #define VCT_SUM_BEFORE 0u      // irradiance before the step
-#define VCT_SUM_REFLECTED 3u   // the light that faces reflect of it
+#define VCT_SUM_REFLECTED 3u   // the part of the irradiance before the step that faces reflect
 #define VCT_SUM_DIRECT 6u      // emission and reflected direct light
 #define VCT_SUM_FROM_FACES 9u  // irradiance by other faces, as gathered in the step
 #define VCT_SUM_SKY 12u        // irradiance by the sky, as gathered in the step
 
-// Converts a value to fixed point for these sums. The sum of integers does not depend on their order. The
-// upper limit keeps the product within 32 bits.
+// Converts a value to fixed point for these sums. The sum of integers does not depend on their order.
+// sumUnits keeps the sum of all faces within 32 bits if their mean is below 4 (Irradiance::uploadUniforms());
+// the limit of 64 bounds what one face adds.
 uvec3 quantizeSum(vec3 value) {
     return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + 0.5);
 }
 
+// The position of a step's sums. There are three: of the previous step (step + 2, modulo 3), of this step,
+// and of the next step (step + 1), which are being cleared.
 uint lightSums(uint step) {
     return step % 3u * VCT_LIGHT_SUMS;
 }

@@ -10,8 +10,9 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
-const uint sums = 6u;
-shared uint groupSums[sums];
+// The work group's sums of gathered light: three channels by other faces, and three by the sky.
+const uint sumCount = 6u;
+shared uint groupSums[sumCount];
 
 struct Gathered {
     vec3 light;
@@ -19,17 +20,18 @@ struct Gathered {
     float nearness;  // mean of 1 / distance to the surfaces that the cones meet, in voxels
 };
 
-// Direction `i` of VCT_GATHER_DIRECTIONS (a power of two) around a normal along +y: a Hammersley set,
-// distributed by the cosine.
+// Direction `i` of a Hammersley set of VCT_GATHER_DIRECTIONS (a power of two) around a normal along +y, with
+// a density in proportion to the cosine of the angle to the normal (docs/voxel-cone-tracing.md, section 7).
 vec3 gatherDirection(int i) {
-    float height = float(bitfieldReverse(uint(i))) / 4294967296.0 + 0.5 / float(VCT_GATHER_DIRECTIONS);
+    float u = float(bitfieldReverse(uint(i))) / 4294967296.0 + 0.5 / float(VCT_GATHER_DIRECTIONS);
     float azimuth = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(i);
-    return vec3(sqrt(height) * cos(azimuth), sqrt(1.0 - height), sqrt(height) * sin(azimuth));
+    return vec3(sqrt(u) * cos(azimuth), sqrt(1.0 - u), sqrt(u) * sin(azimuth));
 }
 
-// Traces `cones` cones of a face. Consecutive steps use consecutive directions of the set, and the 4 x 4
-// faces of a block's layer start at 16 consecutive ones. From one direction to the next the azimuth turns by
-// about the golden angle, so that any few consecutive directions are spread over the hemisphere.
+// Traces `cones` cones of a face, along consecutive directions of the set from `firstDirection` on. The 16
+// faces of a layer of a block (4^3 voxels) begin at 16 consecutive directions. From one direction to the next
+// the azimuth turns by about the golden angle, so that any few consecutive ones are spread over the
+// hemisphere. `ownBelow`: ownFaces(), which keeps the cones from meeting the face's own surface.
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
@@ -41,8 +43,9 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
         vec3 aroundNormal = gatherDirection(i * golden & (VCT_GATHER_DIRECTIONS - 1));
         vec3 direction = frameAround(plane.normal) * aroundNormal;
-        // The width varies by half a level up and down. It depends only on face and direction, so that every
-        // round has the same cones.
+        // The width varies by a factor of 2^-0.5 to 2^0.5, so that the cones do not all change their level at
+        // the same height. It depends only on face and direction (multiplied by an odd number, as a hash), so
+        // that a direction has the same cone in each round.
         int noise = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
         float spread = exp2(float(noise & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
@@ -56,7 +59,8 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
     return Gathered(gathered.light * share, gathered.sky * share, gathered.nearness * share);
 }
 
-// Adds to the sums over the block's faces of the same direction (directional/light_blocks.comp).
+// Adds a face's light, weighted by its coverage, to the sums of its brick, which cover all faces of the block
+// with the same direction (directional/light_blocks.comp).
 void addToBlock(ListedFace listed, vec3 light, float coverage) {
     uint brick = brickAt(listed.voxel >> VCT_BRICK_LEVEL, listed.face >> 1, listed.face & 1);
     if (brick == 0u) return;
@@ -66,9 +70,10 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
         atomicAdd(faceIrradianceData[at + c], units[c]);
 }
 
-// Adds a step to a face's history. Outside of rounds, recent steps have more weight, because they include
-// more bounces. In a round all directions have the same weight: at its end, the mean of the round has
-// replaced the value at its beginning.
+// Adds a step to a face's history. `known`: length of the history that counts. `stepsNow`: how many steps
+// this one counts for. Outside of rounds, recent steps have more weight, because they include more bounces. A
+// round is n steps in which all directions have the same weight: each adds (light - roundStart) / n. After n
+// steps roundStart has cancelled out, and the mean of the round remains.
 FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
     float steps = max(known + stepsNow, lightStep.minHistory),
           share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
@@ -82,7 +87,7 @@ FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float ne
 
 void main() {
     COUNT(VCT_COUNTER_IRRADIANCE);
-    if (gl_LocalInvocationIndex < sums) groupSums[gl_LocalInvocationIndex] = 0u;
+    if (gl_LocalInvocationIndex < sumCount) groupSums[gl_LocalInvocationIndex] = 0u;
     barrier();
     uint count = faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_CHOSEN];
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
@@ -97,14 +102,17 @@ void main() {
         bool lookedUp = (chosen & lookedUpFlag) != 0u;
         float rate = turnRate(lookedUp);
         uint direction = lightStep.direction;
-        // 17 is odd, so a face visits all directions.
+        // The 16 faces of a layer use 16 consecutive directions in one turn, so the next turn begins behind
+        // them. The stride is 17 and not 16, because an odd stride leads each face through all directions.
         if (lightStep.coneBudget > 0u)
             direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
         // Faces along creases are not smoothed (fill_bricks.comp), so their noise would flicker while
         // something changes. They trace more cones and have a longer history.
         float close = closeness(before.nearness);
-        float memory = lightStep.maxHistory * sqrt(rate);
-        float known = min(before.steps, memory * (1.0 + 2.0 * close * lightStep.smoothing));
+        // A face that rarely has a turn keeps fewer of its own steps. The square root divides the error
+        // between more noise and a longer lag.
+        float maxSteps = lightStep.maxHistory * sqrt(rate);
+        float known = min(before.steps, maxSteps * (1.0 + 2.0 * close * lightStep.smoothing));
         uint cones =
             isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
         // A face without a history traces more cones, unless its coverage is tiny.
@@ -114,7 +122,8 @@ void main() {
                               int(isNew ? lightStep.initialCones : cones));
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
-            // A face that gathers in this step also represents faces that do not.
+            // Only the share `rate` of the faces gathers in a step, so each counts 1 / rate times in the sums
+            // over all faces. Faces without a history always gather, so they count once.
             float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
             uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
             for (uint c = 0u; c < 3u; ++c) {
@@ -127,7 +136,7 @@ void main() {
                             nextMean(before, known, light, now.nearness, isNew ? VCT_INITIAL_HISTORY : 1.0));
     }
     barrier();
-    if (!occlusion && gl_LocalInvocationIndex < sums)
+    if (!occlusion && gl_LocalInvocationIndex < sumCount)
         atomicAdd(
             faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_FROM_FACES + gl_LocalInvocationIndex],
             groupSums[gl_LocalInvocationIndex]);

@@ -28,17 +28,18 @@ float turnsBefore(bool lookedUp) {
     uint before = lightSums(lightStep.frame + 2u) + VCT_SUM_TURNS;
     return uintBitsToFloat(faceIrradianceData[before + (lookedUp ? 0u : 1u)]);
 }
-// Adds the step's turns. The count restarts at 256, when a face has visited all directions.
+// Adds the step's turns. The count restarts at 256, which every number of directions divides.
 void countTurns(bool lookedUp) {
     uint now = lightSums(lightStep.frame) + VCT_SUM_TURNS;
     faceIrradianceData[now + (lookedUp ? 0u : 1u)] =
         floatBitsToUint(mod(turnsBefore(lookedUp) + turnRate(lookedUp), 256.0));
 }
 
-// The number of a face's turn, and whether it has one in this step. The 4 x 4 faces of a block's layer start
-// at 16 consecutive directions (directional/gather.comp). Any few of them are spread over the hemisphere, so
-// faces with consecutive directions gather in the same step. All blocks that pixels look up gather in the
-// same rhythm, so that their noise is alike. Other blocks have an offset, to distribute the work evenly.
+// The number of a face's turn, and whether it has one in this step. The 16 faces of a block's layer have
+// their turns in the order of their directions (directional/gather.comp), so those that gather in the same
+// step have consecutive ones, which are spread over the hemisphere. All blocks that pixels look up gather the
+// same places at the same time, so that no block is noisier than its neighbours. Other blocks have an offset
+// by a hash of their position, to distribute the work evenly over the steps.
 struct Turn {
     uint number;
     bool isNow;

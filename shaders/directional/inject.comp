@@ -1,10 +1,10 @@
-// Injects light: writes the radiance that each face of the base level emits and reflects,
+// Injects light: writes the radiance that each face of level 0 emits and reflects,
 //
-//     emission + albedo * (shadowed direct light at the face's plane + face irradiance).
+//     aspect * (emission + albedo * (shadowed direct light at the face's plane + gain * face irradiance)).
 //
-// Also writes the surface of each face for the gather and the look-ups (packSurface()), for static and
-// dynamic geometry together. VCT_BOUNCES: face irradiance is included; without it, faces reflect direct light
-// only.
+// The aspect is explained at materialOf(). Also writes each face's plane and coverage (packSurface()), which
+// the gather and the look-ups read. Static and dynamic geometry in the same face are added first.
+// VCT_BOUNCES: face irradiance is included; without it, faces reflect direct light only.
 #include "directional/face_range.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
@@ -28,13 +28,14 @@ layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 // about 0.4 voxels from its middle. The plane can extend beyond the surface, for example where the walls of a
 // room meet, and there the shadow map shows other surfaces. So a point counts only if all four texels around
 // it show the surface itself, or if all of them block the light. If there is no such point, as on a thin bar,
-// the majority of the texels decides. `slackShare`: flatSlack to curvedSlack. `middle`: in voxels.
+// and most texels are lit, their share counts. `slackShare`: flatSlack or curvedSlack, the tolerance of the
+// comparison with the surface's plane. `middle`: the middle of the plane in the voxel, in voxels.
 vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     mat3 axes = frameAround(plane.normal);
     float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
     vec2 slope = shadowSlope(plane.normal);
     float slack = sunSlack(slope, slackShare);
-    vec2 points = vec2(0.0), texels = vec2(0.0);
+    vec2 points = vec2(0.0), texels = vec2(0.0);  // x: lit, y: blocked
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         COUNT(VCT_COUNTER_INJECT_POINT);
@@ -58,6 +59,7 @@ FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
     if (!hasFace(dynamicCell, face)) return sums;
+    // A dynamic face beyond the list's capacity has no sums.
     uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
     return id < commands[dynamicList].firstId + faceCount(dynamicList) ? combine(sums, faceSums(id)) : sums;
 }
@@ -83,13 +85,14 @@ float largerOf(float before, vec3 color) {
 #endif
 
 // The albedo and emission of a face, premultiplied by its coverage. If a voxel has several layers of surface,
-// the albedo is their mean, but the emission is their sum, because a lamp directly below a ceiling is in
-// front of it.
+// their albedos are averaged. Their emissions are added, because a lamp directly below a ceiling hides the
+// ceiling and must not be darkened by its layer.
 //
-// A slanted surface covers up to three faces. Seen along its normal they have the right coverage
-// together, but seen from other directions too much, and they would send up to 1.7 times its light. Scaled by
-// the normal's component, they would send the right total but be too dark from the front, as in a closed
-// slanted room. The cube root of the component is a compromise (docs/history/cones.md, "Slanted surfaces").
+// A slanted surface covers up to three faces. Seen along the surface's normal, their coverages add up to the
+// right one; seen from elsewhere they add up to more, so that the faces would send up to 1.7 times the light
+// of the surface. If each face's light were scaled by the normal's component along its axis, the total would
+// be right, but the surface would be too dark from the front, as in a closed slanted room. Scaling by the
+// cube root of the component is a compromise (docs/history/cones.md, "Slanted surfaces").
 struct FaceMaterial {
     vec3 albedo;
     vec3 emission;  // relative to E/pi
@@ -117,6 +120,7 @@ void main() {
         COUNT(VCT_COUNTER_INJECT_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
+        // The sums of a merged dynamic face are added to a static face, which is injected with both.
         if (listed.isMerged) continue;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;

@@ -36,7 +36,7 @@ vec3 globalEnergyCorrection() {
     vec3 balance = clamp((share * direct + sky) / max(left, 1.0), 0.25, 4.0);
     vec3 found = clamp((fromFaces + sky) / max(before, 1.0), 0.25, 4.0);
     vec3 factor = (1.0 + lightStep.energyCorrection * (balance - 1.0)) /
-                  (1.0 + lightStep.amplitude * turnRate(true) * (found - 1.0));
+                  (1.0 + lightStep.previousStepWeight * turnRate(true) * (found - 1.0));
     return mix(vec3(1.0), clamp(factor, 0.5, 4.0), greaterThan(before, vec3(64.0)));
 }
 
@@ -46,7 +46,7 @@ void beginBalance() {
     if (gl_LocalInvocationIndex == 0u) groupLargestIrradiance = 0u;
     barrier();
     sumBefore = sumReflected = sumDirect = uvec3(0u);
-    balanceFactor = lightStep.amplitude > 0.0 ? globalEnergyCorrection() : vec3(1.0);
+    balanceFactor = lightStep.previousStepWeight > 0.0 ? globalEnergyCorrection() : vec3(1.0);
 }
 
 // A face's radiance: `direct` and the reflected irradiance, both relative to E/pi. Also applies the global

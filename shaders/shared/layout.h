@@ -300,7 +300,7 @@ struct LightStep {
     float maxInheritedHistory;  // maximum history length that a new face takes over from other faces
     float energyCorrection;     // share of the global energy correction that the step applies
     float bounceGain;           // gain of the light that faces reflect; 0: the first bounce only
-    float amplitude;            // weight that the previous step had in the histories
+    float previousStepWeight;   // weight that the previous step had in the histories
     float sumUnits;             // fixed-point units of 1 in the sums over all faces
     uint blockSums;             // word of the irradiance buffer where the blocks' sums begin
     float smoothing;            // maximum weight of the block's mean in a face's irradiance, 0..1

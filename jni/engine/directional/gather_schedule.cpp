@@ -73,7 +73,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
     step.roundShare = inRound.length > 0 ? share : 0.0F;
     step.history = history_;
     step.minHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
-    step.amplitude = lastShare_;
+    step.previousStepWeight = lastShare_;
     step.energyCorrection = inRound.length > 0 ? lastShare_ : std::max(lastShare_, 0.5F);
     step.smoothing = smoothing_;
 

@@ -11,18 +11,18 @@ namespace vct {
 // The parameters of one light step (shaders/shared/layout.h: LightStep). A round is a group of steps that
 // visits each direction of the set once.
 struct GatherStep {
-    std::uint32_t frame = 0;         // number of the step
-    std::uint32_t direction = 0;     // index of the first direction, if the step has no budget
-    std::uint32_t cones = 0;         // per face
-    std::uint32_t initialCones = 0;  // per face without a history
-    std::uint32_t coneBudget = 0;    // cones of the whole step, for which faces take turns; 0: no limit
-    bool beginsRound = false;        // the step is the first of a round
-    float roundShare = 0.0F;         // weight of the step in its round; 0 outside of rounds
-    float history = 0.0F;            // maximum history length, in steps
-    float minHistory = 0.0F;         // minimum history length after the step; large once light has converged
-    float amplitude = 0.0F;          // weight that the previous step had in the histories
-    float energyCorrection = 0.0F;   // share of the global energy correction that the step applies
-    float smoothing = 0.0F;          // maximum weight of the block's mean in a face's irradiance, 0..1
+    std::uint32_t frame = 0;          // number of the step
+    std::uint32_t direction = 0;      // index of the first direction, if the step has no budget
+    std::uint32_t cones = 0;          // per face
+    std::uint32_t initialCones = 0;   // per face without a history
+    std::uint32_t coneBudget = 0;     // cones of the whole step, for which faces take turns; 0: no limit
+    bool beginsRound = false;         // the step is the first of a round
+    float roundShare = 0.0F;          // weight of the step in its round; 0 outside of rounds
+    float history = 0.0F;             // maximum history length, in steps
+    float minHistory = 0.0F;          // minimum history length after the step; large once light has converged
+    float previousStepWeight = 0.0F;  // weight that the previous step had in the histories
+    float energyCorrection = 0.0F;    // share of the global energy correction that the step applies
+    float smoothing = 0.0F;           // maximum weight of the block's mean in a face's irradiance, 0..1
 };
 
 class GatherSchedule {

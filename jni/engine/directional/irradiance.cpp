@@ -44,8 +44,8 @@ gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures
     return {name, {"directional/" + name + ".comp"}, defines};
 }
 
-LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources) {
-    if (of == GatherPurpose::light) return sources;
+LightFeatures featuresFor(GatherPurpose purpose, const LightFeatures& sources) {
+    if (purpose == GatherPurpose::light) return sources;
     LightFeatures emission;
     emission.emission = sources.emission;  // affects the number of words per face
     return emission;
@@ -58,35 +58,36 @@ gl::ProgramDescription emittersProgram(const GatherSettings& settings, const Lig
     return {"emitters", {"directional/emitters.comp"}, defines};
 }
 
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose purpose,
                                      const LightFeatures& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_RECENT_STEP_WEIGHT " + number(recentStepWeight));
-    defines.emplace_back(of == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
-                                                        : "VCT_GATHER_OCCLUSION false");
+    defines.emplace_back(purpose == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
+                                                             : "VCT_GATHER_OCCLUSION false");
     append(defines, lightDefines(sources));
     append(defines, emissionDefines(sources.emission));
-    return {of == GatherPurpose::occlusion ? "gather, occlusion" : "gather",
+    return {purpose == GatherPurpose::occlusion ? "gather, occlusion" : "gather",
             {"directional/gather.comp"},
             defines};
 }
 
-Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
-                       int lightFrames, bool dynamicObjects, const LightFeatures& sources)
+Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
+                       GatherPurpose purpose, int lightFrames, bool dynamicObjects,
+                       const LightFeatures& sources)
     : settings_(settings),
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
       markLookups_(shaders, lightProgram("mark_lookups", sources)),
       chooseFaces_(shaders, lightProgram("choose_faces", sources)),
-      gather_(shaders, gatherProgram(settings, of, sources)),
-      gatherBlocks_(shaders, lightProgram("light_blocks", sources)),
+      gather_(shaders, gatherProgram(settings, purpose, sources)),
+      lightBlocks_(shaders, lightProgram("light_blocks", sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
     const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
-    if (of == GatherPurpose::occlusion)
+    if (purpose == GatherPurpose::occlusion)
         visibilityRange_.emplace("range of visibility", GL_UNIFORM_BUFFER, sizeof one, &one, GL_STATIC_DRAW);
 }
 
@@ -141,7 +142,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     else
         voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    gatherBlocks_.use();
+    lightBlocks_.use();
     blockLight_->bindImage(VCT_IMAGE_BLOCK_LIGHT, 0, GL_WRITE_ONLY);
     dispatchOver(blocksSize(voxels.grid()));
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
@@ -170,15 +171,17 @@ void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Tar
 void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
     if (idCapacity_ > 0 && ids == idCapacity_ && bricks == brickCapacity_) return;
     const bool isFirst = idCapacity_ == 0;
-    // The buffer holds the histories, the sums of blocks, and the list of the faces that gather.
+    // The buffer begins with the sums over all faces. The faces' histories follow, then the sums of the
+    // blocks, and the list of the faces that gather.
     const std::size_t words =
         VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
     if (!isFirst) {
-        // The static faces keep their histories. The copy is safe on PowerVR Rogue too, because no earlier
-        // dispatch reads the new buffer (VoxelPyramid::setCommands()).
+        // The static faces keep their histories. On PowerVR Rogue, dispatches before a copy may already read
+        // the copied values (VoxelPyramid::setCommands()). That cannot happen here, because no dispatch has
+        // used the new buffer yet.
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
@@ -222,17 +225,20 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.beginsRound = step_.beginsRound ? 1 : 0;
     values.roundShare = step_.roundShare;
     values.bricksAlong = bricksAlong_;
-    // The shader shortens each face's history to this length.
+    // Limits of the history length: of a face that gathers, which keeps at least one step of a history that
+    // it has, and of what a face of a new pose inherits.
     values.maxHistory = std::max(step_.history, 1.0F);
     values.maxInheritedHistory = step_.history;
     values.minHistory = step_.minHistory;
     values.bounceGain = allBounces ? settings_.bounceGain : 0.0F;
-    values.amplitude = step_.amplitude;
+    values.previousStepWeight = step_.previousStepWeight;
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
+    // 2^30 units for all faces together, so that the 32-bit sums hold a mean of up to 4, and at most 2^16
+    // units for one face.
     values.sumUnits = std::min(65536.0F, 1073741824.0F / static_cast<float>(std::max(idCapacity_, 1U)));
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);

@@ -1,5 +1,6 @@
-// The irradiance of the directional voxels' faces. In each step faces gather light with a few cones, and a
-// history averages the steps. Pixels look the result up. Once it has converged, no step is computed.
+// The irradiance of the directional voxels' faces. In each light step faces trace a few cones, and each face
+// keeps a running mean over its steps, its history. Pixels look the mean up. Once all means have converged,
+// steps are skipped until something changes.
 #pragma once
 
 #include <optional>
@@ -11,22 +12,24 @@
 
 namespace vct {
 
-// An upper bound of the share of light that a bounce reflects: the scene's largest albedo, at most 0.95,
-// because the light in a closed room without absorption would grow without bound.
+// The largest share of light that the balance (shaders/directional/light_balance.glsl) lets a bounce reflect:
+// the scene's largest albedo, limited to 0.95, because without absorption the light in a closed room would
+// grow without bound.
 float largestBounceShare(const Scene& scene);
 
-// `name`: carry_over, clear_bricks, place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
+// A program of a light step, except for the gather and the emitters. `name`: carry_over, clear_bricks,
+// place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose of,
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose purpose,
                                      const LightFeatures& sources);
 gl::ProgramDescription emittersProgram(const GatherSettings& settings, const LightFeatures& sources);
 // The features that matter to a gather. Ambient visibility depends on no light.
-LightFeatures featuresFor(GatherPurpose of, const LightFeatures& sources);
+LightFeatures featuresFor(GatherPurpose purpose, const LightFeatures& sources);
 
 class Irradiance {
   public:
     // `lightFrames`: as in GatherSchedule.
-    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose of,
+    Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose purpose,
                int lightFrames, bool dynamicObjects, const LightFeatures& sources);
 
     // Reports a change of the voxels, which the next step takes into account.
@@ -37,21 +40,24 @@ class Irradiance {
     // True if another step would change nothing.
     bool isConverged() const { return schedule_.isConverged() && !pending_.any(); }
 
-    // Begins a step: reserves buffers, and lets the faces of a new pose take over histories. The caller
-    // injects light next. `allBounces`: faces also reflect their irradiance; false: the first bounce only.
+    // Begins a step: reserves buffers. After a new pose, faces of dynamic objects first take over the
+    // histories of faces of the previous pose. The caller injects light next. `allBounces`: faces also
+    // reflect their irradiance; false: the first bounce only.
     void beginStep(const DirectionalVoxels& voxels, bool allBounces);
-    // Ends the step: faces gather, and trace cones towards the compact emitters. `surface` is the G-buffer;
-    // faces that its pixels look up have more turns than others.
+    // Ends the step: faces gather, and trace cones towards the compact emitters. If the step has a budget of
+    // cones, faces that the pixels of the G-buffer `surface` look up gather more often than others
+    // (shaders/directional/gather_turns.glsl).
     void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
     // The number of the step, which seeds the dither.
     std::uint32_t frameIndex() const { return step_.frame; }
 
-    // The textures for shaders/directional/irradiance.glsl; null before the first step.
+    // The textures for shaders/directional/irradiance.glsl; null before the first step. irradiance(): the
+    // bricks themselves. bricks(): for each block and direction, the place of its brick.
     const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
     const gl::Texture* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
     // The histories by face id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
-    // Words per face in faceIrradiance(); the light of compact emitters takes two of six.
+    // Words per face in faceIrradiance(): four, and two more for the light of compact emitters.
     std::uint32_t irradianceWords() const { return emitters_ ? 6 : 4; }
     std::vector<const gl::Texture*> textures() const;
     // Binds the buffers and textures that the shaders of a step use.
@@ -71,7 +77,7 @@ class Irradiance {
     GatherSettings settings_;
     GatherSchedule schedule_;
     GatherSchedule::Change pending_;  // changes that no step has taken into account yet
-    gl::Program clearBricks_, placeBricks_, markLookups_, chooseFaces_, gather_, gatherBlocks_, fillBricks_;
+    gl::Program clearBricks_, placeBricks_, markLookups_, chooseFaces_, gather_, lightBlocks_, fillBricks_;
     std::optional<gl::Program> carryOver_;    // only if there are dynamic objects
     std::optional<gl::Program> emitters_;     // only if the scene has compact emitters
     int emitterSteps_ = emitterUpdatePeriod;  // steps left in which faces trace cones towards emitters
