@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"VoxelSizeOfZero", renderCornell("--out out --voxel-size 0"),
                    "'0' is not a number above 0"},
         BadCommand{"NoLightFrames", renderCornell("--out out --light-frames 0"),
-                   "must be between 1 and 1000\n"},
+                   "must be between 1 and 1000 (--light-frames)\n"},
         BadCommand{"LightBeyondFloat", renderCornell("--out out --light intensity=1e39"),
                    "--light: color times"},
         BadCommand{"UnknownAnimation", renderMoving("--animation walk"), "choose one of 0 (run)"},

@@ -325,7 +325,7 @@ TEST(PunctualLights, MoreThanThereIsRoomForIsAnError) {
     const Scene scene = roomAtNight(std::vector<PunctualLight>(
         17, punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})));
     expectMentions(errorOf([&] { makeRenderer(context, scene, chooseLight(scene), mobileAt(32)); }),
-                   {"17 lights besides the sun", "room for 16"});
+                   {"17 lights besides the sun", "the limit is 16"});
 }
 
 }  // namespace
