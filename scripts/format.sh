@@ -13,5 +13,7 @@ case "${1:-}" in
         ;;
 esac
 [[ -x .venv/bin/clang-format ]] || scripts/python.sh
-git ls-files -z -- '*.h' '*.cpp' '*.glsl' '*.comp' '*.frag' '*.vert' '*.geom' |
-    xargs -0 .venv/bin/clang-format "${action[@]}"
+git ls-files -z -- '*.h' '*.cpp' | xargs -0 .venv/bin/clang-format "${action[@]}"
+# The order of includes matters in a shader.
+git ls-files -z -- '*.glsl' '*.comp' '*.frag' '*.vert' '*.geom' |
+    xargs -0 .venv/bin/clang-format --sort-includes=0 "${action[@]}"

@@ -87,8 +87,8 @@ const std::vector<Stage>& stages() {
          VCT_COUNTER_CONE_TRACER,
          {{"diffuse cone", 0, VCT_COUNTER_DIFFUSE_CONE, true},
           {"diffuse step", 1, VCT_COUNTER_DIFFUSE_STEP},
-          {"received nearby", 0, VCT_COUNTER_IRRADIANCE_NEARBY},
-          {"axis of the received light", 1, VCT_COUNTER_IRRADIANCE_AXIS},
+          {"irradiance nearby", 0, VCT_COUNTER_IRRADIANCE_NEARBY},
+          {"axis of the irradiance", 1, VCT_COUNTER_IRRADIANCE_AXIS},
           {"shadow step", 0, VCT_COUNTER_SHADOW_STEP},
           {"blocker tap", 0, VCT_COUNTER_BLOCKER_TAP, true},
           {"filter tap", 0, VCT_COUNTER_FILTER_TAP, true},
@@ -112,8 +112,10 @@ std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const 
     for (const Stage& stage : stages()) {
         if (counts[stage.invocations] == 0) continue;
         StageCount count{stage.shader, counts[stage.invocations], {}};
+        // A loop that did not run may be one that the variant does not have; an inner loop is listed anyway,
+        // because the loop around it may have had no reason to enter it.
         for (const Loop& loop : stage.loops)
-            if (counts[loop.counter] > 0)
+            if (counts[loop.counter] > 0 || loop.depth > 0)
                 count.loops.push_back({loop.name, loop.depth, loop.constant,
                                        loop.times * static_cast<double>(counts[loop.counter])});
         found.push_back(std::move(count));

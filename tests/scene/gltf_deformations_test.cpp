@@ -121,7 +121,7 @@ TEST(Deformations, DamagedOnesAreNamed) {
             b.document["skins"][0]["inverseBindMatrices"] =
                 b.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "MAT4");
         }),
-        "are 1 for 3 joints");
+        "are only 1 for 3 joints");
     has(changed([](GltfBuilder& b) {
             json& primitive = b.document["meshes"][1]["primitives"][0];
             primitive["attributes"]["WEIGHTS_0"] = b.floats({1, 0, 0, 0}, "VEC4");
