@@ -112,12 +112,15 @@ std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const 
     for (const Stage& stage : stages()) {
         if (counts[stage.invocations] == 0) continue;
         StageCount count{stage.shader, counts[stage.invocations], {}};
-        // A loop that did not run may be one that the variant does not have; an inner loop is listed anyway,
-        // because the loop around it may have had no reason to enter it.
-        for (const Loop& loop : stage.loops)
-            if (counts[loop.counter] > 0 || loop.depth > 0)
+        // A loop that did not run may be one that the variant does not have. It is listed if the loop around
+        // it ran, which then had no reason to enter it.
+        std::array<std::uint32_t, 4> runs{};  // of the last loop of each depth
+        for (const Loop& loop : stage.loops) {
+            runs[loop.depth] = counts[loop.counter];
+            if (runs[loop.depth] > 0 || (loop.depth > 0 && runs[loop.depth - 1] > 0))
                 count.loops.push_back({loop.name, loop.depth, loop.constant,
-                                       loop.times * static_cast<double>(counts[loop.counter])});
+                                       loop.times * static_cast<double>(runs[loop.depth])});
+        }
         found.push_back(std::move(count));
     }
     return found;
