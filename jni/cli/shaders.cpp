@@ -1,6 +1,6 @@
 // vct shaders: writes the sources (ESSL, the OpenGL ES Shading Language) of every program of every preset as
-// a phone's driver compiles them, and how often each stage and loop runs in a frame. tools/mali.py computes
-// lower bounds of GPU time from both.
+// a phone's driver compiles them, and how often each stage and loop runs in a frame. tools/eval.py mali
+// computes lower bounds of GPU time from both.
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -170,7 +170,8 @@ void writeShaders(const ShadersOptions& options) {
 
 constexpr const char* shadersFooter =
     "Writes the shaders below DIR/PRESET/, and DIR/manifest.json with the programs, the modes that use them "
-    "and how often each shader and loop runs. tools/mali.py computes lower bounds for a Mali GPU from it "
+    "and how often each shader and loop runs. tools/eval.py mali computes lower bounds for a Mali GPU from "
+    "it "
     "(docs/mali.md).\n"
     "Example:\n"
     "  vct shaders assets/cornell.glb --out out/shaders";
