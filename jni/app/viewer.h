@@ -22,7 +22,7 @@
 
 namespace vct::app {
 
-// How a scene is shown before the user changes anything.
+// The initial view of a scene, before the user changes anything.
 struct ViewDefaults {
     std::optional<Camera> camera;  // fitted to the window; empty: OrbitView chooses it
     DirectionalLight light;

@@ -39,8 +39,8 @@ enum class Voxels {
 // The quantity that faces gather: indirect light, or ambient visibility within the AO distance.
 enum class GatherPurpose { light, occlusion };
 
-// How faces of directional voxels gather. Lengths are in voxels of the finest level. docs/design-decisions.md
-// has the measurements behind the values.
+// Settings of the gather at the faces of directional voxels. Lengths are in voxels of the finest level.
+// docs/design-decisions.md has the measurements behind the values.
 struct GatherSettings {
     int directions = 64;        // per face, visited over several frames after a change; a power of two
     int refinedDirections = 0;  // per face, visited in the refinement after that; a power of two; 0: none

@@ -13,7 +13,7 @@ import sys
 root = pathlib.Path(__file__).resolve().parents[2]
 
 # A comment is a sentence that does not depend on the line before it.
-comment_start = re.compile(r"^\s*(?://|#(?!!))+\s*(?:Of|What|Where|Whether|Which|Those|Likewise|And|But)\b")
+comment_start = re.compile(r"^\s*(?://|#(?!!))+\s*(?:Of|What|Where|Whether|Which|How|Those|Likewise|And|But)\b")
 commented_folders = ("jni/", "include/", "shaders/", "tests/", "tools/", "examples/", "scripts/", "cmake/")
 code_suffixes = {".h", ".cpp", ".glsl", ".comp", ".frag", ".vert", ".geom", ".py", ".sh", ".cmake"}
 

@@ -20,7 +20,6 @@ from . import mali, options, pictures
 from .measures import MEASURES, task
 from .store import Result, Store, say
 
-ALWAYS = ["gi", "indirect"]  # measures of every picture
 MEANINGS = """\
 camera moving        time of a frame while only the camera moves: light and voxels are kept
 everything changing  time of a frame that rebuilds shadow map, voxels and light
@@ -34,7 +33,7 @@ def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_presets(parser)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in assets/, or files (default: all that have references)")
     parser.add_argument("--size", type=options.size, help="WIDTHxHEIGHT (default: that of the references)")
-    parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=ALWAYS,
+    parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=["gi", "indirect"],
                         help=f"of {','.join(MEASURES)}, or all (default: gi,indirect)")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw time against error")
 
@@ -89,7 +88,8 @@ def machine(results: Sequence[Result]) -> str:
 
 def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str | None],
                       show: Callable[[Sequence[Result]], str] = table) -> int:
-    measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys([*ALWAYS, *asked.measures]))
+    measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(
+        ["gi", *(["indirect"] if asked.plot else []), *([] if show is headline else asked.measures)]))
     scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
     tasks = [task(scene, preset, measures, asked.size, grid, kind)
              for scene in scenes for preset in asked.presets for grid in grids]
