@@ -13,7 +13,7 @@ wait "$python"
 # Pictures of an older build beside new ones would mislead.
 rm -rf out/demo
 mkdir -p out/demo
-echo "rendering the Cornell box and the courtyard by each preset (about nine minutes on two cores, most of them for the preset quality)"
+echo "rendering the Cornell box and the courtyard by each preset (about four minutes on two cores, most of them for the preset quality)"
 .venv/bin/python tools/eval.py render cornell courtyard --measures gi --out out/demo --sheet out/demo/presets.png
 echo "rendering the five modes of the preset thesis, and the stages of the pipeline (half a minute)"
 build/desktop/vct render assets/cornell.glb --out out/demo --preset thesis --mode all --size 400x400 \
