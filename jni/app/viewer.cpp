@@ -6,6 +6,7 @@
 #include "app/log.h"
 #include "gl/debug.h"
 #include "scene/camera.h"
+#include "scene/near_plane.h"
 #include "scene/scene_features.h"
 
 namespace vct::app {
@@ -121,17 +122,20 @@ void Viewer::drawScene(glm::ivec2 window) {
         const Settings settings = settingsOf(window);
         aspect_ = aspectOf(settings.size);
         Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_);
+        std::optional<Pose> pose;
         if (!scene_->animation.channels.empty()) {
-            const Pose pose = poseAt(scene_->animation, sceneTimeS());
-            renderer.setPose(pose);
-            renderer.setLightDirection(posed(light(), pose).directionToLight);
+            pose = poseAt(scene_->animation, sceneTimeS());
+            renderer.setPose(*pose);
+            renderer.setLightDirection(posed(light(), *pose).directionToLight);
             const Camera* const first = defaults_.camera          ? &*defaults_.camera
                                         : scene_->cameras.empty() ? nullptr
                                                                   : &scene_->cameras.front();
-            if (first != nullptr && first->node >= 0) view_->follow(posed(*first, pose));
+            if (first != nullptr && first->node >= 0) view_->follow(posed(*first, *pose));
         }
         if (choices_.timeSteps) renderer.timer().startRecording(Clocks::cpu);
-        renderer.render({{choices_.mode}, view_->camera(aspect_)});
+        renderer.render(
+            {{choices_.mode},
+             withFittedNearPlane(view_->camera(aspect_), *scene_, aspect_, pose ? &*pose : nullptr)});
         if (!defaults_.exposure) exposure_.follow(renderer);
         stepMs_.reset();
         if (choices_.timeSteps) {

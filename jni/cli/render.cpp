@@ -18,6 +18,7 @@
 #include "lab/timings.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
+#include "scene/near_plane.h"
 #include "scene/scene_features.h"
 
 namespace vct::cli {
@@ -88,8 +89,9 @@ struct Placed {
         const Pose pose = poseAt(scene.animation, seconds);
         renderer.setPose(pose);
         renderer.setLightDirection(posed(light, pose).directionToLight);
-        return posed(camera, pose);
+        return withFittedNearPlane(posed(camera, pose), scene, aspectOf(options.scene.size), &pose);
     }
+    Camera atRest() const { return withFittedNearPlane(camera, scene, aspectOf(options.scene.size)); }
 };
 
 // Returns the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges. The shifts
@@ -127,7 +129,7 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
     const RenderOptions& options = placed.options;
     Renderer& renderer = placed.renderer;
     const std::string name = outputName(mode);
-    const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
+    const Camera camera = moments.empty() ? placed.atRest() : placed.moveTo(moments.front());
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
         pictures.write(file, meanOfSamples(renderer, mode, camera, options.samples));
@@ -217,24 +219,26 @@ void render(const RenderOptions& options) {
             " frames of refinement before the first picture");
     TimingsReport report;
     const Placed placed{options, scene, camera, light, renderer};
+    const Camera first = moments.empty() ? placed.atRest() : placed.moveTo(moments.front());
+    if (first.nearest > camera.nearest)
+        say("note: the camera's near plane of " + numberText(camera.nearest) + " m is moved to " +
+            numberText(first.nearest) + " m for the precision of depth; it cuts nothing off");
     if (!exposure) {
         // If all modes are rendered, the last one has the most complete light.
         const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
-        renderer.render(
-            {{modes.back()}, moments.empty() ? camera : placed.moveTo(moments.front()), LightSteps::all});
+        renderer.render({{modes.back()}, first, LightSteps::all});
         pictures.chooseExposure(renderer.radiance());
     }
     for (const Output mode : modes)
         renderMode(placed, mode, moments, pictures, report);
     pictures.writeContactSheet();
     report.resources = renderer.resources();
-    const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
     if (options.lightParts)
-        for (const DebugView& part : lightParts(renderer, seen))
+        for (const DebugView& part : lightParts(renderer, first))
             pictures.write(part.name, part.image, part.isShare);
     if (options.debugViews) {
         const Progress progress("debug views");
-        pictures.writeDebugViews(debugViews(renderer, seen));
+        pictures.writeDebugViews(debugViews(renderer, first));
     }
     pictures.nameOlderPictures();
     if (options.timings.empty()) return;

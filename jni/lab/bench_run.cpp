@@ -9,6 +9,7 @@
 #include "image/image.h"
 #include "lab/options.h"
 #include "scene/camera.h"
+#include "scene/near_plane.h"
 
 namespace vct {
 
@@ -92,6 +93,7 @@ BenchRun::BenchRun(Input input, std::string folder)
     const std::string note =
         cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
     if (!note.empty()) input_.log(note);
+    camera_ = withFittedNearPlane(camera_, *input_.scene, aspectOf(input_.request.size));
     for (const BenchConfig& config : configsOf(input_.request)) {
         validate(settingsFor(config));
         runs_.push_back({config, {}});

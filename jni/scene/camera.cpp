@@ -48,6 +48,10 @@ double distanceTo(const Bounds& bounds, const glm::dvec3& p) {
     return glm::length(glm::max(glm::max(bounds.min - p, p - bounds.max), glm::dvec3(0.0)));
 }
 
+double diagonalOf(const Bounds& bounds) {
+    return std::max(glm::length(bounds.max - bounds.min), 1e-30);
+}
+
 // Moves a camera or a light (`world`) to its node. If the node's scale is 0 and it has no axes, the axes of
 // `world` stay.
 void follow(glm::dmat4& world, const Pose& pose, int node) {
@@ -167,6 +171,10 @@ PunctualLight posed(PunctualLight light, const Pose& pose) {
     return light;
 }
 
+double usualNearPlane(const Bounds& bounds) {
+    return 1e-3 * diagonalOf(bounds);
+}
+
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspect, const Bounds& visible) {
     if (camera.clipFromWorld) return *camera.clipFromWorld;
     const glm::dmat3 worldFromCameraAxes(camera.worldFromCamera);
@@ -175,7 +183,7 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
     const glm::dmat4 cameraFromWorld =
         glm::dmat4(cameraFromWorldAxes) * glm::translate(glm::dmat4(1.0), -eye);
 
-    const double diagonal = std::max(glm::length(bounds.max - bounds.min), 1e-30);
+    const double diagonal = diagonalOf(bounds);
     double farthest = 0.0;  // along the view axis
     for (const glm::dvec3& corner : cornersOf(visible))
         farthest = std::max(farthest, -(cameraFromWorldAxes * (corner - eye)).z);
@@ -184,7 +192,7 @@ glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& bounds, double aspe
     const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
     const double cosCorner = 1.0 / std::sqrt(1.0 + tanHalf * tanHalf * (1.0 + aspect * aspect));
     // Float precision does not allow a near plane below a ten-millionth of the scene's size.
-    const double nearest = std::max(std::min(1e-3 * diagonal, camera.nearest), 1e-7 * diagonal);
+    const double nearest = std::max(std::min(usualNearPlane(bounds), camera.nearest), 1e-7 * diagonal);
     const double near = std::max(std::min(0.5, 0.99 * cosCorner) * distanceTo(visible, eye), nearest);
     // At a million diagonals the scene is smaller than a pixel, and larger distances exceed float precision.
     farthest = std::min(farthest, 1e6 * diagonal);

@@ -45,6 +45,10 @@ Camera posed(Camera camera, const Pose& pose);
 DirectionalLight posed(DirectionalLight light, const Pose& pose);
 PunctualLight posed(PunctualLight light, const Pose& pose);
 
+// Returns the largest distance of the near plane of a camera inside a scene of this size, in world units: a
+// thousandth of the diagonal.
+double usualNearPlane(const Bounds& boundsWorld);
+
 // Returns the view and projection matrix for GL clip space (z in [-1, 1]). Near and far plane are fitted to
 // `visibleWorld`, which contains `boundsWorld` and everything that has moved out of it.
 glm::dmat4 clipFromWorld(const Camera& camera, const Bounds& boundsWorld, double aspect,
