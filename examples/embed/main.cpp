@@ -23,21 +23,26 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 0) uniform mat4 clipFromWorld;
 layout(location = 1) uniform mat4 worldFromObject;
+out vec3 worldPosition;
 out vec3 worldNormal;
 void main() {
+    worldPosition = (worldFromObject * vec4(position, 1.0)).xyz;
     worldNormal = mat3(worldFromObject) * normal;
-    gl_Position = clipFromWorld * worldFromObject * vec4(position, 1.0);
+    gl_Position = clipFromWorld * vec4(worldPosition, 1.0);
 })";
 
 // The fragment shader of the G-buffer, without its beginning: normalEncodingGlsl() comes before it.
 const char* gBufferFragment = R"(
+in vec3 worldPosition;
 in vec3 worldNormal;
 layout(location = 2) uniform vec3 baseColor;
 layout(location = 0) out vec4 albedo;
 layout(location = 1) out uvec2 normalCode;
 void main() {
-    albedo = vec4(sqrt(baseColor), 1.0);
-    normalCode = encodeNormal(normalize(gl_FrontFacing ? worldNormal : -worldNormal));
+    vec3 normal = normalize(gl_FrontFacing ? worldNormal : -worldNormal);
+    uvec3 codes = encodeNormals(normal, faceNormal(worldPosition, normal));
+    albedo = vec4(sqrt(baseColor), float(codes.z) / 255.0);
+    normalCode = codes.xy;
 })";
 
 const char* fullScreenVertex = R"(#version 310 es

@@ -116,8 +116,8 @@ struct View {
 // The caller's G-buffer: names of 2D textures of the pictures' size, row 0 at the bottom. Their sampler
 // parameters do not matter, except that `gloss` must have the filter NEAREST.
 struct GBufferTextures {
-    unsigned albedo = 0;  // GL_RGBA8: square root of the base colour; alpha is not read
-    unsigned normal = 0;  // GL_RG16UI: encodeNormal(), see normalEncodingGlsl(); world space, towards viewer
+    unsigned albedo = 0;  // GL_RGBA8: square root of the base colour; alpha: z of encodeNormals() / 255
+    unsigned normal = 0;  // GL_RG16UI: xy of encodeNormals(); world space, towards the viewer
     unsigned depth = 0;   // GL_DEPTH_COMPONENT32F or GL_DEPTH_COMPONENT24, by View; 1 if there is no surface
     // These are 0 if the scene has no such materials:
     unsigned emission = 0;  // GL_RGBA16F: radiance / GlobalIllumination::radianceUnit()
@@ -201,9 +201,15 @@ class GlobalIllumination {
     std::unique_ptr<Implementation> implementation_;
 };
 
-// GLSL ES 3.10 functions for your own G-buffer: uvec2 encodeNormal(vec3 unitLength), vec3 decodeNormal(uvec2
-// code) and vec3 safeNormalize(vec3 v). The text has no #version. In a fragment shader, insert it after
-// "precision highp float;" and "precision highp int;".
+// GLSL ES 3.10 functions for your own G-buffer. Normals have unit length.
+//   uvec3 encodeNormals(vec3 normal, vec3 faceNormal): the codes of the interpolated normal and the normal of
+//     the triangle's plane; xy for the normal texture, z (0 to 255) for the alpha of the albedo
+//   vec3 faceNormal(vec3 position, vec3 towards): the normal of the triangle's plane, from derivatives of an
+//     interpolated position, on the side of `towards`
+//   vec3 decodeNormal(uvec2 code): the interpolated normal
+//   vec3 safeNormalize(vec3 v)
+// The text has no #version. In a fragment shader, insert it after "precision highp float;" and "precision
+// highp int;".
 std::string normalEncodingGlsl();
 
 }  // namespace vct

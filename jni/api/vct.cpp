@@ -244,7 +244,7 @@ gl::ReadShader embeddedShaders() {
 }
 
 std::string normalEncodingGlsl() {
-    return embeddedShaders()("shared/octahedral.glsl");
+    return embeddedShaders()("shared/normals.glsl") + embeddedShaders()("shared/face_normal.glsl");
 }
 
 }  // namespace vct

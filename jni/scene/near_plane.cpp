@@ -17,8 +17,8 @@ constexpr double clearance = 0.99;
 // The view is widened by this factor, because samples of a pixel shift the picture by a part of a pixel.
 constexpr double widening = 1.05;
 
-// Positions of an instance's vertices in view space: camera space, with x and y divided by the tangents of the
-// half angles, so that the side planes of the view are |x| = depth and |y| = depth, and depth is -z.
+// Positions of an instance's vertices in view space: camera space, with x and y divided by the tangents of
+// the half angles, so that the side planes of the view are |x| = depth and |y| = depth, and depth is -z.
 class VertexPositions {
   public:
     VertexPositions(const Mesh& mesh, const Instance& instance, const Pose* pose,
@@ -36,7 +36,9 @@ class VertexPositions {
         viewFromMesh_ = viewFromWorld * worldFromObject * glm::translate(glm::dmat4(1.0), mesh.centre);
     }
 
-    glm::dvec3 operator[](std::size_t vertex) const { return viewFromMesh_ * glm::dvec4(inMesh(vertex), 1.0); }
+    glm::dvec3 operator[](std::size_t vertex) const {
+        return viewFromMesh_ * glm::dvec4(inMesh(vertex), 1.0);
+    }
     double depth(std::size_t vertex) const {
         const glm::dvec3 position = inMesh(vertex);
         return -(viewFromMesh_[0].z * position.x + viewFromMesh_[1].z * position.y +
@@ -97,8 +99,9 @@ Camera withFittedNearPlane(Camera camera, const Scene& scene, double aspect, con
         for (std::size_t i = 0; i < depths.size(); ++i)
             depths[i] = positions.depth(i);
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-            const std::uint32_t *const index = &mesh.indices[i];
-            const auto [nearest, farthest] = std::minmax({depths[index[0]], depths[index[1]], depths[index[2]]});
+            const std::uint32_t* const index = &mesh.indices[i];
+            const auto [nearest, farthest] =
+                std::minmax({depths[index[0]], depths[index[1]], depths[index[2]]});
             if (nearest < depth && farthest > 0.0)
                 depth = smallestDepth({positions[index[0]], positions[index[1]], positions[index[2]]}, depth);
         }

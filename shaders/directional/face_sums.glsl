@@ -3,7 +3,7 @@
 // a triangle covers a face at most once. VCT_EMISSION: surfaces emit light, so faces also have sums of
 // emission.
 #include "shared/frame.glsl"
-#include "shared/octahedral.glsl"
+#include "shared/normals.glsl"
 #include "directional/face_lists.glsl"
 
 #define VCT_FACE_SURFACE 0u  // packSurface(), written by the injection of light
@@ -31,7 +31,7 @@ struct SurfacePlane {
 // `isCurved`: the normals differ from the triangle's, as on a round surface made of flat triangles.
 uint packPlane(float coverage, bool isCurved, vec3 normal, float offset) {
     uvec2 steps = uvec2(vec2(coverage, clamp(offset, -1.0, 1.0) * 0.5 + 0.5) * vec2(127.0, 255.0) + 0.5);
-    uvec2 code = (encodeNormal(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
+    uvec2 code = (encodeOctahedral(normal) * 127u + 16383u) / 32767u;  // 254 steps: even, so 0 is exact
     return (steps.x << 25) | (isCurved ? 1u << 24 : 0u) | (steps.y << 16) | (code.x << 8) | code.y;
 }
 bool isCurved(uint plane) {
@@ -39,7 +39,7 @@ bool isCurved(uint plane) {
 }
 SurfacePlane unpackPlane(uint word) {
     uvec3 steps = uvec3(word >> 16 & 255u, word >> 8 & 255u, word & 255u);
-    return SurfacePlane(decodeNormal(steps.yz * 32767u / 127u), float(steps.x) / 127.5 - 1.0);
+    return SurfacePlane(decodeOctahedral(steps.yz, 254.0), float(steps.x) / 127.5 - 1.0);
 }
 
 // Converts coverage in 0..1 to fixed point. If the result is 0, the fragment must not add to the face.

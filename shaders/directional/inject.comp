@@ -131,7 +131,7 @@ void main() {
             sums.plane, coverage, hasBack(staticCell, dynamicCell, listed.face, sums, plane.normal));
         FaceMaterial material = materialOf(sums, plane.normal[listed.face >> 1]);
         vec3 middle = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
-        float slackShare = isCurved(sums.plane) ? curvedSlack : flatSlack;
+        float slackShare = slackShareOf(isCurved(sums.plane));
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0))
             radiance += material.albedo * directIrradiance(plane, slackShare, middle);

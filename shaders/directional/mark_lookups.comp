@@ -16,7 +16,7 @@ void main() {
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) return;
     vec3 position = surfacePosition(vec2(pixel) + 0.5, depth) * float(frame.gridSide);
-    vec3 normal = surfaceNormal(pixel);
+    vec3 normal = geometricNormal(pixel);
     ivec3 lastBlock = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
     // If a surface lies on the border of two blocks, rounding decides which block has its faces. Both are
     // marked.

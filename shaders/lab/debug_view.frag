@@ -1,5 +1,5 @@
 // Shows an intermediate target as an image; one variant per VCT_DEBUG_VIEW.
-#include "shared/octahedral.glsl"
+#include "shared/normals.glsl"
 #include "shared/layout.h"
 
 layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2D shadowMapDepth;

@@ -3,14 +3,15 @@
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
-#include "shared/octahedral.glsl"
-#include "shared/shadow_slack.glsl"
+#include "shared/normals.glsl"
+#include "shared/shadow.glsl"
 
 #ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/face_normal.glsl"
 #include "shared/punctual_lights.glsl"
 // Irradiance by the punctual lights. A double-sided surface takes the side that receives more.
 vec3 otherLights(vec3 position, vec3 normal) {
-    float slackShare = shadowSlack(normal);
+    float slackShare = slackShareOf(dot(normal, faceNormal(position, normal)) < 0.9999);
     vec3 front = punctualIrradiance(position, normal, slackShare);
     return materialIsDoubleSided ? max(front, punctualIrradiance(position, -normal, slackShare)) : front;
 }

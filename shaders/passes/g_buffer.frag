@@ -2,21 +2,23 @@
 // from the depth buffer.
 #include "shared/counters.glsl"
 #include "shared/material.glsl"
-#include "shared/octahedral.glsl"
+#include "shared/face_normal.glsl"
+#include "shared/normals.glsl"
 
 in vec3 fragmentNormal;
+in vec3 fragmentFromEye;
 
-layout(location = 0) out vec4
-    albedoRoot;  // square root of linear albedo, which gives dark colours more steps
+// rgb: square root of linear albedo, which gives dark colours more steps; a: bits of encodeNormals().
+layout(location = 0) out vec4 albedoRoot;
 #ifdef VCT_MAPPED_NORMALS
 layout(location = 1) out uvec4 normalCodes;
-void storeNormals(vec3 mapped, vec3 geometric) {
-    normalCodes = uvec4(encodeNormal(mapped), encodeNormal(geometric));
+void storeNormals(uvec2 geometric, vec3 mapped) {
+    normalCodes = uvec4(geometric, encodeOctahedral(mapped));
 }
 #else
 layout(location = 1) out uvec2 normalCode;
-void storeNormals(vec3 mapped, vec3 geometric) {
-    normalCode = encodeNormal(geometric);
+void storeNormals(uvec2 geometric, vec3 mapped) {
+    normalCode = geometric;
 }
 #endif
 
@@ -54,7 +56,6 @@ void storeGloss() {}
 // derived from the screen-space derivatives of position and texture coordinates, because stored tangents
 // would take 16 bytes per vertex.
 #ifdef VCT_NORMAL_MAP
-in vec3 fragmentFromEye;
 in vec2 fragmentNormalUv;
 layout(binding = VCT_TEX_NORMAL_MAP) uniform sampler2D normalMap;
 vec3 mappedNormal(vec3 normal) {
@@ -84,11 +85,12 @@ void main() {
     vec4 baseColor = materialBaseColor();
     vec3 normal = safeNormalize(fragmentNormal);
     if (!gl_FrontFacing) normal = -normal;
-    // This comes before any discard, because derivatives need the whole quad.
+    // Both come before any discard, because derivatives need the whole quad.
     vec3 mapped = mappedNormal(normal);
+    uvec3 codes = encodeNormals(normal, faceNormal(fragmentFromEye, -fragmentFromEye));
     if (materialIsHole(baseColor.a)) discard;
-    albedoRoot = vec4(materialIsUnlit ? vec3(0.0) : sqrt(baseColor.rgb), 1.0);
-    storeNormals(mapped, normal);
+    albedoRoot = vec4(materialIsUnlit ? vec3(0.0) : sqrt(baseColor.rgb), float(codes.z) / 255.0);
+    storeNormals(codes.xy, mapped);
     storeEmissive();
     storeGloss();
 }

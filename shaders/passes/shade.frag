@@ -3,7 +3,7 @@
 // (jni/engine/output.h).
 #include "shared/counters.glsl"
 #include "shared/orthonormal.glsl"
-#include "shared/shadow_slack.glsl"
+#include "shared/shadow.glsl"
 #include "shared/sky.glsl"
 #include "shared/surface.glsl"
 #include "passes/penumbra.glsl"
@@ -50,26 +50,29 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
 #if defined(VCT_SOFT_SHADOW)
 #include "passes/soft_shadow.glsl"
 const bool softShadowIsAll = true;
-mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
-    return softShadow(position, normal);
+mediump float softSun(vec3 position, SurfaceNormals normals) {
+    return softShadow(position, normals.face);
 }
 #elif defined(VCT_FACE_IRRADIANCE)
 const bool softShadowIsAll = false;
-mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
+mediump float softSun(vec3 position, SurfaceNormals normals) {
     return 1.0;
 }
 #else
 const bool softShadowIsAll = false;
-mediump float softSun(vec3 position, vec3 normal, float cosTheta) {
-    return cosTheta > 0.0 ? traceShadowCone(position, normal) : 0.0;
+mediump float softSun(vec3 position, SurfaceNormals normals) {
+    return traceShadowCone(position, normals.geometric);
 }
 #endif
 
-// The share of the sun's light that reaches the surface, as far as the output shows shadows.
-mediump float directLight(vec3 position, vec3 normal, float cosTheta) {
-    if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normal, cosTheta);
-    if (!VCT_SHOWS_HARD_SHADOW) return 1.0;
-    if (received) return shadowMapLightOn(position, normal, shadowSlack(normal));
+// The share of the sun's light that reaches the surface, as far as the output shows shadows. The sun reaches
+// only triangles that are turned to it, whatever their interpolated normals; shading needs both turned to it.
+mediump float directLight(vec3 position, SurfaceNormals normals) {
+    if (!VCT_SHOWS_SOFT_SHADOW && !VCT_SHOWS_HARD_SHADOW) return 1.0;
+    float cosTheta = dot(normals.geometric, frame.directionToLight.xyz);
+    if (min(cosTheta, dot(normals.face, frame.directionToLight.xyz)) <= 0.0) return 0.0;
+    if (VCT_SHOWS_SOFT_SHADOW) return softSun(position, normals);
+    if (VCT_PLANE_SHADOW) return shadowMapLightOn(position, normals.face, slackShareOf(normals.isCurved));
     return shadowMapLight(position, cosTheta);
 }
 
@@ -104,21 +107,21 @@ mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec
 #ifdef VCT_PUNCTUAL_LIGHTS
 #include "shared/punctual_lights.glsl"
 // The light of the punctual lights that the surface reflects towards the eye, relative to the sun's E/pi.
-mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geometricNormal) {
-    float slackShare = shadowSlack(geometricNormal);  // before any branch, as it uses derivatives
+mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, SurfaceNormals normals) {
+    float slackShare = slackShareOf(normals.isCurved);
     vec3 sum = vec3(0.0);
     const bool shadows = VCT_SHOWS_HARD_SHADOW || VCT_SHOWS_SOFT_SHADOW;
     for (int i = 0; i < punctual.count.x; ++i) {
         LightAt light = lightAt(i, position);
-        vec3 left = evaluateBrdf(brdf, normal, light.towards) * light.irradiance;
+        vec3 left = evaluateBrdf(brdf, normals.shading, light.towards) * light.irradiance;
         if (left == vec3(0.0)) continue;
-        sum += shadows ? left * punctualVisibility(i, position, geometricNormal, light.towards, slackShare)
-                       : left;
+        sum +=
+            shadows ? left * punctualVisibility(i, position, normals.face, light.towards, slackShare) : left;
     }
     return min(sum, 6e4);
 }
 #else
-mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, vec3 normal, vec3 geometricNormal) {
+mediump vec3 shadePunctualLights(Brdf brdf, vec3 position, SurfaceNormals normals) {
     return vec3(0.0);
 }
 #endif
@@ -174,16 +177,13 @@ void main() {
         return;
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
-    vec3 normal = surfaceNormal(pixel);
-    vec3 geometricNormal = geometryNormal(pixel, normal);
-    float cosTheta = max(dot(normal, frame.directionToLight.xyz), 0.0);
+    mediump vec4 albedo = texelFetch(albedoTarget, pixel, 0);
+    SurfaceNormals normals = surfaceNormals(pixel, albedo.a);
+    float cosTheta = max(dot(normals.shading, frame.directionToLight.xyz), 0.0);
     // The gather comes first because it needs the most registers, of which Mali GPUs have few.
-    Gather gather = indirectDiffuse(position, geometricNormal);
-    mediump float light =
-        directLight(position, geometricNormal, max(dot(geometricNormal, frame.directionToLight.xyz), 0.0));
-    mediump vec3 root = texelFetch(albedoTarget, pixel, 0).rgb;
-    Brdf brdf = brdfAt(pixel, position, root * root);
-    mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normal, cosTheta, light, gather);
-    outRadiance =
-        vec4(radiance + shadePunctualLights(brdf, position, normal, geometricNormal) + emitted(pixel), 1.0);
+    Gather gather = indirectDiffuse(position, normals.geometric);
+    mediump float light = directLight(position, normals);
+    Brdf brdf = brdfAt(pixel, position, albedo.rgb * albedo.rgb);
+    mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normals.shading, cosTheta, light, gather);
+    outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normals) + emitted(pixel), 1.0);
 }

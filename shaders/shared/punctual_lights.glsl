@@ -56,6 +56,7 @@ float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, 
 // shadow. As shadowMapLightOn() in shared/shadow.glsl, but for a projective map. `slackShare`: flatSlack to
 // curvedSlack.
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
+    if (dot(normal, towards) <= 0.0) return 0.0;
     ivec4 maps = punctual.light[i].maps;
     int layer = maps.x + (maps.y > 1 ? cubeFace(-towards) : 0);
     LightMap map = punctual.map[layer];

@@ -29,6 +29,10 @@ layout(binding = VCT_TEX_SHADOW_DEPTH) uniform highp sampler2D shadowDepth;  // 
 // touch them.
 const float flatSlack = 0.25;
 const float curvedSlack = 1.0;
+float slackShareOf(bool isCurved) {
+    return isCurved ? curvedSlack : flatSlack;
+}
+
 const float depthRounding = 3e-5;  // depth error: half a step of 16 bits, and a position from the G-buffer
 
 // The slope of the receiver's plane: depth per texel.

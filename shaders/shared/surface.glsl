@@ -1,6 +1,6 @@
 // The surface under a pixel, from the G-buffer.
 #include "shared/frame.glsl"
-#include "shared/octahedral.glsl"
+#include "shared/normals.glsl"
 
 layout(binding = VCT_TEX_G_NORMAL) uniform usampler2D normalTarget;
 layout(binding = VCT_TEX_G_DEPTH) uniform sampler2D depthTarget;
@@ -15,19 +15,27 @@ vec3 surfacePosition(vec2 window, float depth) {
     return p.xyz / p.w;
 }
 
-// The normal for shading, with the normal map.
-vec3 surfaceNormal(ivec2 pixel) {
+struct SurfaceNormals {
+    vec3 shading;    // with the normal map
+    vec3 geometric;  // interpolated, for look-ups in voxels, which have no normal maps
+    vec3 face;       // of the triangle's plane, for look-ups in shadow maps
+    bool isCurved;   // the triangle's plane differs from the interpolated normal
+};
+
+// The interpolated normal.
+vec3 geometricNormal(ivec2 pixel) {
     return decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
 }
 
-// The geometric normal, for look-ups in shadow maps and voxels, which have no normal maps. `mapped`:
-// surfaceNormal().
+// `albedoAlpha`: alpha of the albedo.
+SurfaceNormals surfaceNormals(ivec2 pixel, float albedoAlpha) {
+    uvec4 code = texelFetch(normalTarget, pixel, 0);
+    vec3 geometric = decodeNormal(code.rg);
+    FaceNormal face = decodeFaceNormal(code.rg, albedoAlpha);
 #ifdef VCT_MAPPED_NORMALS
-vec3 geometryNormal(ivec2 pixel, vec3 mapped) {
-    return decodeNormal(texelFetch(normalTarget, pixel, 0).ba);
-}
+    vec3 shading = decodeOctahedral(code.ba, 65534.0);
 #else
-vec3 geometryNormal(ivec2 pixel, vec3 mapped) {
-    return mapped;
-}
+    vec3 shading = geometric;
 #endif
+    return SurfaceNormals(shading, geometric, face.normal, !face.isInterpolated);
+}

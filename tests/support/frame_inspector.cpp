@@ -41,10 +41,10 @@ std::vector<Number> readRgba(const gl::Texture& texture, GLenum format, GLenum t
     return numbers;
 }
 
-// Cigolle et al. 2014: the octahedron unfolded into a square with two coordinates of 0..65534.
-glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY) {
-    const double x = codeX / 32767.0 - 1.0;
-    const double y = codeY / 32767.0 - 1.0;
+// Cigolle et al. 2014: the octahedron unfolded into a square with two coordinates of 0..steps.
+glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY, double steps) {
+    const double x = codeX / steps * 2.0 - 1.0;
+    const double y = codeY / steps * 2.0 - 1.0;
     const double z = 1.0 - std::abs(x) - std::abs(y);
     if (z >= 0.0) return glm::normalize(glm::dvec3(x, y, z));
     return glm::normalize(
@@ -70,7 +70,10 @@ std::vector<SurfacePixel> readSurface(Renderer& renderer, const shared::FrameUni
             pixel.surface = true;
             pixel.positionVolume = glm::dvec3(p) / p.w;
             pixel.positionWorld = glm::dvec3(worldFromVolume * glm::dvec4(pixel.positionVolume, 1.0));
-            pixel.normal = normalFromCode(normals[fromBottom], normals[fromBottom + 1]);
+            // shaders/shared/normals.glsl has the codes.
+            const std::uint32_t* const code = &normals[fromBottom];
+            pixel.normal = targets.mappedNormals ? normalFromCode(code[2], code[3], 65534.0)
+                                                 : normalFromCode(code[0] & 4095U, code[1] & 4095U, 4094.0);
             const glm::dvec3 root =
                 glm::dvec3(roots[fromBottom], roots[fromBottom + 1], roots[fromBottom + 2]) / 255.0;
             pixel.albedo = root * root;

@@ -25,13 +25,12 @@ class GBuffer {
     GBuffer(const gl::ShaderLibrary& shaders, const GpuScene& scene, glm::ivec2 size, ExtraTargets targets);
 
     struct Targets {
-        const gl::Texture* albedo;    // RGBA8: square root of linear albedo
-        const gl::Texture* normal;    // RG16UI: octahedral, world space, towards the viewer
+        const gl::Texture* albedo;    // RGBA8: square root of linear albedo; alpha: bits of encodeNormals()
+        const gl::Texture* normal;    // RG16UI: encodeNormals(), world space, towards the viewer
         const gl::Texture* emissive;  // RGBA16F, relative to E/pi; null without ExtraTargets::emissive
         const gl::Texture* gloss;     // RG8: metallic, roughness; null without ExtraTargets::gloss
         const gl::Texture* depth;     // 1 if there is no surface
-        // True: `normal` is RGBA16UI with the normal map's normal in red and green, and the geometric normal
-        // in blue and alpha.
+        // True: `normal` is RGBA16UI with the normal map's normal, by encodeOctahedral(), in blue and alpha.
         bool mappedNormals;
     };
     Targets draw(const GpuScene& scene);

@@ -9,11 +9,13 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
                                     const Settings& settings) {
     const OutputReads& read = reads(output);
     const std::string number = std::to_string(static_cast<int>(output));
-    std::vector<std::string> defines{"VCT_MODE " + number,
-                                     booleanDefine("VCT_SHOWS_HARD_SHADOW", read.hardShadow),
-                                     booleanDefine("VCT_SHOWS_SOFT_SHADOW", read.softShadow),
-                                     booleanDefine("VCT_SHOWS_AMBIENT_VISIBILITY", read.ambientVisibility),
-                                     booleanDefine("VCT_SHOWS_INDIRECT_LIGHT", read.indirectLight)};
+    std::vector<std::string> defines{
+        "VCT_MODE " + number,
+        booleanDefine("VCT_SHOWS_HARD_SHADOW", read.hardShadow),
+        booleanDefine("VCT_SHOWS_SOFT_SHADOW", read.softShadow),
+        booleanDefine("VCT_PLANE_SHADOW", settings.voxels == Voxels::directional),
+        booleanDefine("VCT_SHOWS_AMBIENT_VISIBILITY", read.ambientVisibility),
+        booleanDefine("VCT_SHOWS_INDIRECT_LIGHT", read.indirectLight)};
     const auto append = [&](const std::vector<std::string>& more) {
         defines.insert(defines.end(), more.begin(), more.end());
     };
