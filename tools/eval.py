@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 
 import program
+from evaluation import progress
 from files import Failed
 
 VERBS = {
@@ -43,6 +44,7 @@ def main(words: list[str]) -> int:
     verb.add_arguments(parser)
     options = parser.parse_args(words[1:])
     program.vct = options.program.resolve()
+    progress.start()
     try:
         return verb.run(options)
     except (Failed, OSError) as error:

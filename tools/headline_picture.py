@@ -10,7 +10,6 @@ The path tracer takes about five minutes on two cores; `--spp 32` gives a noisy 
 from __future__ import annotations
 
 import argparse
-import io
 import json
 import subprocess
 import sys
@@ -21,6 +20,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 import metrics
+from evaluation.pictures import png, shown
 from files import ROOT, write_whole
 from truth.exr import read_exr
 
@@ -32,20 +32,6 @@ EXPOSURE = 1.4
 SIZE = (796, 498)  # of each of the two pictures, pixels
 GAP = 8
 SAMPLES = 16  # per pixel of `vct render`
-
-
-def neutral(linear: np.ndarray) -> np.ndarray:
-    """The tone mapping of shaders/shared/tone_map.h, from linear radiance to linear 0 to 1."""
-    reflected, desaturation = 0.04, 0.15
-    compressed_from = 0.8 - reflected
-    least = linear.min(axis=2, keepdims=True)
-    color = linear - np.where(least < 2 * reflected, least - 6.25 * least**2, reflected)
-    peak = np.maximum(color.max(axis=2, keepdims=True), 1e-9)
-    room = 1 - compressed_from
-    compressed = 1 - room**2 / (np.maximum(peak, compressed_from) + room - compressed_from)
-    colored = 1 / (desaturation * (peak - compressed) + 1)
-    bright = compressed + (color * (compressed / peak) - compressed) * colored
-    return np.where(peak <= compressed_from, color, bright)
 
 
 def run(vct: Path, command: str, *options: object) -> str:
@@ -82,8 +68,7 @@ def path_traced(vct: Path, spp: int) -> np.ndarray:
 
 
 def labelled(linear: np.ndarray, label: str) -> Image.Image:
-    shown = metrics.srgb_from_linear(neutral(np.maximum(linear, 0) * EXPOSURE))
-    image = Image.fromarray((shown * 255 + 0.5).astype(np.uint8))
+    image = shown(linear, EXPOSURE)
     draw, font = ImageDraw.Draw(image), ImageFont.load_default(20)
     left, top, right, bottom = draw.textbbox((14, 12), label, font=font)
     draw.rectangle((left - 6, top - 5, right + 6, bottom + 5), fill=(24, 24, 28))
@@ -102,11 +87,10 @@ def main() -> int:
     canvas = Image.new("RGB", (2 * SIZE[0] + GAP, SIZE[1]), "white")
     canvas.paste(labelled(mobile, "mobile, in real time"), (0, 0))
     canvas.paste(labelled(truth, f"path tracing, {options.spp} samples per pixel"), (SIZE[0] + GAP, 0))
-    data = io.BytesIO()
-    canvas.save(data, "PNG", optimize=True)
-    write_whole(options.out, data.getvalue())
-    errors = metrics.compare(mobile, truth, flip=True)
-    print(f"{options.out}: {len(data.getvalue()) / 1e6:.2f} MB; relMSE {errors['relmse']:.4f}, FLIP {errors['flip']:.3f}")
+    data = png(canvas)
+    write_whole(options.out, data)
+    errors = metrics.compare(mobile, truth)
+    print(f"{options.out}: {len(data) / 1e6:.2f} MB; relMSE {errors['relmse']:.4f}, FLIP {errors['flip']:.3f}")
     return 0
 
 

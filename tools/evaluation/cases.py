@@ -186,7 +186,7 @@ def run(asked: argparse.Namespace) -> int:
     if unknown := set(asked.cases) - {case.name for case in CASES}:
         raise Failed(f"there is no case '{min(unknown)}': --list prints the names")
     tasks = [Task("cases", f"{asked.preset}-{case.name}", {"source": file_sha256(Path(__file__))},
-                  lambda folder, case=case: measured(case, asked.preset, folder), keeps_pictures=False)
+                  lambda folder, case=case: measured(case, asked.preset, folder), asked.preset, keeps_pictures=False)
              for case in CASES if not asked.cases or case.name in asked.cases]
     store = Store(asked.out)
     results = store.run(tasks)

@@ -50,7 +50,7 @@ from truth.exr import read_exr, write_exr
 from truth.scene import load_scene, sky_file
 
 from . import options
-from .store import Countdown, say
+from .progress import Countdown, begin, say
 
 # Samples per pixel, even numbers, so that the noise is well below the errors to be judged (relMSE of 0.0005 and more).
 SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glossy": 1024, "ao": 512,
@@ -95,6 +95,7 @@ def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | No
         if kind in wanted:
             count = samples or SAMPLES[kind] * sample_factor(scene, kind)
             say(f"{scene.path.name}: {kind}, {count} samples per pixel")
+            begin(f"{scene.path.name}: {kind}")
             drawn[kind] = draw(world, scene, kind, size, count, SEED, Countdown(count).advance), count
     if "one-bounce" in kinds:
         (a, count_a), (b, count_b) = drawn["direct"], drawn["indirect"]

@@ -18,7 +18,8 @@ from tables import fraction, markdown, milliseconds, percent
 
 from . import mali, options, pictures
 from .measures import MEASURES, task
-from .store import Result, Store, say
+from .progress import say
+from .store import Result, Store
 
 MEANINGS = """\
 camera moving        time of a frame while only the camera moves: light and voxels are kept

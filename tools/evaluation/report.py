@@ -13,7 +13,8 @@ from pathlib import Path
 from files import Failed, write_whole
 
 from . import cases, motion, options, pictures, render
-from .store import Store, say
+from .progress import begin, say
+from .store import Store
 
 KINDS = {"render": "Pictures", "sweep": "Time against error", **motion.TITLES, "cases": "Cases"}
 
@@ -41,7 +42,8 @@ def picture(store: Store, name: str, data: bytes) -> str:
 
 def section(store: Store, kind: str) -> str:
     results = store.results_of(kind)
-    failed = "".join(f"<li>{escape(entry['name'])}: {escape(entry['failed'])}</li>"
+    failed = "".join(f"<li>{escape(entry['name'])}: {escape(entry['failed'])}"
+                     f"{'; its earlier result is kept' if 'result' in entry else ''}</li>"
                      for entry in store.entries_of(kind) if "failed" in entry)
     body = f'<ul class="fail">{failed}</ul>' if failed else ""
     if results and kind in ("render", "sweep"):
@@ -58,6 +60,7 @@ def section(store: Store, kind: str) -> str:
 
 
 def write(store: Store, title: str) -> None:
+    begin("drawing the page")
     sections = {name: section(store, kind) for kind, name in KINDS.items()}
     write_whole(store.folder / "index.html", "".join([
         '<!doctype html><html lang="en"><head><meta charset="utf-8">',
