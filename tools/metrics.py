@@ -11,7 +11,7 @@ from types import EllipsisType
 import flip_evaluator
 import numpy as np
 
-from truth.exr import PictureError
+from files import Failed
 
 EPSILON = 0.01  # of relMSE
 PIXELS_PER_DEGREE = 67
@@ -68,13 +68,13 @@ def noise_of_halves(a: np.ndarray, b: np.ndarray) -> float:
 
 def check(image: np.ndarray, reference: np.ndarray) -> None:
     if image.shape != reference.shape:
-        raise PictureError("the picture is {1}x{0} and the reference {3}x{2} pixels: they must be the same".format(
+        raise Failed("the picture is {1}x{0} and the reference {3}x{2} pixels: they must be the same".format(
             *image.shape[:2], *reference.shape[:2]))
     for name, picture in (("picture", image), ("reference", reference)):
         bad = np.argwhere(~np.isfinite(picture).all(-1))
         if len(bad):
             y, x = bad[0]
-            raise PictureError(f"the {name} is not finite in {len(bad)} pixels, the first at x={x}, y={y}")
+            raise Failed(f"the {name} is not finite in {len(bad)} pixels, the first at x={x}, y={y}")
 
 
 def flip_mean(image: np.ndarray, reference: np.ndarray, pixels: Pixels, exposure: float | None) -> float:

@@ -5,7 +5,8 @@ import OpenEXR
 import pytest
 
 import metrics
-from truth.exr import PictureError, read_exr, write_exr
+from files import Failed
+from truth.exr import read_exr, write_exr
 
 
 def flat(value, size=32):
@@ -91,9 +92,9 @@ def test_unusable_pictures_are_one_clear_error(tmp_path):
     picture = flat(1.0)
     picture[3, 7, 1] = np.nan
     for image, words in ((picture, "x=7, y=3"), (flat(1.0, 8), "8x8")):
-        with pytest.raises(PictureError, match=words):
+        with pytest.raises(Failed, match=words):
             metrics.compare(image, flat(1.0))
     (tmp_path / "broken.exr").write_bytes(b"not a picture")
     for name, words in (("broken.exr", "broken.exr"), ("missing.exr", "no such file")):
-        with pytest.raises(PictureError, match=words):
+        with pytest.raises(Failed, match=words):
             read_exr(tmp_path / name)

@@ -26,7 +26,7 @@ camera moving        time of a frame while only the camera moves: light and voxe
 everything changing  time of a frame that rebuilds shadow map, voxels and light
 relMSE, FLIP         errors of the converged picture, mode gi, against path tracing with all bounces: squared error relative to
                      each pixel's brightness, and how different the two look (0 to 1). 0 is perfect
-bias                 too bright (+) or too dark (-) over the whole picture"""
+bias                 how much too bright (+) or too dark (-) the mean is"""
 
 
 def add_picture_arguments(parser: argparse.ArgumentParser) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 import program
 from files import Failed
 
-from .gltf_file import GltfError, GltfFile
+from .gltf_file import GltfFile
 from .hdr import read_sky
 from .materials import Material, Texture, load_materials, load_textures, transform_uv
 from .packings import instance_transforms
@@ -190,7 +190,7 @@ def find_camera(document: dict, placed: list, path: pathlib.Path,
     try:
         chosen = program.camera(path, size)
     except Failed as failed:
-        raise GltfError(f"{path} has no camera, and vct finds no view of it: {failed}") from failed
+        raise Failed(f"{path} has no camera, and vct finds no view of it: {failed}") from failed
     return chosen["name"], np.array(chosen["right_up_back"]), np.array(chosen["eye_world"]), chosen["vertical_fov_rad"]
 
 
@@ -252,7 +252,7 @@ def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256), seconds: 
     try:
         return build(file, size, seconds)
     except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
-        raise GltfError(f"{path} cannot be read as a scene: {error!r}") from error
+        raise Failed(f"{path} cannot be read as a scene: {error!r}") from error
 
 
 def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene:
