@@ -44,9 +44,9 @@ def main(words: list[str]) -> int:
     verb.add_arguments(parser)
     options = parser.parse_args(words[1:])
     program.vct = options.program.resolve()
-    progress.start()
     try:
-        return verb.run(options)
+        with progress.reported():
+            return verb.run(options)
     except (Failed, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

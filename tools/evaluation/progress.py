@@ -1,7 +1,9 @@
 """Messages on stderr: no work of more than two seconds is silent."""
+import contextlib
 import sys
 import threading
 import time
+from collections.abc import Iterator
 
 LONGEST_PAUSE_S = 30.0
 
@@ -54,12 +56,19 @@ def say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def report_forever() -> None:
-    while True:
-        time.sleep(0.2)
-        if message := current.message():
-            say(message)
+@contextlib.contextmanager
+def reported() -> Iterator[None]:
+    """Prints the messages that are due while the block runs."""
+    ended = threading.Event()
 
-
-def start() -> None:
-    threading.Thread(target=report_forever, daemon=True).start()
+    def report() -> None:
+        while not ended.wait(0.2):
+            if message := current.message():
+                say(message)
+    thread = threading.Thread(target=report, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
