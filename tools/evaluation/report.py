@@ -9,6 +9,7 @@ its error, time against error, light over frames, and the cases.
 import argparse
 from html import escape
 from pathlib import Path
+from urllib.parse import quote
 
 from files import Failed, write_whole
 
@@ -37,7 +38,7 @@ def html_of(markdown: str) -> str:
 
 def picture(store: Store, name: str, data: bytes) -> str:
     write_whole(store.folder / "page" / f"{name}.png", data)
-    return f'<img src="page/{escape(name)}.png" alt="{escape(name)}">'
+    return f'<img src="page/{quote(name)}.png" alt="{escape(name)}">'
 
 
 def section(store: Store, kind: str) -> str:
