@@ -3,6 +3,11 @@
 # what is missing. scripts/judge.sh --help lists the options.
 set -euo pipefail
 folder="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+for word in "$@"; do
+    case "$word" in
+        -h | --help) exec python3 "$folder/tools/eval.py" judge --help ;;
+    esac
+done
 "$folder/scripts/setup.sh"
 "$folder/scripts/python.sh"
 "$folder/scripts/build.sh" desktop vct

@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 
 import program
+from evaluation import progress
 from files import Failed
 
 VERBS = {
@@ -44,7 +45,8 @@ def main(words: list[str]) -> int:
     options = parser.parse_args(words[1:])
     program.vct = options.program.resolve()
     try:
-        return verb.run(options)
+        with progress.reported():
+            return verb.run(options)
     except (Failed, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -10,10 +10,6 @@ The path tracer takes about five minutes on two cores; `--spp 32` gives a noisy 
 from __future__ import annotations
 
 import argparse
-import io
-import json
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
@@ -21,8 +17,14 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 import metrics
-from files import ROOT, write_whole
+import program
+from evaluation import options
+from evaluation.pictures import png, shown
+from files import ROOT, Failed, write_whole
+from truth.asked import lit_by, seen_by
+from truth.drawing import draw, make_world
 from truth.exr import read_exr
+from truth.scene import load_scene
 
 SCENE = ROOT / "assets/courtyard.glb"
 ENVIRONMENT = ROOT / "assets/patio.hdr"
@@ -34,46 +36,18 @@ GAP = 8
 SAMPLES = 16  # per pixel of `vct render`
 
 
-def neutral(linear: np.ndarray) -> np.ndarray:
-    """The tone mapping of shaders/shared/tone_map.h, from linear radiance to linear 0 to 1."""
-    reflected, desaturation = 0.04, 0.15
-    compressed_from = 0.8 - reflected
-    least = linear.min(axis=2, keepdims=True)
-    color = linear - np.where(least < 2 * reflected, least - 6.25 * least**2, reflected)
-    peak = np.maximum(color.max(axis=2, keepdims=True), 1e-9)
-    room = 1 - compressed_from
-    compressed = 1 - room**2 / (np.maximum(peak, compressed_from) + room - compressed_from)
-    colored = 1 / (desaturation * (peak - compressed) + 1)
-    bright = compressed + (color * (compressed / peak) - compressed) * colored
-    return np.where(peak <= compressed_from, color, bright)
-
-
-def run(vct: Path, command: str, *options: object) -> str:
-    """Runs `vct COMMAND` on the scene from the picture's camera, and returns what it prints."""
-    words = [vct, command, SCENE, "--size", f"{SIZE[0]}x{SIZE[1]}", "--camera", CAMERA, *options]
-    try:
-        return subprocess.run([str(word) for word in words], check=True, stdout=subprocess.PIPE, text=True).stdout
-    except OSError as error:
-        raise SystemExit(f"error: {vct} does not start ({error.strerror}): scripts/build.sh desktop vct builds it") from None
-    except subprocess.CalledProcessError:
-        raise SystemExit(f"error: vct {command} failed; its message is above") from None
-
-
-def rendered(vct: Path) -> np.ndarray:
+def rendered() -> np.ndarray:
     """Returns the picture of `mobile`, mode gi-cone-shadow, linear RGB."""
     with tempfile.TemporaryDirectory() as folder:
-        run(vct, "render", "--preset", "mobile", "--mode", "gi-cone-shadow", "--light", LIGHT, "--environment", ENVIRONMENT,
-            "--samples", SAMPLES, "--exposure", "1", "--out", folder)
+        program.render(SCENE, Path(folder), "--preset", "mobile", "--mode", "gi-cone-shadow", "--size", "{}x{}".format(*SIZE),
+                       "--camera", CAMERA, "--light", LIGHT, "--environment", ENVIRONMENT, "--samples", SAMPLES, "--exposure", "1")
         return read_exr(Path(folder) / "gi-cone-shadow.exr")
 
 
-def path_traced(vct: Path, spp: int) -> np.ndarray:
+def path_traced(spp: int) -> np.ndarray:
     """Returns the same view by path tracing, linear RGB: all bounces, with the sun's disc in place of a point for direct light."""
-    from truth.asked import lit_by, seen_by
-    from truth.drawing import draw, make_world
-    from truth.scene import load_scene
-    view = json.loads(run(vct, "info", "--print-camera"))
-    scene = lit_by(seen_by(load_scene(SCENE, SIZE), view), LIGHT, None, ENVIRONMENT, 1.0)
+    scene = seen_by(load_scene(SCENE, SIZE), program.camera(SCENE, SIZE, "--camera", CAMERA))
+    scene = lit_by(scene, LIGHT, None, ENVIRONMENT, 1.0)
     world = make_world(scene)
     direct_spp = min(spp, 128)  # there is little noise in direct light
     full, direct, sun = (draw(world, scene, kind, SIZE, count, 0).image
@@ -82,8 +56,7 @@ def path_traced(vct: Path, spp: int) -> np.ndarray:
 
 
 def labelled(linear: np.ndarray, label: str) -> Image.Image:
-    shown = metrics.srgb_from_linear(neutral(np.maximum(linear, 0) * EXPOSURE))
-    image = Image.fromarray((shown * 255 + 0.5).astype(np.uint8))
+    image = shown(linear, EXPOSURE)
     draw, font = ImageDraw.Draw(image), ImageFont.load_default(20)
     left, top, right, bottom = draw.textbbox((14, 12), label, font=font)
     draw.rectangle((left - 6, top - 5, right + 6, bottom + 5), fill=(24, 24, 28))
@@ -91,24 +64,22 @@ def labelled(linear: np.ndarray, label: str) -> Image.Image:
     return image
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=ROOT / "docs/images/headline.png", help="PNG (default: docs/images/headline.png)")
-    parser.add_argument("--spp", type=int, default=512, help="samples per pixel of the path tracer, even (default: %(default)s)")
-    parser.add_argument("--program", type=Path, default=ROOT / "build/desktop/vct", help="the renderer (default: build/desktop/vct)")
-    options = parser.parse_args()
-    mobile = rendered(options.program)
-    truth = path_traced(options.program, options.spp)
+    parser.add_argument("--spp", type=options.samples, default=512, help="samples per pixel of the path tracer (default: %(default)s)")
+    asked = parser.parse_args()
+    try:
+        mobile, truth = rendered(), path_traced(asked.spp)
+    except Failed as error:
+        raise SystemExit(f"error: {error}") from None
     canvas = Image.new("RGB", (2 * SIZE[0] + GAP, SIZE[1]), "white")
     canvas.paste(labelled(mobile, "mobile, in real time"), (0, 0))
-    canvas.paste(labelled(truth, f"path tracing, {options.spp} samples per pixel"), (SIZE[0] + GAP, 0))
-    data = io.BytesIO()
-    canvas.save(data, "PNG", optimize=True)
-    write_whole(options.out, data.getvalue())
-    errors = metrics.compare(mobile, truth, flip=True)
-    print(f"{options.out}: {len(data.getvalue()) / 1e6:.2f} MB; relMSE {errors['relmse']:.4f}, FLIP {errors['flip']:.3f}")
-    return 0
+    canvas.paste(labelled(truth, f"path tracing, {asked.spp} samples per pixel"), (SIZE[0] + GAP, 0))
+    write_whole(asked.out, png(canvas))
+    errors = metrics.compare(mobile, truth, exposure=EXPOSURE)
+    print(f"{asked.out}: relMSE {errors['relmse']:.4f}, FLIP {errors['flip']:.3f}")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,11 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from files import Failed, read_json
+from program import TIMINGS_VERSION
 from tables import STEPS, markdown
 
-# docs/timings.md tells when each changes.
-BENCH_VERSION = 1
-TIMINGS_VERSION = 4
+BENCH_VERSION = 1  # docs/timings.md tells when it changes
 File = tuple[str, dict[str, Any]]  # the machine's name, and its measurements
 
 

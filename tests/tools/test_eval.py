@@ -3,15 +3,17 @@ import json
 import subprocess
 import sys
 from html.parser import HTMLParser
+from urllib.parse import unquote, urlsplit
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from conftest import ROOT
-from evaluation import plot, render
+from evaluation import plot, render, report
 from evaluation.measures import MEASURES, References, averaged_down
 from evaluation.pictures import error_image
+from evaluation.store import Store
 from files import SCALED, Failed, reference_folder, scene_sha256, static_scenes
 from scenes import balls
 from truth.exr import read_exr
@@ -91,6 +93,11 @@ def test_the_page_shows_everything_and_names_nothing_outside(measured):
     assert "broken: no <light> & no sun" in page.text
     one = results(measured)["sweep-cornell-thesis-64"]
     assert "thesis, 64³" in page.text and f"{one['camera']['errors']['gi']['relmse']:.4f}".lstrip("0") in page.text
+
+
+def test_a_scene_of_any_name_has_its_picture_on_the_page(tmp_path):
+    address = Page(report.picture(Store(tmp_path), '50% "off" #2', b"drawn")).addresses[0]
+    assert (tmp_path / unquote(urlsplit(address).path)).read_bytes() == b"drawn"
 
 
 def test_the_headline_has_a_row_for_each_preset(measured, capsys):

@@ -5,7 +5,8 @@ import OpenEXR
 import pytest
 
 import metrics
-from truth.exr import PictureError, read_exr, write_exr
+from files import Failed
+from truth.exr import read_exr, write_exr
 
 
 def flat(value, size=32):
@@ -42,6 +43,34 @@ def test_flip_is_that_of_srgb_pictures_at_67_pixels_per_degree():
     assert metrics.compare(flat(1.0), flat(0.0))["flip"] > 0.9
 
 
+def test_errors_are_means_over_the_pixels_that_count():
+    random = np.random.default_rng(4)
+    reference, image = random.random((32, 32, 3)), random.random((32, 32, 3))
+    pixels = np.zeros((32, 32), bool)
+    pixels[:16] = True
+    found = metrics.compare(image, reference, pixels=pixels)
+    upper = metrics.compare(image[:16], reference[:16], flip=False)
+    assert {name: found[name] for name in upper} == pytest.approx(upper)
+    image[16:] = reference[16:]
+    assert found["flip"] > 1.5 * metrics.compare(image, reference)["flip"], "half of the pixels are equal"
+
+
+def test_flip_is_that_of_the_pictures_at_their_exposure():
+    random = np.random.default_rng(5)
+    reference, image = random.random((48, 48, 3)) / 50, random.random((48, 48, 3)) / 50
+    pair = [metrics.srgb_from_linear(metrics.neutral(40 * picture)).astype(np.float32) for picture in (reference, image)]
+    expected = flip_evaluator.evaluate(*pair, "LDR", parameters={"ppd": 67})[1]
+    assert metrics.compare(image, reference, exposure=40.0)["flip"] == pytest.approx(expected, rel=1e-4)
+    assert metrics.compare(image, reference)["flip"] < 0.6 * expected
+
+
+def test_the_automatic_exposure_leaves_black_pixels_out_and_keeps_two_digits():
+    assert metrics.automatic_exposure(flat(0.5)) == 0.36 and metrics.automatic_exposure(flat(2049.0)) == 8.8e-5
+    half = flat(0.5)
+    half[:16] = 1e-6
+    assert metrics.automatic_exposure(half) == 0.36 and metrics.automatic_exposure(flat(0.0)) == 1
+
+
 def test_noise_of_halves_is_the_relmse_of_their_mean():
     random = np.random.default_rng(3)
     a, b = (flat(0.5, 200) + random.normal(0, 0.05, (200, 200, 3)) for _ in range(2))
@@ -63,9 +92,9 @@ def test_unusable_pictures_are_one_clear_error(tmp_path):
     picture = flat(1.0)
     picture[3, 7, 1] = np.nan
     for image, words in ((picture, "x=7, y=3"), (flat(1.0, 8), "8x8")):
-        with pytest.raises(PictureError, match=words):
+        with pytest.raises(Failed, match=words):
             metrics.compare(image, flat(1.0))
     (tmp_path / "broken.exr").write_bytes(b"not a picture")
     for name, words in (("broken.exr", "broken.exr"), ("missing.exr", "no such file")):
-        with pytest.raises(PictureError, match=words):
+        with pytest.raises(Failed, match=words):
             read_exr(tmp_path / name)

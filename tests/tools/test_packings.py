@@ -10,8 +10,8 @@ import numpy as np
 import PIL.Image
 import pytest
 
+from files import Failed
 from scenes.glb import Glb
-from truth.gltf_file import GltfError
 from truth.packings import meshoptimizer
 from truth.scene import load_scene
 
@@ -135,7 +135,7 @@ def test_normals_are_the_same(tmp_path: pathlib.Path):
 def test_a_damaged_stream_is_named(tmp_path: pathlib.Path):
     glb = meshopt()
     glb.binary[40:80] = bytes(40)
-    with pytest.raises(GltfError, match="damaged"):
+    with pytest.raises(Failed, match="damaged"):
         load_scene(write(glb, tmp_path / "damaged.glb"))
 
 

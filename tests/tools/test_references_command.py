@@ -37,9 +37,6 @@ def test_two_runs_give_the_same_bytes_and_a_changed_one_is_found(tmp_path):
     changed = run(*options, "--check", "--kinds", "direct,full")
     assert changed.returncode == 1 and "differs: full.exr (" in changed.stdout
 
-    total = read_exr(folder / "direct.exr") + read_exr(folder / "indirect.exr")
-    np.testing.assert_allclose(read_exr(folder / "one-bounce.exr"), total, rtol=2e-3, atol=1e-6)  # three roundings
-
 
 @pytest.mark.parametrize("arguments, words", [
     (["missing.glb"], "no scene 'missing.glb'"),
@@ -85,8 +82,7 @@ def test_a_stored_reference_is_of_the_scene_as_it_is_now(path):
     if gloss:  # all kinds except `full` and `glossy` have Lambert surfaces
         assert pictures["full"].mean() >= pictures["glossy"].mean()
     else:
-        assert pictures["full"].mean() >= pictures["one-bounce"].mean() * 0.999
-    assert pictures["one-bounce"].mean() >= pictures["direct"].mean()
+        assert pictures["full"].mean() >= (pictures["direct"] + pictures["indirect"]).mean() * 0.999
 
 
 def orthographic(glb):

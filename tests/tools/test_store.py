@@ -1,10 +1,12 @@
 """The result store: what is measured again, and that nothing finished is lost."""
+import contextlib
 import json
 
 import pytest
 
 import program
-from evaluation.store import Countdown, Store, Task
+from evaluation import progress
+from evaluation.store import Store, Task
 from files import Failed
 
 
@@ -66,14 +68,30 @@ def test_a_failure_is_kept_with_its_cause_and_tried_again(vct, tmp_path):
     assert runs.made == ["bad", "good", "bad"]
 
 
-def test_stopping_keeps_what_is_finished_and_nothing_half_done(vct, tmp_path):
+@pytest.mark.parametrize("error", [Failed("no light"), KeyboardInterrupt(), OSError("no space")])
+def test_a_result_and_its_pictures_are_kept_until_another_is_complete(vct, tmp_path, error):
     runs, folder = Runs(), tmp_path / "out"
     Store(folder).run([runs.task("b")])
-    with pytest.raises(KeyboardInterrupt):
-        Store(folder).run([runs.task("a"), runs.task("b", 2, error=KeyboardInterrupt())])
-    assert set(stored(folder)) == {"render-a"}
+    picture = folder / "pictures/render-b/picture"
+    picture.write_text("good")
+    with contextlib.suppress(KeyboardInterrupt, OSError):
+        Store(folder).run([runs.task("a"), runs.task("b", 2, error=error)])
+    assert stored(folder)["render-b"]["result"] == {"value": 1} and picture.read_text() == "good"
+    assert {path.name for path in (folder / "pictures").iterdir()} == {"render-a", "render-b"}
+    assert Store(folder).run([runs.task("a"), runs.task("b")]) == [{"value": 1}] * 2
+    assert runs.made == ["b", "a", "b"], "nothing was lost"
+    store = Store(folder)
+    assert store.run([runs.task("b", 3)]) == [{"value": 3}] and picture.read_text() == "drawn"
+    assert store.failures([runs.task("b")]) == []
+
+
+def test_a_build_whose_tasks_fail_removes_no_result(vct, tmp_path):
+    runs, folder = Runs(), tmp_path / "out"
     Store(folder).run([runs.task("a"), runs.task("b")])
-    assert runs.made == ["b", "a", "b", "b"], "the pictures of the first b were replaced"
+    vct.write_bytes(b"second build")
+    tasks, store = [runs.task("a", error=Failed("no light")), runs.task("b")], Store(folder)
+    assert store.run(tasks[:1]) == [] and set(stored(folder)) == {"render-a", "render-b"}
+    assert store.run(tasks) == [{"value": 1}] and store.failures(tasks) == ["a"]
 
 
 def test_a_build_that_changes_during_a_run_ends_it(vct, tmp_path):
@@ -92,11 +110,39 @@ def test_a_file_that_is_no_store_is_one_clear_error(tmp_path, content, words):
         Store(tmp_path)
 
 
-def test_the_countdown_tells_how_much_is_left(capsys, monkeypatch):
+@pytest.fixture
+def clock(monkeypatch):
+    """The time in seconds, which a test sets."""
     now = [100.0]
-    monkeypatch.setattr("evaluation.store.time.monotonic", lambda: now[0])
-    countdown = Countdown(400)
-    for count, seconds in ((50, 1), (50, 9), (150, 15), (150, 15)):
-        now[0] += seconds
-        countdown.advance(count)
-    assert capsys.readouterr().err.splitlines() == ["  25 %, about 30 s left", "  62 %, about 15 s left"]
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    return now
+
+
+def test_the_time_left_is_that_of_the_same_preset(vct, tmp_path, capsys, clock):
+    def task(name, preset, seconds):
+        def measure(folder):
+            clock[0] += seconds
+            return {}
+        return Task("render", name, {}, measure, preset)
+    tasks = [task("a", "mobile", 5), task("a2", "quality", 40), task("b", "mobile", 7), task("b2", "quality", 40)]
+    Store(tmp_path / "out").run(tasks)
+    assert [line.partition(", ")[2] for line in capsys.readouterr().err.splitlines()] == ["", "", "about 45 s left", "about 40 s left"]
+
+
+def test_work_tells_how_long_it_has_taken_and_then_how_long_the_rest_takes(clock):
+    def told(seconds, until):
+        found = {}
+        while clock[0] < 100 + until:
+            clock[0] += seconds
+            if message := progress.current.message():
+                found[clock[0] - 100] = message
+        return found
+    progress.begin("tracing")
+    assert told(0.5, 10) == {2: "  tracing: 2 s so far", 4: "  tracing: 4 s so far", 8: "  tracing: 8 s so far"}
+    countdown = progress.Countdown(400)
+    clock[0] += 5
+    countdown.advance(50)
+    assert progress.current.message() is None and told(0.5, 16) == {16: "  tracing: 12 %, about 34 s left"}
+    clock[0] += 4
+    countdown.advance(150)  # the first part took 5 s for 50, this one 5 s for 150
+    assert told(0.5, 32) == {32: "  tracing: 50 %, about 0 s left"}

@@ -2,7 +2,6 @@
 
     tools/eval.py cases
     tools/eval.py cases thin-wall sliver-wall
-    tools/eval.py cases --list
 
 Every measured value is a distance from the right answer: 0 is right, and a case passes at or below its bar. The walls are known
 failures of the thesis's algorithm (preset thesis). Exit status 1: a case failed that is not a known failure, or its picture has
@@ -174,19 +173,15 @@ def table(results: Sequence[Result]) -> str:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("cases", nargs="*", metavar="NAME", help="these cases only (default: all)")
-    parser.add_argument("--list", action="store_true", help="print the names of the cases and end")
     options.add_store(parser)
     parser.add_argument("--preset", choices=options.PRESETS, default="thesis", help="default: thesis")
 
 
 def run(asked: argparse.Namespace) -> int:
-    if asked.list:
-        print(*(f"{case.name}: {case.what}" for case in CASES), sep="\n")
-        return 0
     if unknown := set(asked.cases) - {case.name for case in CASES}:
-        raise Failed(f"there is no case '{min(unknown)}': --list prints the names")
+        raise Failed(f"there is no case '{min(unknown)}'; choose from {', '.join(case.name for case in CASES)}")
     tasks = [Task("cases", f"{asked.preset}-{case.name}", {"source": file_sha256(Path(__file__))},
-                  lambda folder, case=case: measured(case, asked.preset, folder), keeps_pictures=False)
+                  lambda folder, case=case: measured(case, asked.preset, folder), asked.preset, keeps_pictures=False)
              for case in CASES if not asked.cases or case.name in asked.cases]
     store = Store(asked.out)
     results = store.run(tasks)

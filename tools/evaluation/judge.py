@@ -3,8 +3,10 @@
     scripts/judge.sh my.glb
     scripts/judge.sh my.glb --camera eye=0,1.6,4,target=0,1,0,fov=50 --environment sky.hdr --presets mobile,quality
 
-Camera, light and sky are written as for `vct render`, and the path tracer takes them too. Writes OUT/index.html with its pictures
-beside it, and prints the same table.
+Camera, light and sky are written as for `vct render`, and the path tracer takes them too. Errors are means over the pixels in
+which the camera sees a surface. The page shows the pictures at the exposure that `vct render` would choose for the path-traced
+one, and FLIP compares what the page shows. Writes OUT/index.html with its pictures beside it, and prints the same table. A run
+that fails leaves the page of an earlier one as it is.
 """
 import argparse
 import re
@@ -12,19 +14,16 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-import metrics
 import program
 from files import Failed, file_sha256, path_tracer_sha256, scene_sha256
-from truth.exr import read_exr, write_exr
 
-from . import options, report
-from .measures import measured
-from .render import machine, noise_note, table
-from .store import Countdown, Result, Store, Task
+from . import options
+from .progress import Countdown, begin, say
+from .store import Result, Store, Task
 
-REFERENCE = "pictures/reference-path-traced/full.exr"  # in the store's folder
+# Packages of .venv are imported in functions, so that --help needs none of them.
+REFERENCE = "pictures/reference-path-traced"  # in the store's folder
+COVERAGE_SAMPLES = 64  # per pixel, to find the pixels in which the camera sees a surface
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,24 +42,35 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def trace(asked: argparse.Namespace, view: dict[str, Any], folder: Path) -> Result:
-    """Draws the reference of all bounces, and returns its noise."""
+    """Draws the reference of all bounces and its coverage, and returns its noise."""
+    import numpy as np
+
+    from metrics import noise_of_halves
     from truth.asked import lit_by, seen_by
     from truth.drawing import draw, make_world
+    from truth.exr import write_exr
     from truth.scene import load_scene
     scene = lit_by(seen_by(load_scene(asked.scene, asked.size), view), asked.light, asked.sky, asked.environment,
                    asked.emission)
-    drawn = draw(make_world(scene), scene, "full", asked.size, asked.spp, 0, Countdown(asked.spp).advance)
+    world = make_world(scene)
+    coverage = draw(world, scene, "coverage", asked.size, COVERAGE_SAMPLES, 0).image
+    if not coverage.any():
+        raise Failed("the camera sees no surface: choose another view with --camera")
+    drawn = draw(world, scene, "full", asked.size, asked.spp, 0, Countdown(asked.spp).advance)
     if not np.isfinite(drawn.image).all():
         raise Failed("the path-traced picture has values that are not finite")
+    write_exr(folder / "coverage.exr", coverage)
     write_exr(folder / "full.exr", drawn.image)
-    return {"noise": metrics.noise_of_halves(*drawn.halves)}
+    return {"noise": noise_of_halves(*(half[coverage[..., 0] > 0] for half in drawn.halves))}
 
 
 def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> list[str]:
-    """Draws a small picture to learn what `vct` chooses where the scene and the options are silent. Returns its notes."""
+    """Draws a quick picture, which checks the options, to learn what `vct` chooses where the scene and the options are silent.
+    Returns its notes."""
     with tempfile.TemporaryDirectory() as folder:
-        said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "16x16", "--exposure", "1",
-                              "--grid", "auto", "--camera", view["option"], "--emission", asked.emission, *given)
+        said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "{}x{}".format(*asked.size),
+                              "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
+                              "--emission", asked.emission, *given)
     chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
     if chosen and not given:
         asked.light, asked.sky = chosen.groups()
@@ -70,43 +80,64 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
         f"hint: the scene wants --{line}" for line in lines if line.startswith("grid ")]
 
 
-def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], given: list[str]) -> list[Task]:
+def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], given: list[str]) -> tuple[Task, list[Task]]:
+    """The reference, and each preset's picture, which is compared with it."""
+    import metrics
+    from truth.exr import read_exr
+
+    from .measures import measured
     shared = {"scene": scene_sha256(asked.scene), "size": asked.size, "spp": asked.spp, "camera": view["option"],
               "light": asked.light, "sky": asked.sky, "emission": asked.emission, "path_tracer": path_tracer_sha256(),
-              "environment": asked.environment and file_sha256(asked.environment)}
+              "environment": asked.environment and file_sha256(asked.environment), "kinds": ["coverage", "full"]}
     flags = ["--camera", view["option"], "--emission", str(asked.emission), *given,
              *(["--grid", asked.grid] if asked.grid else [])]
 
     def measure(preset: str, folder: Path) -> Result:
-        reference = store.results_of("reference")
-        if not reference:
-            raise Failed("there is no reference to compare with")
-        result = measured(asked.scene, preset, asked.size, ["gi"], lambda _: read_exr(asked.out / REFERENCE), folder, flags)
-        return result | {"reference": REFERENCE, "noise": {"gi": reference[0]["noise"]}}
+        reference = read_exr(asked.out / REFERENCE / "full.exr")
+        surface = read_exr(asked.out / REFERENCE / "coverage.exr")[..., 0] > 0
+        exposure = metrics.automatic_exposure(reference[surface])
+        result = measured(asked.scene, preset, asked.size, ["gi"], lambda _: reference, folder, flags, surface, exposure)
+        return result | {"reference": f"{REFERENCE}/full.exr", "exposure": exposure, "surface": float(surface.mean()),
+                         "noise": {"gi": store.results_of("reference")[0]["noise"]}}
 
-    tasks = [Task("reference", "path-traced", shared, lambda folder: trace(asked, view, folder), uses_program=False)]
     key = {**shared, "grid": asked.grid, "metrics": file_sha256(Path(metrics.__file__))}
-    return tasks + [Task("render", f"{asked.scene.stem}-{preset}", key, lambda folder, preset=preset: measure(preset, folder))
-                    for preset in asked.presets]
+    return (Task("reference", "path-traced", shared, lambda folder: trace(asked, view, folder), uses_program=False),
+            [Task("render", f"{asked.scene.stem}-{preset}", key, lambda folder, preset=preset: measure(preset, folder), preset)
+             for preset in asked.presets])
 
 
 def run(asked: argparse.Namespace) -> int:
+    from . import report
+    from .render import machine, noise_note, table
     for file in (asked.scene, asked.environment):
         if file and not file.is_file():
             raise Failed(f"there is no file {file}")
+    begin("reading the scene")
     asked.out = asked.out or Path("out/judge") / asked.scene.stem
     view = program.camera(asked.scene, asked.size, *(["--camera", asked.camera] if asked.camera else []))
     given = [word for name in ("light", "sky", "environment") if (value := getattr(asked, name)) is not None
              for word in (f"--{name}", str(value))]
     notes = [*probe(asked, view, given), f"camera: --camera {view['option']}"]
+    try:
+        asked.out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Failed(f"cannot write into the folder {asked.out}: {error.strerror}; choose another folder with --out") from None
     store = Store(asked.out)
-    tasks = tasks_of(asked, store, view, given)
-    store.keep_only(tasks)  # the rest may be of another view or light
-    store.data["notes"] = notes
-    store.run(tasks)
-    report.write(store, f"{asked.scene.name}, judged")
-    if results := store.results_of("render"):
+    reference, renders = tasks_of(asked, store, view, given)
+    if not store.run([reference]):
+        return 1
+    if results := store.run(renders):
+        notes.append("The pictures are shown at --exposure {exposure:g}, and FLIP is taken there. The errors are means over the "
+                     "{share:.0f} % of the pixels that show a surface.".format(**results[0], share=100 * results[0]["surface"]))
         print(machine(results))
         print(table(results) + noise_note(results), end="")
-    print(*notes, f"Open {asked.out / 'index.html'}", sep="\n")
-    return 1 if store.failures(tasks) else 0
+        print(*notes, sep="\n")
+    if failed := store.failures(renders):
+        say(f"no page is written, because {', '.join(failed)} failed: --presets can leave out a preset")
+        return 1
+    store.keep_only([reference, *renders])  # the rest may be of another view or light
+    store.data["notes"] = notes
+    store.save()
+    report.write(store, f"{asked.scene.name}, judged")
+    print(f"Open {asked.out / 'index.html'}")
+    return 0

@@ -26,7 +26,8 @@ from tables import STEPS, markdown
 from . import options
 from .mali_compiler import HOW, PIPES, Stage, compile_shaders, passing_vertex_shader
 from .mali_loops import Loop, match_loops
-from .store import Result, say
+from .progress import say
+from .store import Result
 
 CORES, CLOCK_HZ, ARITHMETIC_PIPES = 12, 850e6, 3
 PASSES = [step for step in STEPS if step != "total"]

@@ -76,8 +76,9 @@ def averaged_down(reference: Picture, size: tuple[int, int]) -> Picture:
 
 
 def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[str], reference: Callable[[Measure], Picture],
-             folder: Path, options: Sequence[str] = ()) -> Result:
-    """Renders into `folder` and compares. The exposure is given, because finding one takes another frame."""
+             folder: Path, options: Sequence[str] = (), pixels: metrics.Pixels = ...,
+             exposure: float | None = None) -> Result:
+    """Renders into `folder` and compares these pixels, with FLIP at this exposure."""
     chosen = {name: MEASURES[name] for name in names}
     modes = list(dict.fromkeys(measure.mode for measure in chosen.values()))
     parts = [] if set(names) <= {"gi", "soft"} else ["--light-parts"]
@@ -85,12 +86,12 @@ def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[st
     for state, flags in STATES.items():
         out = folder if state == "camera" else folder / state
         timings = program.render_timed(scene, out, "--preset", preset, "--mode", ",".join(modes), "--size", f"{size[0]}x{size[1]}",
-                                       "--exposure", "1", "--tone-map", "none", *parts, *options, *flags)
+                                       "--exposure", exposure or 1, *parts, *options, *flags)
         result |= {"grid": timings["settings"]["grid"], "driver": timings["driver"]["renderer"], "cpu": timings["machine"]["cpu"]}
         result[state] = {
             "ms": {mode: timings["modes"][mode]["steps"]["total"]["median"] for mode in modes},
             "errors": {name: metrics.compare(read_exr(out / f"{measure.picture}.exr"), averaged_down(reference(measure), size),
-                                             flip=not measure.is_share) for name, measure in chosen.items()}}
+                                             not measure.is_share, pixels, exposure) for name, measure in chosen.items()}}
     return result
 
 
@@ -106,4 +107,4 @@ def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] |
                          "noise": {name: references.noise(MEASURES[name].references) for name in names}}
     return Task(kind, f"{scene.stem}-{preset}" + (f"-{grid}" if grid else ""),
                 {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
-                 "metrics": file_sha256(Path(metrics.__file__))}, measure)
+                 "metrics": file_sha256(Path(metrics.__file__))}, measure, preset)

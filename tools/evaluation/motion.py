@@ -22,7 +22,8 @@ from tables import STEPS, fraction, markdown
 from truth.exr import read_exr
 
 from . import options
-from .store import Countdown, Result, Store, Task
+from .progress import Countdown
+from .store import Result, Store, Task
 
 TITLES = {"lag": "Light that follows a change", "dynamic": "Time by what changes"}
 # For lag: the scene, and the length of its animation in seconds.
@@ -119,10 +120,10 @@ def tasks_of(part: str, asked: argparse.Namespace) -> list[Task]:
     key = {"frames": asked.frames, "size": asked.size, "scenes": files_sha256(b"", (ROOT / "tools/scenes").glob("*.py"))}
     if part == "dynamic":
         return [Task(part, preset, key | {"repeat": asked.repeat}, lambda folder, preset=preset: dynamic(preset, asked, folder),
-                     keeps_pictures=False) for preset in asked.presets]
+                     preset, keeps_pictures=False) for preset in asked.presets]
     key |= {"every": asked.every, "metrics": file_sha256(Path(metrics.__file__))}
     return [Task(part, f"{name}-{preset}", key, lambda folder, name=name, preset=preset: lag(name, preset, asked, folder),
-                 keeps_pictures=False) for name in asked.scenes for preset in asked.presets]
+                 preset, keeps_pictures=False) for name in asked.scenes for preset in asked.presets]
 
 
 def run(asked: argparse.Namespace) -> int:

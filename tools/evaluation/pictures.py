@@ -16,20 +16,14 @@ from .store import Result, Store
 CELL, GAP, TEXT, HEAD = 512, 16, 84, 40  # of a sheet, in its pixels; small pictures are enlarged to CELL
 
 
-def exposure_for(reference: np.ndarray) -> float:
-    """Brings the brightest hundredth of a reference's pixels just below white."""
-    bright = float(np.percentile(reference.max(axis=2), 99))
-    return 0.9 / bright if bright > 1e-6 else 1.0
-
-
 def png(image: Image.Image) -> bytes:
     out = io.BytesIO()
     image.save(out, "PNG", optimize=True)
     return out.getvalue()
 
 
-def shown(linear: np.ndarray, exposure: float = 1.0) -> Image.Image:
-    return Image.fromarray((metrics.srgb_from_linear(np.nan_to_num(linear * exposure)) * 255 + 0.5).astype(np.uint8))
+def shown(linear: np.ndarray, exposure: float | None) -> Image.Image:
+    return Image.fromarray((metrics.displayed(linear, exposure) * 255 + 0.5).astype(np.uint8))
 
 
 def error_image(picture: np.ndarray, reference: np.ndarray) -> Image.Image:
@@ -53,10 +47,10 @@ def captions(result: Result) -> list[str]:
 
 
 def sheet(store: Store, results: Sequence[Result], errors: bool = False) -> Image.Image:
-    """One scene: each preset's picture and path tracing, by one exposure; with `errors` the errors below."""
+    """One scene: each preset's picture and path tracing as FLIP compares them; with `errors` the errors below."""
     own = store.folder / results[0]["reference"]
     reference = averaged_down(read_exr(own if own.is_file() else ROOT / results[0]["reference"]), results[0]["size"])
-    exposure = exposure_for(reference)
+    exposure = results[0].get("exposure")
     cells = [(f"{one['preset']}, {one['grid']}^3", read_exr(store.pictures(f"render-{one['scene']}-{one['preset']}") / "gi.exr"),
               captions(one)) for one in results]
     cells.append(("path traced", reference, [f"{results[0]['scene']}: all bounces of light", "by Mitsuba 3"]))

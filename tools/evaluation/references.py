@@ -14,7 +14,6 @@ direct      emission of the seen surface + albedo E/pi n.l where nothing lies be
             first directional light (as a point), and all other lights of KHR_lights_punctual
 indirect    albedo x the cosine-weighted mean over the hemisphere of the `direct` of the surfaces seen there: one bounce. It
             includes the emission of other surfaces, and excludes that of the seen surface
-one-bounce  direct + indirect, exactly
 full        all bounces, ended by Russian roulette from the fourth on. A surface of roughness below 1 is glossy where the
             camera sees it, and a Lambert surface for all other light: light that metal reflects from a point sun onto walls
             is noise to a path tracer, and the renderer under test has no such light
@@ -50,7 +49,7 @@ from truth.exr import read_exr, write_exr
 from truth.scene import load_scene, sky_file
 
 from . import options
-from .store import Countdown, say
+from .progress import Countdown, begin, say
 
 # Samples per pixel, even numbers, so that the noise is well below the errors to be judged (relMSE of 0.0005 and more).
 SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glossy": 1024, "ao": 512,
@@ -58,11 +57,11 @@ SAMPLES = {"coverage": 256, "direct": 256, "indirect": 4096, "full": 1024, "glos
 # Factors on these numbers: bright parts of a sky are met by chance alone, and light through an opening is weak.
 SKY_FACTORS = {"full": 4, "glossy": 4}
 OPENING_FACTORS = {"full": 8}
-KINDS = ("coverage", "direct", "indirect", "one-bounce", "full", "ao", "sun", "shadow")
+KINDS = ("coverage", "direct", "indirect", "full", "ao", "sun", "shadow")
 GLOSSY = "glossy"  # only for scenes with glossy materials
 INTEGRATORS = {"coverage": "camera rays", "direct": "shadow ray to each light",
                "indirect": "one cosine-distributed ray and one emitter, power heuristic; shadow ray to each light",
-               "one-bounce": "direct + indirect", "full": "path tracing, power heuristic, Russian roulette",
+               "full": "path tracing, power heuristic, Russian roulette",
                "glossy": "a visible normal of GGX, then path tracing as full",
                "ao": "one cosine-distributed ray", "sun": "one shadow ray into the disc",
                "shadow": "one shadow ray into the disc"}
@@ -77,7 +76,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
                         help=f"with commas (default: {','.join(KINDS)})")
     parser.add_argument("--out", type=Path, default=ROOT / "references",
                         help="folder; a scene's references go into OUT/NAME (default: references)")
-    parser.add_argument("--time", type=float, metavar="SECONDS", help="moment of the scene's first animation (default: at rest)")
     parser.add_argument("--check", action="store_true", help="make them again, compare with the stored ones, write nothing")
 
 
@@ -87,20 +85,15 @@ def sample_factor(scene, kind: str) -> int:
 
 
 def draw_kinds(scene, kinds: list[str], size: tuple[int, int], samples: int | None) -> dict:
-    """Kind -> (Drawn, samples). One-bounce brings direct and indirect with it."""
-    from truth.drawing import Drawn, draw, make_world  # after the arguments are checked, because loading Mitsuba takes seconds
+    """Kind -> (Drawn, samples)."""
+    from truth.drawing import draw, make_world  # after the arguments are checked, because loading Mitsuba takes seconds
     world, drawn = make_world(scene), {}
-    wanted = set(kinds) | ({"direct", "indirect"} if "one-bounce" in kinds else set())
-    for kind in SAMPLES:
-        if kind in wanted:
-            count = samples or SAMPLES[kind] * sample_factor(scene, kind)
-            say(f"{scene.path.name}: {kind}, {count} samples per pixel")
-            drawn[kind] = draw(world, scene, kind, size, count, SEED, Countdown(count).advance), count
-    if "one-bounce" in kinds:
-        (a, count_a), (b, count_b) = drawn["direct"], drawn["indirect"]
-        halves = tuple(x + y for x, y in zip(a.halves, b.halves))
-        drawn["one-bounce"] = Drawn(a.image + b.image, halves), max(count_a, count_b)
-    return {kind: drawn[kind] for kind in kinds}
+    for kind in kinds:
+        count = samples or SAMPLES[kind] * sample_factor(scene, kind)
+        say(f"{scene.path.name}: {kind}, {count} samples per pixel")
+        begin(f"{scene.path.name}: {kind}")
+        drawn[kind] = draw(world, scene, kind, size, count, SEED, Countdown(count).advance), count
+    return drawn
 
 
 def describe(scene, drawn: dict, size: tuple[int, int]) -> dict:
@@ -135,7 +128,7 @@ def rounded(value):
 
 
 def make(path: Path, out: Path, asked: argparse.Namespace) -> None:
-    scene, kinds = load_scene(path, asked.size, asked.time), asked.kinds
+    scene, kinds = load_scene(path, asked.size), asked.kinds
     if kinds == list(KINDS) and any(scene.materials[i].glossy for i in set(scene.material_of.tolist())):
         kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, asked.size, asked.spp)

@@ -18,14 +18,15 @@ from tables import fraction, markdown, milliseconds, percent
 
 from . import mali, options, pictures
 from .measures import MEASURES, task
-from .store import Result, Store, say
+from .progress import say
+from .store import Result, Store
 
 MEANINGS = """\
 camera moving        time of a frame while only the camera moves: light and voxels are kept
 everything changing  time of a frame that rebuilds shadow map, voxels and light
 relMSE, FLIP         errors of the converged picture, mode gi, against path tracing with all bounces: squared error relative to
                      each pixel's brightness, and how different the two look (0 to 1). 0 is perfect
-bias                 too bright (+) or too dark (-) over the whole picture"""
+bias                 how much too bright (+) or too dark (-) the mean is"""
 
 
 def add_picture_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,11 +9,13 @@ its error, time against error, light over frames, and the cases.
 import argparse
 from html import escape
 from pathlib import Path
+from urllib.parse import quote
 
 from files import Failed, write_whole
 
 from . import cases, motion, options, pictures, render
-from .store import Store, say
+from .progress import begin, say
+from .store import Store
 
 KINDS = {"render": "Pictures", "sweep": "Time against error", **motion.TITLES, "cases": "Cases"}
 
@@ -36,12 +38,13 @@ def html_of(markdown: str) -> str:
 
 def picture(store: Store, name: str, data: bytes) -> str:
     write_whole(store.folder / "page" / f"{name}.png", data)
-    return f'<img src="page/{escape(name)}.png" alt="{escape(name)}">'
+    return f'<img src="page/{quote(name)}.png" alt="{escape(name)}">'
 
 
 def section(store: Store, kind: str) -> str:
     results = store.results_of(kind)
-    failed = "".join(f"<li>{escape(entry['name'])}: {escape(entry['failed'])}</li>"
+    failed = "".join(f"<li>{escape(entry['name'])}: {escape(entry['failed'])}"
+                     f"{'; its earlier result is kept' if 'result' in entry else ''}</li>"
                      for entry in store.entries_of(kind) if "failed" in entry)
     body = f'<ul class="fail">{failed}</ul>' if failed else ""
     if results and kind in ("render", "sweep"):
@@ -58,6 +61,7 @@ def section(store: Store, kind: str) -> str:
 
 
 def write(store: Store, title: str) -> None:
+    begin("drawing the page")
     sections = {name: section(store, kind) for kind, name in KINDS.items()}
     write_whole(store.folder / "index.html", "".join([
         '<!doctype html><html lang="en"><head><meta charset="utf-8">',

@@ -7,15 +7,18 @@ from __future__ import annotations
 
 import json
 import shutil
-import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import fmean
 from typing import Any
 
 import program
 from files import Failed, commit, read_json, write_whole
+
+from .progress import begin, say
 
 VERSION = 1
 Result = dict[str, Any]
@@ -27,6 +30,7 @@ class Task:
     name: str  # unique within the kind
     key: dict[str, Any]  # inputs other than the program
     measure: Callable[[Path], Result]  # takes an empty folder for its pictures
+    preset: str = ""  # tasks of one kind and preset take about the same time
     uses_program: bool = True
     keeps_pictures: bool = True
 
@@ -53,44 +57,60 @@ class Store:
         return [entry["result"] for entry in self.entries_of(kind) if "result" in entry]
 
     def run(self, tasks: list[Task], again: bool = False) -> list[Result]:
-        """Measures what is missing (or `again` everything), stores each result at once, and continues after a task that fails.
-        Returns the results that there are, in the order of the tasks; `failures` names the others."""
+        """Measures what is missing (or `again` everything), stores each result at once, and continues after a task that fails,
+        whose earlier result is kept. Returns the results of the other tasks in their order; `failures` names those that failed."""
         build = program.build_sha256()
-        if old := [identity for identity, entry in self.entries.items() if entry["key"]["build"] not in (None, build)]:
-            say(f"{len(old)} results of another build of vct are removed from {self.path}")
-            self._remove(old)
-        seconds: list[float] = []
-        for number, task in enumerate(tasks, 1):
+        keys = [json.loads(json.dumps({**task.key, "build": build if task.uses_program else None})) for task in tasks]
+        missing = [task for task, key in zip(tasks, keys) if again or not self._has(task, key)]
+        seconds: dict[tuple[str, str], list[float]] = {}
+        for number, (task, key) in enumerate(zip(tasks, keys), 1):
             place = f"[{number}/{len(tasks)}] {task.kind}: {task.name}"
-            key = json.loads(json.dumps({**task.key, "build": build if task.uses_program else None}))
-            known = self.entries.get(task.identity)
-            if known and known["key"] == key and "result" in known and not again:
+            if task not in missing:
+                self.entries[task.identity].pop("failed", None)  # with other options
                 say(f"{place}: unchanged")
                 continue
-            left = sum(seconds) / len(seconds) * (len(tasks) - number + 1) if seconds else 0
-            say(place + (f", about {left:.0f} s left" if left > 2 else ""))
+            left = [fmean(seconds.get((one.kind, one.preset), [0])) for one in missing[missing.index(task):]]
+            say(place + (f", about {sum(left):.0f} s left" if all(left) and sum(left) > 2 else ""))
+            begin(f"{task.kind}: {task.name}")
             start = time.monotonic()
-            if self.entries.pop(task.identity, None):
-                self.save()  # its pictures are about to be replaced
-            self.entries[task.identity] = {"kind": task.kind, "name": task.name, "key": key, **self._measured(task)}
-            seconds.append(time.monotonic() - start)
-            if program.build_sha256() != build:
-                raise Failed("vct or its shaders changed during the run: run the same command again")
-            self.save()
-        return [entry["result"] for task in tasks if "result" in (entry := self.entries[task.identity])]
+            self._measure(task, key, build)
+            seconds.setdefault((task.kind, task.preset), []).append(time.monotonic() - start)
+        return [self.entries[task.identity]["result"] for task in tasks if "failed" not in self.entries[task.identity]]
 
-    def _measured(self, task: Task) -> dict[str, Any]:
-        folder = self.pictures(task.identity)
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
-        try:
-            return {"result": task.measure(folder)}
-        except Failed as why:
-            say(f"error: {task.kind} of {task.name}: {why}")
-            return {"failed": str(why)}
-        finally:
-            if not task.keeps_pictures:
-                shutil.rmtree(folder)
+    def _has(self, task: Task, key: dict[str, Any]) -> bool:
+        known = self.entries.get(task.identity, {})
+        return known.get("key") == key and "result" in known
+
+    def _measure(self, task: Task, key: dict[str, Any], build: str) -> None:
+        """Stores a result and its pictures when both are complete; before that, the earlier ones stay as they are."""
+        entry, folder = {"kind": task.kind, "name": task.name, "key": key}, self.pictures(task.identity)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix="unfinished-", dir=folder.parent) as unfinished:
+            pictures = Path(unfinished) / "pictures"
+            pictures.mkdir()
+            try:
+                entry["result"] = task.measure(pictures)
+            except Failed as why:
+                say(f"error: {task.kind} of {task.name}: {why}")
+                self.entries[task.identity] = {**entry, **self.entries.get(task.identity, {}), "failed": str(why)}
+            else:
+                if program.build_sha256() != build:
+                    raise Failed("vct or its shaders changed during the run: run the same command again")
+                self._remove_builds_except(build)
+                if task.identity in self.entries:
+                    self._remove([task.identity])
+                    self.save()
+                if task.keeps_pictures:
+                    pictures.rename(folder)
+                self.entries[task.identity] = entry
+        self.save()
+
+    def _remove_builds_except(self, build: str) -> None:
+        """Removes the results of other builds, but for those that could not be replaced."""
+        if old := [identity for identity, entry in self.entries.items()
+                   if entry["key"]["build"] not in (None, build) and not {"failed", "result"} <= entry.keys()]:
+            say(f"{len(old)} results of another build of vct are removed from {self.path}")
+            self._remove(old)
 
     def failures(self, tasks: list[Task]) -> list[str]:
         return [task.name for task in tasks if "failed" in self.entries[task.identity]]
@@ -106,25 +126,3 @@ class Store:
     def save(self) -> None:
         self.data["commit"] = commit()
         write_whole(self.path, json.dumps(self.data, indent=1) + "\n")
-
-
-class Countdown:
-    """Prints every few seconds how much of one long task is done and how long the rest may take."""
-
-    INTERVAL_S = 4.0
-
-    def __init__(self, total: int) -> None:
-        self.total, self.done = total, 0
-        self.start = self.told = time.monotonic()
-
-    def advance(self, count: int) -> None:
-        self.done += count
-        now = time.monotonic()
-        if now - self.told >= self.INTERVAL_S and self.done < self.total:
-            self.told = now
-            left = (now - self.start) * (self.total - self.done) / self.done
-            say(f"  {100 * self.done // self.total} %, about {left:.0f} s left")
-
-
-def say(text: str) -> None:
-    print(text, file=sys.stderr, flush=True)

@@ -8,22 +8,18 @@ import OpenEXR
 from files import Failed
 
 
-class PictureError(Failed):
-    """A picture that cannot be used. The message names it and the cause."""
-
-
 def read_exr(path: pathlib.Path | str) -> np.ndarray:
     """Channels R, G, B, or Y three times; half or float."""
     if not os.path.isfile(path):
-        raise PictureError(f"{path}: no such file")
+        raise Failed(f"{path}: no such file")
     try:
         with OpenEXR.File(str(path), separate_channels=True) as file:
             planes = {name: channel.pixels for name, channel in file.channels().items()}
     except Exception as error:  # the binding throws RuntimeError, TypeError and ValueError
-        raise PictureError(f"{path}: not a readable EXR ({error})") from error
+        raise Failed(f"{path}: not a readable EXR ({error})") from error
     names = "RGB" if all(c in planes for c in "RGB") else "YYY"
     if not all(c in planes for c in names):
-        raise PictureError(f"{path}: has neither the channels R, G and B nor Y")
+        raise Failed(f"{path}: has neither the channels R, G and B nor Y")
     return np.stack([planes[c] for c in names], -1).astype(np.float32)
 
 

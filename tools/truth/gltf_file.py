@@ -23,10 +23,6 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "M
 GLB_MAGIC, JSON_CHUNK, BIN_CHUNK = 0x46546C67, 0x4E4F534A, 0x004E4942
 
 
-class GltfError(Failed):
-    """A file that cannot be read; the message names it and the cause."""
-
-
 class GltfFile:
     """`json` is the document; the methods resolve its indices."""
 
@@ -35,13 +31,13 @@ class GltfFile:
         try:
             data = self.path.read_bytes()
         except OSError as error:
-            raise GltfError(f"{path}: {error.strerror}") from error
+            raise Failed(f"{path}: {error.strerror}") from error
         self.sha256 = hashlib.sha256(data).hexdigest()
         self._binary = b""
         try:
             self.json = self._parse(data)
         except (ValueError, struct.error) as error:
-            raise GltfError(f"{path}: not a glTF 2.0 file: {error}") from error
+            raise Failed(f"{path}: not a glTF 2.0 file: {error}") from error
         self._buffers: dict[int, bytes] = {}
         self._unpacked_views: dict[int, bytes] = {}
         self._unpacked_rows: dict[int, np.ndarray] = {}  # of accessors

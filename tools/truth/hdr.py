@@ -8,17 +8,13 @@ from files import Failed
 from .exr import read_exr
 
 
-class SkyError(Failed):
-    """A picture that cannot be a sky. The message names the file and the cause."""
-
-
 def read_sky(path: pathlib.Path) -> np.ndarray:
     try:
         picture = read_radiance(path) if path.suffix == ".hdr" else read_exr(path)
     except (Failed, RuntimeError) as error:
-        raise SkyError(f"{path} is not a picture of a sky: {error}") from error
+        raise Failed(f"{path} is not a picture of a sky: {error}") from error
     if picture.shape[1] != 2 * picture.shape[0] or not np.isfinite(picture).all() or picture.min() < 0:
-        raise SkyError(f"{path} is not a picture of a sky: it must be twice as wide as high, and nowhere negative or infinite")
+        raise Failed(f"{path} is not a picture of a sky: it must be twice as wide as high, and nowhere negative or infinite")
     return picture
 
 

@@ -13,10 +13,12 @@ from .specular_glossiness import SpecularGlossiness, converted, converted_texels
 
 WRAPS = {10497: 0, 33648: 1, 33071: 2}  # repeat, mirrored repeat, clamp to edge
 NEAREST = 9728
+SLOTS = ("base_color", "emissive", "gloss", "normal")  # textures of a material
 
 
 @dataclasses.dataclass
-class UvSource:
+class TextureUse:
+    texture: int
     tex_coord: int
     matrix: np.ndarray  # 2x2: uv' = matrix uv + offset
     offset: np.ndarray
@@ -25,25 +27,18 @@ class UvSource:
 @dataclasses.dataclass
 class Material:
     base_color: np.ndarray  # linear RGBA
-    base_color_texture: int  # or -1
-    base_color_uv: UvSource | None
     metallic: float
     roughness: float  # below 1: glossy
     emissive: np.ndarray  # radiance, strength included
-    emissive_texture: int  # or -1
-    emissive_uv: UvSource | None
     cutoff: float  # holes where alpha is below; -1: none
     double_sided: bool
-    gloss_texture: int  # or -1; green times roughness, blue times metallic
-    gloss_uv: UvSource | None
-    normal_texture: int  # or -1
-    normal_uv: UvSource | None
     normal_scale: float
+    textures: dict[str, TextureUse]  # by slot; `gloss`: green times roughness, blue times metallic
     textured_gloss: SpecularGlossiness | None = None  # until its textures are read
 
     @property
     def glossy(self) -> bool:
-        return self.roughness < 1 or self.gloss_texture >= 0
+        return self.roughness < 1 or "gloss" in self.textures
 
 
 @dataclasses.dataclass
@@ -59,41 +54,39 @@ def linear_from_srgb(x: np.ndarray) -> np.ndarray:
     return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
 
 
-def uv_source(info: dict | None) -> UvSource | None:
-    if info is None:
-        return None
+def texture_use(info: dict) -> TextureUse:
     transform = info.get("extensions", {}).get("KHR_texture_transform", {})
     # The rotation's sign is that of the extension's example and of the Khronos sample viewer.
     c, s = math.cos(transform.get("rotation", 0.0)), math.sin(transform.get("rotation", 0.0))
     matrix = np.array([[c, s], [-s, c]]) @ np.diag(np.array(transform.get("scale", [1, 1]), np.float64))
-    return UvSource(transform.get("texCoord", info.get("texCoord", 0)), matrix,
-                    np.array(transform.get("offset", [0, 0]), np.float64))
+    return TextureUse(info["index"], transform.get("texCoord", info.get("texCoord", 0)), matrix,
+                      np.array(transform.get("offset", [0, 0]), np.float64))
 
 
-def transform_uv(source: UvSource, uv: np.ndarray) -> np.ndarray:
+def transform_uv(source: TextureUse, uv: np.ndarray) -> np.ndarray:
     return uv @ source.matrix.T + source.offset
 
 
 def load_material(material: dict) -> Material:
     surface = material.get("pbrMetallicRoughness", {})
-    base, emission = surface.get("baseColorTexture"), material.get("emissiveTexture")
-    gloss, normal = surface.get("metallicRoughnessTexture"), material.get("normalTexture")
+    textures = dict(zip(SLOTS, (surface.get("baseColorTexture"), material.get("emissiveTexture"),
+                                surface.get("metallicRoughnessTexture"), material.get("normalTexture"))))
     strength = material.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
     cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
     return Material(np.clip(surface.get("baseColorFactor", [1, 1, 1, 1]), 0, 1),
-                    base["index"] if base else -1, uv_source(base),
                     float(np.clip(surface.get("metallicFactor", 1), 0, 1)),
                     float(np.clip(surface.get("roughnessFactor", 1), 0, 1)),
                     np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),
-                    emission["index"] if emission else -1, uv_source(emission), cutoff, material.get("doubleSided", False),
-                    gloss["index"] if gloss else -1, uv_source(gloss), normal["index"] if normal else -1, uv_source(normal),
-                    normal.get("scale", 1.0) if normal else 1.0)
+                    cutoff, material.get("doubleSided", False), (textures["normal"] or {}).get("scale", 1.0),
+                    {slot: texture_use(info) for slot, info in textures.items() if info is not None})
 
 
 def load_specular_glossiness(material: Material, source: SpecularGlossiness) -> None:
     laid_by = source.diffuse_info or source.specular_info
-    material.base_color_uv = material.gloss_uv = uv_source(laid_by)
-    material.base_color_texture = material.gloss_texture = -1
+    for slot in ("base_color", "gloss"):
+        material.textures.pop(slot, None)
+        if laid_by is not None:
+            material.textures[slot] = texture_use(laid_by)
     if laid_by is not None:
         material.base_color, material.metallic, material.roughness = np.ones(4), 1.0, 1.0
         material.textured_gloss = source
@@ -133,16 +126,16 @@ def load_textures(file: GltfFile, materials: list[Material]) -> list[Texture]:
         textures.append(Texture(texels, WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)],
                                 sampler.get("magFilter") == NEAREST))
         numbers.append(dataclasses.replace(textures[-1], texels=stored))
-    for material in materials:
-        material.gloss_texture += len(textures) if material.gloss_texture >= 0 else 0
-        material.normal_texture += len(textures) if material.normal_texture >= 0 else 0
-    result = textures + numbers if any(m.gloss_texture >= 0 or m.normal_texture >= 0 for m in materials) else list(textures)
+    uses = [material.textures[slot] for material in materials for slot in ("gloss", "normal") if slot in material.textures]
+    for use in uses:
+        use.texture += len(textures)
+    result = textures + numbers if uses else list(textures)
     for material in materials:
         if (source := material.textured_gloss) is None:
             continue
         pictures = [textures[info["index"]] if info else None for info in (source.diffuse_info, source.specular_info)]
         texels = converted_texels(source, *(picture.texels if picture else None for picture in pictures))
-        material.base_color_texture, material.gloss_texture = len(result), len(result) + 1
+        material.textures["base_color"].texture, material.textures["gloss"].texture = len(result), len(result) + 1
         result += [dataclasses.replace(pictures[0] or pictures[1], texels=each) for each in texels]
         material.textured_gloss = None
     return result

@@ -13,9 +13,9 @@ import numpy as np
 import program
 from files import Failed
 
-from .gltf_file import GltfError, GltfFile
+from .gltf_file import GltfFile
 from .hdr import read_sky
-from .materials import Material, Texture, load_materials, load_textures, transform_uv
+from .materials import SLOTS, Material, Texture, load_materials, load_textures, transform_uv
 from .packings import instance_transforms
 from .pose import joint_matrices, morphed, posed, vertex_matrices
 
@@ -58,10 +58,7 @@ class Scene:
     centre_world: np.ndarray
     positions: np.ndarray  # (triangles, 3 corners, 3), trace space; counter-clockwise is front
     normals: np.ndarray  # like positions, unit
-    uvs: np.ndarray  # (triangles, 3, 2), transformed coordinates of the base colour texture
-    emissive_uvs: np.ndarray  # the same of the emissive texture
-    gloss_uvs: np.ndarray
-    normal_uvs: np.ndarray
+    uvs: dict[str, np.ndarray]  # (triangles, 3, 2), transformed coordinates of each slot's texture
     colors: np.ndarray  # (triangles, 3, 4), vertex colours: linear RGBA factors of the base colour
     material_of: np.ndarray  # (triangles,)
     materials: list[Material]
@@ -128,7 +125,7 @@ def triangle_corners(mode: int, order: np.ndarray) -> np.ndarray:
 
 def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, material: Material,
                      weights: list[float], joints: np.ndarray | None) -> tuple | None:
-    """World positions, normals, uvs and colours, each (triangles, 3, ...), of one primitive; None where it has no triangle.
+    """World positions, normals, colours and uvs by slot, each (triangles, 3, ...), of one primitive; None where it has no triangle.
     `world`: from the node's space; where the node has a skin, its `joints` count instead."""
     attributes = primitive["attributes"]
     if "POSITION" not in attributes:
@@ -159,7 +156,8 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
     else:
         normals = flat
 
-    def uv(source):
+    def uv(slot):
+        source = material.textures.get(slot)
         name = f"TEXCOORD_{source.tex_coord}" if source else None
         if name not in attributes:
             return np.zeros((len(corners), 3, 2))
@@ -169,8 +167,7 @@ def primitive_arrays(file: GltfFile, primitive: dict, world: np.ndarray, materia
     if "COLOR_0" in attributes:
         stored = np.clip(file.accessor(attributes["COLOR_0"]).astype(np.float64), 0, 1)
         colors[..., :stored.shape[1]] = stored[corners]
-    return (positions, normals, uv(material.base_color_uv), uv(material.emissive_uv), uv(material.gloss_uv),
-            uv(material.normal_uv), colors)
+    return positions, normals, colors, {slot: uv(slot) for slot in SLOTS}
 
 
 def find_camera(document: dict, placed: list, path: pathlib.Path,
@@ -190,7 +187,7 @@ def find_camera(document: dict, placed: list, path: pathlib.Path,
     try:
         chosen = program.camera(path, size)
     except Failed as failed:
-        raise GltfError(f"{path} has no camera, and vct finds no view of it: {failed}") from failed
+        raise Failed(f"{path} has no camera, and vct finds no view of it: {failed}") from failed
     return chosen["name"], np.array(chosen["right_up_back"]), np.array(chosen["eye_world"]), chosen["vertical_fov_rad"]
 
 
@@ -252,7 +249,7 @@ def load_scene(path: pathlib.Path, size: tuple[int, int] = (256, 256), seconds: 
     try:
         return build(file, size, seconds)
     except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
-        raise GltfError(f"{path} cannot be read as a scene: {error!r}") from error
+        raise Failed(f"{path} cannot be read as a scene: {error!r}") from error
 
 
 def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene:
@@ -274,12 +271,13 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
                 parts.append(arrays)
                 material_of.append(np.full(len(arrays[0]), material))
     if parts:
-        positions, normals, uvs, emissive_uvs, gloss_uvs, normal_uvs, colors = (np.concatenate(part) for part in zip(*parts))
+        positions, normals, colors = (np.concatenate(part) for part in list(zip(*parts))[:3])
+        uvs = {slot: np.concatenate([part[3][slot] for part in parts]) for slot in SLOTS}
         owner = np.concatenate(material_of)
         low, high = positions.min((0, 1)), positions.max((0, 1))
     else:
         positions = normals = np.empty((0, 3, 3))
-        uvs = emissive_uvs = gloss_uvs = normal_uvs = np.empty((0, 3, 2))
+        uvs = {slot: np.empty((0, 3, 2)) for slot in SLOTS}
         colors = np.empty((0, 3, 4))
         owner, low, high = np.empty(0, np.int64), np.zeros(3), np.zeros(3)
     longest = (high - low).max()
@@ -291,11 +289,11 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     keep = area2 > 1e-14  # a triangle without area stops no ray
     name, axes, eye, fov = find_camera(document, placed, file.path, size)
     # The renderer gives its default sun to a scene whose emission comes from textures only, or that is not a room.
-    has_emitters = any(materials[i].emissive.max() > 0 and materials[i].emissive_texture < 0 for i in set(owner.tolist()))
+    has_emitters = any(materials[i].emissive.max() > 0 and "emissive" not in materials[i].textures for i in set(owner.tolist()))
     lights_itself = has_emitters and program.camera(file.path, size)["lights_itself"]
     sky = read_sky(sky_file(file.path)) if sky_file(file.path) else None
-    return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep], uvs[keep], emissive_uvs[keep],
-                 gloss_uvs[keep], normal_uvs[keep], colors[keep], owner[keep], materials,
+    return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep],
+                 {slot: values[keep] for slot, values in uvs.items()}, colors[keep], owner[keep], materials,
                  load_textures(file, materials), Camera(name, axes, eye, (eye - centre) / side, fov),
                  *find_lights(document, placed, centre, side, lights_itself or sky is not None), sky,
                  find_openings(placed, centre, side))

@@ -4,6 +4,7 @@ import dataclasses
 import numpy as np
 
 from .engine import dr, mi
+from .materials import SLOTS
 from .scene import Scene
 
 # Rays start this far off their surface: 1/200 of a voxel at grid 256, and far above float's rounding in a cube of
@@ -66,8 +67,6 @@ class Surfaces:
         self._scene = mi.load_dict({"type": "scene", "mesh": mesh})
         self._corners = corner_arrays(scene.positions, mi.Point3f)
         self._normals = corner_arrays(scene.normals, mi.Normal3f)
-        self._uvs = corner_arrays(scene.uvs, mi.Point2f)
-        self._emissive_uvs = corner_arrays(scene.emissive_uvs, mi.Point2f)
         edges = scene.positions[:, 1:] - scene.positions[:, :1]
         facing = np.cross(edges[:, 0], edges[:, 1])
         facing /= np.linalg.norm(facing, axis=-1, keepdims=True)
@@ -89,26 +88,20 @@ class Surfaces:
         self.has_gloss = any(m[i].glossy for i in used)
         self._metallic = mi.Float(np.array([x.metallic for x in m], np.float32))
         self._roughness = mi.Float(np.array([x.roughness for x in m], np.float32))
-        self._has_gloss_textures = any(m[i].gloss_texture >= 0 for i in used)
-        if self._has_gloss_textures:
-            self._gloss_uvs = corner_arrays(scene.gloss_uvs, mi.Point2f)
-            self._gloss_texture = mi.Int32(np.array([x.gloss_texture for x in m], np.int32))
-        self._has_normal_maps = any(m[i].normal_texture >= 0 for i in used)
-        if self._has_normal_maps:
-            self._normal_uvs = corner_arrays(scene.normal_uvs, mi.Point2f)
-            self._normal_texture = mi.Int32(np.array([x.normal_texture for x in m], np.int32))
+        # Each slot in use has its coordinates at the corners, and the texture of each material, -1 for none.
+        self._slots = {slot: (corner_arrays(scene.uvs[slot], mi.Point2f), mi.Int32(np.array(
+            [x.textures[slot].texture if slot in x.textures else -1 for x in m], np.int32)))
+            for slot in SLOTS if any(slot in m[i].textures for i in used)}
+        if "normal" in self._slots:
             self._normal_scale = mi.Float(np.array([x.normal_scale for x in m], np.float32))
-            tangents, ups = tangents_of(scene.positions, scene.normal_uvs)
+            tangents, ups = tangents_of(scene.positions, scene.uvs["normal"])
             self._tangents = mi.Vector3f(np.ascontiguousarray(tangents.T.astype(np.float32)))
             self._handedness = mi.Float(ups.astype(np.float32))
         self._cutoff = mi.Float(np.array([x.cutoff for x in m], np.float32))
         self._double = mi.Bool(np.array([x.double_sided for x in m]))
-        self._base_texture = mi.Int32(np.array([x.base_color_texture for x in m], np.int32))
-        self._emissive_texture = mi.Int32(np.array([x.emissive_texture for x in m], np.int32))
 
     def _load_textures(self, scene: Scene) -> None:
         t = scene.textures
-        self._has_textures = bool(t)
         if not t:
             return
         texels = np.concatenate([x.texels.reshape(-1, 4) for x in t]).astype(np.float32)
@@ -119,9 +112,12 @@ class Surfaces:
         self._texture_wrap = mi.Point2i(np.array([(x.wrap_s, x.wrap_t) for x in t], np.int32).T.copy())
         self._texture_nearest = mi.Bool(np.array([x.nearest for x in t]))
 
-    def _texture(self, index, uv, active):
-        """Linear RGBA, bilinear or nearest; 1 where `index` is -1."""
-        active = active & (index >= 0)
+    def _texel(self, slot, hit, material):
+        """Linear RGBA of the slot's texture, bilinear or nearest; 1 where the material has none."""
+        corners, textures = self._slots[slot]
+        index = dr.gather(mi.Int32, textures, material, hit.valid)
+        uv = self._interpolate(corners, hit, mi.Point2f)
+        active = hit.valid & (index >= 0)
         i = mi.UInt32(dr.maximum(index, 0))
         size = dr.maximum(dr.gather(mi.Point2i, self._texture_size, i, active), 1)  # idle lanes must not divide by 0
         wrap = dr.gather(mi.Point2i, self._texture_wrap, i, active)
@@ -154,9 +150,8 @@ class Surfaces:
         color = dr.gather(mi.Vector4f, self._base, material, hit.valid)
         if self._has_colors:
             color *= self._interpolate(self._colors, hit, mi.Vector4f)
-        if self._has_textures:
-            index = dr.gather(mi.Int32, self._base_texture, material, hit.valid)
-            color *= self._texture(index, self._interpolate(self._uvs, hit, mi.Point2f), hit.valid)
+        if "base_color" in self._slots:
+            color *= self._texel("base_color", hit, material)
         return color
 
     def is_hole(self, hit):
@@ -230,9 +225,8 @@ class Surfaces:
             surface.seen_from = -direction
             surface.metallic = dr.gather(mi.Float, self._metallic, material, hit.valid)
             surface.roughness = dr.gather(mi.Float, self._roughness, material, hit.valid)
-            if self._has_gloss_textures:
-                index = dr.gather(mi.Int32, self._gloss_texture, material, hit.valid)
-                texel = self._texture(index, self._interpolate(self._gloss_uvs, hit, mi.Point2f), hit.valid)
+            if "gloss" in self._slots:
+                texel = self._texel("gloss", hit, material)
                 surface.roughness *= texel.y
                 surface.metallic *= texel.z
             surface.roughness = dr.select(seen, surface.roughness, 1)
@@ -240,10 +234,10 @@ class Surfaces:
 
     def _mapped(self, hit, material, normal):
         """Turns the front's normal by the material's normal map."""
-        if not self._has_normal_maps:
+        if "normal" not in self._slots:
             return normal
-        index = dr.gather(mi.Int32, self._normal_texture, material, hit.valid)
-        texel = self._texture(index, self._interpolate(self._normal_uvs, hit, mi.Point2f), hit.valid)
+        texel = self._texel("normal", hit, material)
+        index = dr.gather(mi.Int32, self._slots["normal"][1], material, hit.valid)
         scale = dr.gather(mi.Float, self._normal_scale, material, hit.valid)
         along = dr.gather(mi.Vector3f, self._tangents, hit.triangle, hit.valid)
         tangent = along - mi.Vector3f(normal) * dr.dot(normal, along)
@@ -261,8 +255,7 @@ class Surfaces:
         if material is None:
             material = dr.gather(mi.UInt32, self._material, hit.triangle, hit.valid)
         color = dr.gather(mi.Color3f, self._emissive, material, hit.valid)
-        if self._has_textures:
-            index = dr.gather(mi.Int32, self._emissive_texture, material, hit.valid)
-            texel = self._texture(index, self._interpolate(self._emissive_uvs, hit, mi.Point2f), hit.valid)
+        if "emissive" in self._slots:
+            texel = self._texel("emissive", hit, material)
             color *= mi.Color3f(texel.x, texel.y, texel.z)
         return color
