@@ -29,16 +29,6 @@ gl::ReadShader files(std::map<std::string, std::string> contents) {
     };
 }
 
-TEST(ShaderSource, IncludesEachFileOnceAndKeepsLineNumbers) {
-    const auto read =
-        files({{"a.frag", "one\n#include \"b.glsl\"\n#include \"b.glsl\"\ntwo\n"}, {"b.glsl", "three\n"}});
-    const gl::AssembledShader source = gl::assembleShader(read, "a.frag", {"X 1"}, gl::Language::essl320);
-    EXPECT_EQ(source.files, (std::vector<std::string>{"a.frag", "b.glsl"}));
-    EXPECT_EQ(source.text.rfind("#version 320 es\n", 0), 0U);
-    const std::string body = source.text.substr(source.text.find("#define X 1"));
-    EXPECT_EQ(body, "#define X 1\n#line 1 0\none\n#line 1 1\nthree\n#line 3 0\n#line 4 0\ntwo\n");
-}
-
 TEST(ShaderSource, MissingIncludeNamesTheFileAndLineThatAsksForIt) {
     const auto read = files({{"a.frag", "one\n#include \"missing.glsl\"\n"}});
     expectMentions(errorOf([&] { gl::assembleShader(read, "a.frag", {}, gl::Language::essl320); }),
@@ -120,21 +110,6 @@ TEST_P(Glslang, AcceptsEveryShaderInEveryVariant) {
         }
     EXPECT_GT(sources.size(), 60U);
     expectAccepted(sources);
-    // No file below shaders/ is left out.
-    std::set<std::string> used;
-    for (const gl::ProgramDescription& program : allPrograms())
-        for (const std::string& path : program.shaders)
-            used.insert(path);
-    const std::filesystem::path folder(VCT_SOURCE_DIR "/shaders");
-    std::size_t files = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        const std::string extension = entry.path().extension().string();
-        if (!entry.is_regular_file() || extension.empty() || extension == ".glsl" || extension == ".h")
-            continue;
-        EXPECT_TRUE(used.count(std::filesystem::relative(entry.path(), folder).string())) << entry.path();
-        ++files;
-    }
-    EXPECT_EQ(files, used.size());
 }
 
 // The head-up display says what is missing on drivers that have no more than ES 3.0.
@@ -145,13 +120,6 @@ TEST(ShaderSource, GlslangAcceptsTheDisplaysShadersInEs300) {
         EXPECT_EQ(source.text.rfind("#version 300 es\n", 0), 0U);
         expectAccepted({{path, source.text, app::hudProgram().name}});
     }
-}
-
-TEST(Programs, EveryVariantLinksOnTheDriver) {
-    const Context context = openContext(Backend::egl);
-    for (const gl::ProgramDescription& description : allPrograms())
-        EXPECT_NO_THROW(gl::Program({testShaders(), context.capabilities.language()}, description))
-            << description.name;
 }
 
 }  // namespace
