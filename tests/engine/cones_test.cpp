@@ -79,7 +79,8 @@ TEST(Cones, GiveTheNumbersOfTheExampleAndTheMeanOfSlantedFaces) {
     const glm::dvec3 squares = direction * direction * coverage;
     const double covered = glm::dot(direction, coverage);
     EXPECT_NEAR(found[1].a, covered, 0.003);
-    EXPECT_NEAR(found[1].g, covered * glm::dot(squares, radiance) / glm::dot(squares, glm::dvec3(1.0)), 0.003);
+    EXPECT_NEAR(found[1].g, covered * glm::dot(squares, radiance) / glm::dot(squares, glm::dvec3(1.0)),
+                0.003);
 }
 
 }  // namespace

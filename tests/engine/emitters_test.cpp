@@ -35,22 +35,6 @@ std::vector<EmitterPart> partsAt64(const Scene& scene) {
     return emitterParts(scene, volumeAround(scene.boundsWorld, 64));
 }
 
-TEST(EmitterParts, ASquareIsDividedAndKeepsItsArea) {
-    const Scene scene = roomWithEmitter(0.5);
-    const std::vector<EmitterPart> parts = partsAt64(scene);
-    ASSERT_EQ(parts.size(), 4U);
-    double area = 0.0;
-    for (const EmitterPart& part : parts) {
-        area += part.area;
-        EXPECT_FALSE(part.isRound());
-        EXPECT_NEAR(part.facing.y, -0.25 * 0.25, 1e-6);
-        EXPECT_NEAR(std::abs(part.centre.x), 0.125, 0.01);
-        EXPECT_NEAR(glm::length(part.side), 0.125, 0.01);
-        EXPECT_NEAR(part.radiance.g, emitterRadiance, 1e-3);
-    }
-    EXPECT_NEAR(area, 0.25, 1e-6);
-}
-
 TEST(EmitterParts, ASmallBoxIsOnePartWithoutADirection) {
     Scene scene = closedBox(0);
     addBox(scene, glm::dvec3(0.1), {0.2, 0.1, 0.3}, addEmissiveMaterial(scene));

@@ -36,20 +36,6 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     }
 }
 
-// Irradiance persists from pose to pose, and converges to that of a scene in which nothing moved.
-TEST(MovingInstances, LeaveNoTraceInTheIrradiance) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = load(twoThatMove());
-    const Settings settings = mobileSettings();
-    for (const Output mode : {Output::gi, Output::ao}) {
-        PlayingScene stage(context, scene, settings);
-        for (const double seconds : {0.35, 1.7}) {
-            stage.frameAt(seconds - 0.05, mode);
-            expectFreshLight(stage, context, scene, settings, seconds, mode);
-        }
-    }
-}
-
 // Occlusion needs voxels without irradiance, and phong needs none.
 TEST_P(Moving, EveryFrameIsFreshWhenModesTakeTurns) {
     const Context context = openContext(Backend::egl);
@@ -124,41 +110,6 @@ TEST_P(Moving, TheLightMaySetAndTheCameraMayMove) {
     stage.convergedAt(2.0);
     // The light from below reaches the underside of the floor alone, which the camera does not see.
     EXPECT_LT(brightness(), 0.05 * day);
-}
-
-// A card with a picture and the same card after half a turn are in one place: the camera sees the one that is
-// drawn first. Half way round the two have changed places.
-TEST(MovingInstances, AreSortedIndependentlyOfTheirOrder) {
-    const Context context = openContext(Backend::egl);
-    GltfBuilder builder = openFloor();
-    const int texture = builder.texture(encodePng(16));
-    const int material =
-        builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
-    const int mesh = builder.mesh(
-        {{"attributes",
-          {{"POSITION", builder.floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0})},
-           {"TEXCOORD_0", builder.floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0}, "VEC2")}}},
-         {"material", material}});
-    const int card = builder.add("nodes", {{"mesh", mesh}});
-    const int turned = builder.add("nodes", {{"mesh", mesh}, {"rotation", {0, 0, 1, 0}}});
-    const int wheel = builder.node({{"children", {card, turned}}, {"translation", {0, 1.2, 0}}});
-    builder.animate(wheel, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 0.70710678F, 0.70710678F, 0, 0, 1, 0});
-    const Scene scene = load(builder);
-    const Settings settings = mobileSettings();
-    PlayingScene stage(context, scene, settings);
-    stage.frameAt(0.0);
-    const Image before = stage.renderer().radiance();
-    for (const double seconds : {2.0, 0.0, 0.7})
-        expectFresh(stage, context, scene, settings, seconds);
-    for (unsigned seed = 1; seed < 3; ++seed) {
-        Scene shuffled = scene;
-        shuffleTriangles(shuffled, seed);
-        PlayingScene other(context, shuffled, settings);
-        for (const double seconds : {0.0, 2.0, 2.0, 0.0, 0.0, 0.7, 0.7})  // the frames of expectFresh()
-            other.frameAt(seconds);
-        expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
-        expectSamePicture(stage.renderer().radiance(), other.renderer().radiance(), "shuffled");
-    }
 }
 
 // The box shares voxels with the wall and shades it. The wall covers its voxels in part, so anything that is

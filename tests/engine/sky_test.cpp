@@ -101,19 +101,6 @@ TEST(Sky, AFloorReceivesASunOfOnePixelInTheMean) {
     EXPECT_NEAR(sum, 1.0, 0.15);
 }
 
-// Every side of a convex body sees the sky alone.
-TEST(Sky, AConvexBodyReceivesAConstantSky) {
-    const Context context = openContext(Backend::egl);
-    Scene scene = emptyScene();
-    scene.materials[0].baseColor = glm::vec4(0.7, 0.7, 0.7, 1);
-    addBox(scene, {1, 1, 1});
-    turnScene(scene, 30);
-    FrameInspector frame(context, finished(std::move(scene)), noLight(),
-                         settingsUnder(skyOf([](const glm::dvec3&) { return glm::dvec3(0.8); })),
-                         lookAt({1, 2, 3}, {0, 0, 0}, 30));
-    expectNear(meanOf(frame, Output::gi) / 0.7, glm::dvec3(0.8));
-}
-
 constexpr double roomHeight = 1.0;
 const Camera aboveRoom = lookAt({0, 3.5, 0.001}, {0, 0, 0}, 28);
 

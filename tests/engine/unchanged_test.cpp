@@ -4,7 +4,6 @@
 #include <string>
 
 #include "core/error.h"
-#include "lab/debug_view.h"
 #include "lab/options.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
@@ -92,23 +91,6 @@ TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     EXPECT_EQ(steps(), all().substr(std::string("shadow_map, ").size()));
     EXPECT_EQ(steps(Output::phong), "");
     EXPECT_EQ(steps(), "");
-}
-
-// The light parts show the first bounce alone.
-TEST_P(Unchanged, LightAndOcclusionAreGatheredIndependently) {
-    frame();
-    const std::string occlusion = isPacked() ? "" : "irradiance";
-    const std::string light = isPacked() ? "" : "inject, mipmap, irradiance";
-    EXPECT_EQ(steps(Output::ao), occlusion);
-    EXPECT_EQ(steps(Output::ao), "");
-    EXPECT_EQ(steps(Output::gi), "");
-    pose(0.3);
-    EXPECT_NE(steps(Output::ao), "");
-    EXPECT_EQ(steps(Output::gi), light);
-    EXPECT_EQ(steps(Output::ao), "");
-    lightParts(renderer_, chooseCamera(scene_, ""));
-    EXPECT_EQ(steps(Output::gi), light);
-    EXPECT_EQ(steps(Output::gi), "");
 }
 
 TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
