@@ -8,7 +8,7 @@ import pytest
 
 from conftest import ROOT
 from evaluation.mali import CLOCK_HZ, CORES, bound_ms, words_of
-from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse, passing_vertex_shader
+from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse
 from evaluation.mali_loops import match_loops
 from files import Failed
 
@@ -73,13 +73,6 @@ def test_the_bound_is_the_formula_of_the_help():
     assert bound_ms({"A": 900_000, "LS": 1, "T": 1}) == pytest.approx(300_000 / CORES / CLOCK_HZ * 1e3)
     unrolled = Stage({"A": 0, "LS": 0, "T": 0}, [CompiledLoop(0, {"A": 1, "LS": 0, "T": 0}) for _ in range(3)])
     assert words_of(unrolled, 100, loops((0, 300, "c"), (1, 3000)))["A"] == 3000, "copies share the iterations"
-
-
-def test_the_passing_vertex_shader_keeps_the_variants():
-    text = passing_vertex_shader("#version 310 es\n#extension GL_EXT_geometry_shader : require\n#define X\n#line 1 0\n"
-                                 "layout(triangles) in;\nin vec3 v[];\nout vec3 a;\n#ifdef X\nout vec2 b;\n#endif\nvoid main() {}\n")
-    assert "#extension" not in text and text.startswith("#version 310 es\n#define X\n")
-    assert text.count("#ifdef X") == 2 and "out vec2 b;" in text and "b = vec2(vertex * " in text
 
 
 def test_a_program_that_is_no_compiler_is_an_error(tmp_path):

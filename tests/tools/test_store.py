@@ -4,7 +4,7 @@ import json
 import pytest
 
 import program
-from evaluation.store import Countdown, Store, Task
+from evaluation.store import Store, Task
 from files import Failed
 
 
@@ -90,13 +90,3 @@ def test_a_file_that_is_no_store_is_one_clear_error(tmp_path, content, words):
     (tmp_path / "results.json").write_text(content)
     with pytest.raises(Failed, match=words):
         Store(tmp_path)
-
-
-def test_the_countdown_tells_how_much_is_left(capsys, monkeypatch):
-    now = [100.0]
-    monkeypatch.setattr("evaluation.store.time.monotonic", lambda: now[0])
-    countdown = Countdown(400)
-    for count, seconds in ((50, 1), (50, 9), (150, 15), (150, 15)):
-        now[0] += seconds
-        countdown.advance(count)
-    assert capsys.readouterr().err.splitlines() == ["  25 %, about 30 s left", "  62 %, about 15 s left"]

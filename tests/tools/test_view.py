@@ -160,18 +160,6 @@ def test_the_printed_command_renders_the_view(view, program, root, tmp_path):
     window.close("key", "Escape")
 
 
-def test_an_upright_window_shows_a_scene_without_a_camera(view, program, maker, tmp_path):
-    maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), maker.grey(0.6))
-    maker.quad((-1, 0, -1), (2, 0, 0), (0, 1.5, 0), maker.glb.material("red", (0.8, 0.2, 0.1)))
-    maker.path.write_bytes(maker.glb.to_bytes())
-    window = view(maker.path, "--size", "200x320", "--preset", "thesis", "--grid", "64", "--mode", "gi")
-    words, options, picture = window.save()
-    assert picture.shape == (320, 200, 3)
-    assert f"seen by --camera {options['--camera']}\n" in window.err.read_text()
-    assert difference(picture, rendered(program, words, tmp_path)) < 0.5
-    window.close("key", "Escape")
-
-
 def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     for name in ("cornell", "moving"):
         shutil.copy(root / f"assets/{name}.glb", tmp_path)
@@ -263,21 +251,6 @@ def test_a_missing_display_is_one_clear_error(program, root, value):
                           timeout=60, check=False)
     assert done.returncode == 1
     assert re.fullmatch(r"vct: error: .*(cannot open a window: .*DISPLAY|built without GLFW).*\n", done.stderr), done.stderr
-
-
-@pytest.mark.parametrize("arguments, words", [
-    (["missing.glb"], "no such file"),
-    (["assets/cornell.glb", "--mode", "all"], "name one"),
-    (["assets/cornell.glb", "--camera", "target=1,2,3"], "has no eye"),
-    (["assets/cornell.glb", "--light", "direction=0,0,0"], "must not be 0,0,0"),
-    (["assets/cornell.glb", "--preset", "best"], "thesis, mobile"),
-    (["assets/cornell.glb", "--sky", "blue"], "'blue' is not a number"),
-])
-def test_wrong_options_are_errors_before_a_window_opens(program, root, arguments, words):
-    done = subprocess.run([program, "view", *arguments], cwd=root, capture_output=True, text=True, timeout=60, check=False)
-    assert done.returncode == 1
-    if "built without GLFW" not in done.stderr:
-        assert words in done.stderr
 
 
 def test_a_scene_that_cannot_be_loaded_is_an_error(program, display, tmp_path):
