@@ -8,7 +8,6 @@ import pytest
 
 from conftest import ROOT
 from evaluation.measures import MEASURES, References, averaged_down
-from evaluation.pictures import error_image
 from files import SCALED, Failed, reference_folder, scene_sha256, static_scenes
 from truth.exr import read_exr
 
@@ -51,14 +50,6 @@ def test_errors_are_those_of_the_pictures_at_their_own_size(measured):
             assert one["noise"][name] < one[state]["errors"][name]["relmse"] < 1
     assert one["camera"]["ms"]["gi"] < one["changing"]["ms"]["gi"]
     assert 0 < results(measured)["render-contact-mobile"]["camera"]["errors"]["indirect"]["relmse"] < 0.02
-
-
-def test_the_error_picture_is_black_where_right_and_red_where_too_bright():
-    reference = np.full((2, 4, 3), 0.5)
-    picture = reference * np.array([1.0, 1.04, 4.0, 0.0])[None, :, None]
-    right, a_little, bright, dark = np.asarray(error_image(picture, reference)).astype(int)[0]
-    assert right.tolist() == [0, 0, 0] and a_little[0] > 80 and a_little[2] == 0
-    assert bright.tolist() == [255, 255, 0] and dark[2] > 200 and dark[0] == 0
 
 
 def test_a_reference_of_another_scene_or_size_is_refused(tmp_path):

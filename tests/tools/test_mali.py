@@ -1,12 +1,8 @@
 """tools/eval.py mali: reading the compiler, matching loops, the bound's arithmetic."""
-import os
 import pathlib
-import subprocess
-import sys
 
 import pytest
 
-from conftest import ROOT
 from evaluation.mali import CLOCK_HZ, CORES, bound_ms, words_of
 from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse
 from evaluation.mali_loops import match_loops
@@ -79,11 +75,3 @@ def test_a_program_that_is_no_compiler_is_an_error(tmp_path):
     for compiler in (tmp_path / "none", pathlib.Path("/bin/false")):
         with pytest.raises(Failed, match="drm-shim"):
             compile_shaders(compiler, [tmp_path / "a.frag"])
-
-
-def test_bounds_are_written_with_the_real_compiler(program, tmp_path):
-    compiler = os.environ.get("VCT_MALI_COMPILER")
-    if not compiler:
-        pytest.skip("VCT_MALI_COMPILER does not name Mesa's compiler for Mali (tools/eval.py mali --help)")
-    subprocess.run([sys.executable, ROOT / "tools/eval.py", "mali", "--compiler", compiler, "--out", tmp_path], check=True)
-    assert "| mobile, gi-cone-shadow |" in (tmp_path / "bounds.md").read_text()

@@ -76,15 +76,6 @@ def test_stopping_keeps_what_is_finished_and_nothing_half_done(vct, tmp_path):
     assert runs.made == ["b", "a", "b", "b"], "the pictures of the first b were replaced"
 
 
-def test_a_build_that_changes_during_a_run_ends_it(vct, tmp_path):
-    def measure(folder):
-        vct.write_bytes(b"second build")
-        return {}
-    with pytest.raises(Failed, match="changed during the run"):
-        Store(tmp_path / "out").run([Task("render", "a", {}, measure)])
-    assert not (tmp_path / "out/results.json").exists()
-
-
 @pytest.mark.parametrize("content, words", [("{", "cannot be read"), ('{"version": 0, "results": {}}', "delete the file")])
 def test_a_file_that_is_no_store_is_one_clear_error(tmp_path, content, words):
     (tmp_path / "results.json").write_text(content)

@@ -189,26 +189,6 @@ def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     window.close("key", "Escape")
 
 
-def test_wheel_and_drag_over_the_panel_are_the_panels(view, root):
-    window = view(root / "assets/cornell.glb", "--size", "480x240", "--mode", "phong")  # lower than the panel
-    window.do("key", "t")  # hides the times, which change
-    _, options, _ = window.save()
-    panel = (slice(60, 230), slice(10, 300))
-    top = window.screen(480, 240)[panel]
-    window.do("mousemove", 150, 150, "click", 5, "click", 5)
-    assert difference(top, window.screen(480, 240)[panel]) > 5, "the panel does not scroll"
-    window.do("click", 4, "click", 4)
-    window.do("click", 4)
-    assert difference(top, window.screen(480, 240)[panel]) < 1, "and back"
-    window.do("mousedown", 1, "mousemove_relative", "--", 20, 20, "mouseup", 1)
-    _, same, _ = window.save()
-    assert same["--camera"] == options["--camera"], "wheel and drag were the panel's"
-    window.do("mousemove", 450, 150, "click", 5)
-    _, farther, _ = window.save()
-    assert farther["--camera"] != options["--camera"]
-    window.close("key", "Escape")
-
-
 def send_close(display, window):
     """Sends the message of the window's close button."""
     x = ctypes.CDLL("libX11.so.6")
