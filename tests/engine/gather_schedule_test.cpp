@@ -8,7 +8,7 @@
 namespace vct::test {
 namespace {
 
-constexpr GatherSchedule::Change noChange{false, false}, otherLists{true, false};
+constexpr GatherSchedule::Change noChange{false, false};
 
 GatherSettings settingsWith(int directions, int refined, int cones) {
     GatherSettings settings;
@@ -42,17 +42,6 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
             visited.insert((step.direction + cone) % 256);
     }
     EXPECT_EQ(visited.size(), 256U);
-}
-
-// Voxels that are rebuilt in the same light keep converged light and long histories.
-TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
-    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
-    while (!schedule.isConverged())
-        schedule.advance(noChange);
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_GT(schedule.advance(otherLists).history, 100.0F);
-        EXPECT_TRUE(schedule.isConverged());
-    }
 }
 
 }  // namespace

@@ -129,26 +129,6 @@ TEST(MovingInstances, ABoxMayPassThroughAWall) {
         expectFresh(stage, context, scene, settings, seconds);
 }
 
-TEST(MovingInstances, MayBeAThousand) {
-    const Context context = openContext(Backend::egl);
-    GltfBuilder builder = openFloor();
-    const int first = addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {0, 0.5, 0}}});
-    const int mesh = builder.document["nodes"][static_cast<std::size_t>(first)]["mesh"];
-    for (int i = 0; i < 1000; ++i) {
-        const float x = -1.8F + 0.36F * static_cast<float>(i % 10),
-                    y = 0.1F + 0.2F * static_cast<float>(i / 100),
-                    z = -1.8F + 0.36F * static_cast<float>(i / 10 % 10);
-        const int node = builder.node({{"mesh", mesh}, {"scale", {0.1, 0.1, 0.1}}});
-        builder.animate(node, "translation", {0, 1}, {x, y, z, x + 0.2F, y + 0.1F, z - 0.1F});
-    }
-    const Scene scene = load(builder);
-    const Settings settings = mobileSettings();
-    PlayingScene stage(context, scene, settings);
-    stage.frameAt(0.0);
-    for (const double seconds : {0.2, 1.0})
-        expectFresh(stage, context, scene, settings, seconds);
-}
-
 // The bird flies ten times as far away as the scene is wide, where no volume reaches.
 TEST(MovingInstances, AreSeenBeyondTheVolume) {
     const Context context = openContext(Backend::egl);

@@ -7,7 +7,6 @@
 #include "lab/options.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
-#include "support/grids.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
 #include "support/steps.h"
@@ -103,38 +102,6 @@ TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
     pose(0.0);
     EXPECT_EQ(steps(), all());
     EXPECT_EQ(steps(), "");
-}
-
-// Voxels that are rebuilt receive a little more light in each frame, so pictures with it differ.
-TEST_P(Unchanged, RevoxelizeRunsEveryStepInEveryFrameAndGivesTheSamePictures) {
-    settings_.revoxelize = true;
-    Renderer always = newRenderer();
-    const auto expectSamePicture = [&](Output mode, const char* camera, const std::string& name) {
-        frame(mode, camera);
-        always.render({{mode}, cameraFromText(camera, scene_)});
-        if (isPacked() || !reads(mode).voxels) {
-            EXPECT_TRUE(renderer_.radiance().pixels == always.radiance().pixels) << name;
-        } else {
-            expectSameGrid(gridOf(renderer_), gridOf(always), name);
-        }
-        EXPECT_EQ(renderer_.activeVoxels(), always.activeVoxels()) << name;
-    };
-    for (Output mode : allModes()) {
-        expectSamePicture(mode, "", outputName(mode));
-        expectSamePicture(mode, "", outputName(mode));
-        expectSamePicture(mode, "eye=1,2,3,target=0,0,0,fov=40", outputName(mode));
-    }
-    frame(Output::giConeShadow);
-    const Image before = renderer_.radiance();
-    for (Renderer* renderer : {&renderer_, &always}) {
-        renderer->setPose(poseAt(scene_.animation, 1.2));
-        renderer->setLightDirection(glm::dvec3(0.5, 1.0, 0.0));
-    }
-    expectSamePicture(Output::giConeShadow, "", "moved");
-    EXPECT_FALSE(renderer_.radiance().pixels == before.pixels);
-    expectSamePicture(Output::giConeShadow, "", "moved before");
-    const auto draw = [&] { always.render({{Output::gi}, chooseCamera(scene_, "")}); };
-    EXPECT_EQ(stepsOf(always, draw), all());
 }
 
 }  // namespace

@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -17,6 +15,7 @@
 #include "platform/platform.h"
 #include "support/errors.h"
 #include "support/renderers.h"
+#include "support/temporary_folder.h"
 
 namespace vct::test {
 namespace {
@@ -61,21 +60,13 @@ struct Source {
 // Runs glslangValidator once over all of them, as it takes longer to start than to check one; returns its
 // output where it refuses any.
 std::string glslang(const std::vector<Source>& sources) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("vct_glslang_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder folder, said;
     for (std::size_t i = 0; i < sources.size(); ++i)
-        std::ofstream(folder /
-                      (std::to_string(i) + "_" + std::filesystem::path(sources[i].path).filename().string()))
-            << sources[i].text;
-    FILE* pipe = popen(("glslangValidator " + folder.string() + "/* 2>&1").c_str(), "r");
-    std::string output;
-    char buffer[512];
-    while (fgets(buffer, sizeof buffer, pipe) != nullptr)
-        output += buffer;
-    const int status = pclose(pipe);
-    std::filesystem::remove_all(folder);
-    return status == 0 ? "" : output + " (status " + std::to_string(status) + ")";
+        writeBytes(
+            folder.file(std::to_string(i) + "_" + std::filesystem::path(sources[i].path).filename().string()),
+            sources[i].text);
+    const std::string command = "glslangValidator " + folder.path() + "/* > " + said.file("out") + " 2>&1";
+    return std::system(command.c_str()) == 0 ? "" : readBytes(said.file("out"));
 }
 
 void expectAccepted(const std::vector<Source>& sources) {
