@@ -127,18 +127,6 @@ TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }
 
-// Half the resolution gives the same picture with fewer details.
-TEST(Frame, ALowerResolutionFillsTheWindow) {
-    const Image full = screenOf("grid=64 mode=phong pixels=1", 96, 64);
-    const Image half = screenOf("grid=64 mode=phong pixels=2", 96, 64);
-    ASSERT_EQ(half.pixels.size(), full.pixels.size());
-    EXPECT_NE(half.pixels, full.pixels);
-    float sum = 0.0F;
-    for (std::size_t i = 0; i < full.pixels.size(); ++i)
-        sum += glm::distance(full.pixels[i], half.pixels[i]);
-    EXPECT_LT(sum / static_cast<float>(full.pixels.size()), 0.06F);
-}
-
 TEST(Frame, TheThesissSquareIsNotStretched) {
     const Image screen = screenOf("grid=64 mode=phong pixels=thesis", 128, 64);
     EXPECT_EQ(screen.at(10, 32), glm::vec3(0.0F));

@@ -1,4 +1,4 @@
-// Comparison of pictures, as a function and as `vct compare`.
+// `vct compare`: comparison of pictures and its exit status.
 #include "image/compare.h"
 
 #include <gtest/gtest.h>
@@ -9,21 +9,6 @@
 
 namespace vct::test {
 namespace {
-
-float step(int n) {
-    return float(n) / 255.0F;
-}
-
-TEST(CompareImages, ADifferenceOfExactlyTheLimitIsNone) {
-    for (int n = 0; n < 250; ++n) {
-        const Image a(1, 1, glm::vec3(step(n)));
-        EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 5))), step(5)).fraction, 0.0) << n;
-        EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 6))), step(5)).fraction, 1.0) << n;
-    }
-    const Image a(1, 1, glm::vec3(1000.0F));
-    const Image b(1, 1, glm::vec3(std::nextafter(1000.0F, 2000.0F)));
-    EXPECT_EQ(compareImages(a, b, 0.0F).fraction, 1.0);
-}
 
 class CompareCommand : public ::testing::Test {
   protected:

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "support/scenes.h"
 
 namespace vct::test {
