@@ -1,5 +1,5 @@
 // Cones through faces whose light is known: the example of docs/voxel-cone-tracing.md ("A cone in numbers"),
-// and the mean of the faces that a slanted cone meets.
+// the mean of the faces that a slanted cone meets, and a sample on the volume's border.
 #include <gtest/gtest.h>
 
 #include "engine/programs.h"
@@ -14,13 +14,16 @@ constexpr const char* shader = R"(
 #include "directional/cones.glsl"
 layout(local_size_x = 1) in;
 layout(std430, binding = VCT_SSBO_COMMANDS) buffer Found {
-    vec4 found[2];
+    vec4 found[3];
 };
 void main() {
     const vec3 up = vec3(1e-6, 1.0, 1e-6), slanted = vec3(0.48, 0.6, 0.64);
     ConeResult cone = traceCone(vec3(32.0, VCT_GATHER_START, 32.0), up, vec3(0.0), up, 128.0, 1.0);
     found[0] = vec4(cone.radiance.g, cone.transmittance, cone.nearness, 0.0);
     found[1] = sampleFaces(vec3(0.5, 0.9, 0.5), slanted, slanted, 0.0);
+    // On the border of the volume, half of a texel is inside.
+    Cone fading = coneFrom(vec3(32.0, 60.0, 32.0), up, vec3(0.0), up, true);
+    found[2] = sampleLevel(fading, 4.0, vec3(0.5, 1.0, 0.5), 0.0);
 }
 )";
 
@@ -35,7 +38,7 @@ void fill(const gl::Texture& faces, int level, int face, int firstY, int layers,
                       GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
 }
 
-TEST(Cones, GiveTheNumbersOfTheExampleAndTheMeanOfSlantedFaces) {
+TEST(Cones, GiveTheNumbersOfTheExampleAndOfSamples) {
     const Context context = openContext(Backend::egl);
     constexpr int levels = 7;
     const gl::Texture faces = gl::Texture::make3d("faces", GL_RGBA8, 3 * grid, 2 * grid, grid, levels);
@@ -56,7 +59,7 @@ TEST(Cones, GiveTheNumbersOfTheExampleAndTheMeanOfSlantedFaces) {
     shared::FrameUniforms frame{};
     frame.gridSide = grid;
     const shared::FaceRange range{1.0F, 1.0F, 0.0F, 0.0F};
-    glm::vec4 found[2] = {};
+    glm::vec4 found[3] = {};
     const gl::Buffer frameBlock("frame", GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STATIC_DRAW);
     const gl::Buffer rangeBlock("range", GL_UNIFORM_BUFFER, sizeof range, &range, GL_STATIC_DRAW);
     const gl::Buffer results("results", GL_SHADER_STORAGE_BUFFER, sizeof found, found, GL_DYNAMIC_COPY);
@@ -79,6 +82,7 @@ TEST(Cones, GiveTheNumbersOfTheExampleAndTheMeanOfSlantedFaces) {
     const glm::dvec3 squares = direction * direction * coverage;
     const double covered = glm::dot(direction, coverage);
     EXPECT_NEAR(found[1].a, covered, 0.003);
+    EXPECT_NEAR(found[2].a, 0.5 * coverage.y, 0.003);
     EXPECT_NEAR(found[1].g, covered * glm::dot(squares, radiance) / glm::dot(squares, glm::dvec3(1.0)),
                 0.003);
 }
