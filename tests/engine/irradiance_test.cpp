@@ -25,8 +25,10 @@ int addEmitter(Scene& scene) {
 
 TEST(Gather, ALonePlaneSeesTheSkyAndNothingElse) {
     const Context context = openContext(Backend::egl);
-    for (const float sky : {0.0F, 0.75F}) {
+    // One step has no history, so its weight is 1.
+    for (const auto& [sky, lightFrames] : {std::pair{0.0F, 16}, {0.75F, 16}, {0.75F, 1}}) {
         Settings settings = mobileAt(40);
+        settings.lightFrames = lightFrames;
         settings.skyRadiance = glm::vec3(sky);
         FrameInspector frame(context, lonePlane(0.0), noLight(), settings,
                              lookAt({0, 3, 0.5}, {0, 0, 0}, 40));
