@@ -4,7 +4,9 @@
 // The last pass runs in every frame. The G-buffer pass also does, unless the caller brings its own G-buffer.
 // Shadow maps and voxels depend on the scene's state and, once light has converged, not on the camera. Each
 // is created when an output first needs it, stores the state that it was made for, and is rebuilt only when
-// the state changes, or in every frame if Settings::revoxelize asks for that, to measure it.
+// the state changes. Settings::revoxelize rebuilds them in every frame, so that their time can be measured.
+//
+// reads() (engine/output.h) says which of these inputs an output needs.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -16,7 +18,7 @@ namespace vct {
 
 void Renderer::render(const RenderRequest& request) {
     timer_.beginFrame();
-    // A frame that threw an exception may have left shadow maps and voxels incomplete.
+    // The flag stays set if a frame throws an exception, which may leave shadow maps and voxels incomplete.
     if (lastFrameFailed_) invalidateCaches();
     lastFrameFailed_ = true;
 
@@ -30,8 +32,8 @@ void Renderer::render(const RenderRequest& request) {
         voxels().prepare(scene_);
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
-    // light through them.
-    // The sun's map is drawn once for a state; an output with a soft shadow adds moments to it.
+    // light through them. The sun's map is drawn once for a state. For an output with a soft shadow, update()
+    // also computes the moments that the shadow is filtered from.
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())
@@ -50,8 +52,8 @@ void Renderer::render(const RenderRequest& request) {
 
         // Lit voxels and their mip levels (thesis 4.4 and 4.5). Faces gather indirect light or ambient
         // occlusion, whichever the output needs. A frame takes one light step (inject, mip levels, gather),
-        // or all steps until the light has converged. If several outputs show indirect light, the first takes
-        // them, and the others reuse the result.
+        // or all steps until the light has converged. If several outputs show indirect light, the first one
+        // takes the steps, and the others reuse the result.
         VoxelLight light;
         if (reads(output).voxels) {
             const bool indirect = reads(output).indirectLight;

@@ -1,5 +1,5 @@
-// One step of the gather. The faces that choose_faces.comp listed trace a few cones and add the result to
-// their history. VCT_GATHER_OCCLUSION (true or false): gather ambient visibility in place of light.
+// One step of the gather: the faces that choose_faces.comp listed trace a few cones and add the mean of them
+// to their history. VCT_GATHER_OCCLUSION (true or false): they gather ambient visibility in place of light.
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
@@ -10,7 +10,7 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 const bool occlusion = VCT_GATHER_OCCLUSION;
 
-// The work group's sums of gathered light: three channels by other faces, and three by the sky.
+// The work group's sums of gathered light: three channels from other faces, then three from the sky.
 const uint sumCount = 6u;
 shared uint groupSums[sumCount];
 
@@ -28,15 +28,18 @@ vec3 gatherDirection(int i) {
     return vec3(sqrt(u) * cos(azimuth), sqrt(1.0 - u), sqrt(u) * sin(azimuth));
 }
 
-// Traces `cones` cones of a face, along consecutive directions of the set from `firstDirection` on. The 16
-// faces of a layer of a block (4^3 voxels) begin at 16 consecutive directions. From one direction to the next
-// the azimuth turns by about the golden angle, so that any few consecutive ones are spread over the
-// hemisphere. `ownBelow`: ownFaces(), which keeps the cones from meeting the face's own surface.
+// Traces `cones` cones of a face, along consecutive directions of the set from `firstDirection` on. From one
+// direction to the next the azimuth turns by about the golden angle, so that any few consecutive ones are
+// spread over the hemisphere. Neighbouring faces begin at different directions: a block has 4^3 voxels, one
+// layer of it has 4 x 4 faces, and these begin at 16 consecutive directions. `ownBelow`: the result of
+// ownFaces(), which keeps the cones from meeting the face's own surface.
 Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
+    // Odd, so that its multiples modulo the number of directions, a power of two, reach every direction.
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
     vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
     int place = indexInBlock(voxel, axis);
     int first = int(firstDirection) + place;
+    // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
     Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -50,7 +53,7 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         float spread = exp2(float(noise & 65535) / 65536.0 - 0.5);
         ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
         gathered.light += cone.radiance;
-        // The solid angle of one direction in a distribution by the cosine.
+        // The solid angle that one direction of the set stands for: pi / (N cos), by the density above.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
         gathered.sky += visibleSky(direction, solidAngle, cone.transmittance);
         gathered.nearness += cone.nearness;
@@ -72,8 +75,8 @@ void addToBlock(ListedFace listed, vec3 light, float coverage) {
 
 // Adds a step to a face's history. `known`: length of the history that counts. `stepsNow`: how many steps
 // this one counts for. Outside of rounds, recent steps have more weight, because they include more bounces. A
-// round is n steps in which all directions have the same weight: each adds (light - roundStart) / n. After n
-// steps roundStart has cancelled out, and the mean of the round remains.
+// round is n steps with equal weights, whose mean replaces the history. The history at its first step is kept
+// as `roundStart`, and each step adds (light - roundStart) / n. After n steps roundStart has cancelled out.
 FaceIrradiance nextMean(FaceIrradiance before, float known, vec3 light, float nearness, float stepsNow) {
     float steps = max(known + stepsNow, lightStep.minHistory),
           share = VCT_RECENT_STEP_WEIGHT / (known + VCT_RECENT_STEP_WEIGHT);
@@ -102,24 +105,26 @@ void main() {
         bool lookedUp = (chosen & lookedUpFlag) != 0u;
         float rate = turnRate(lookedUp);
         uint direction = lightStep.direction;
-        // The 16 faces of a layer use 16 consecutive directions in one turn, so the next turn begins behind
-        // them. The stride is 17 and not 16, because an odd stride leads each face through all directions.
+        // With a budget, a face's direction follows from the number of its turn. The 16 faces of a layer use
+        // 16 consecutive directions in one turn, so the next turn begins behind them. The stride is 17 and
+        // not 16, because an odd stride leads each face through all directions.
         if (lightStep.coneBudget > 0u)
             direction = 17u * turnOf(listed.voxel, listed.face >> 1, lookedUp).number;
         // Faces along creases are not smoothed (fill_bricks.comp), so their noise would flicker while
         // something changes. They trace more cones and have a longer history.
         float close = closeness(before.nearness);
-        // A face that rarely has a turn keeps fewer of its own steps. The square root divides the error
-        // between more noise and a longer lag.
+        // A face with few turns averages fewer steps of its own, or its light would lag by many frames. It is
+        // then noisier; the square root of the rate is a compromise.
         float maxSteps = lightStep.maxHistory * sqrt(rate);
         float known = min(before.steps, maxSteps * (1.0 + 2.0 * close * lightStep.smoothing));
         uint cones =
             isNearSurfaces(before) ? max(lightStep.cones, uint(VCT_MIN_CREASE_CONES)) : lightStep.cones;
-        // A face without a history traces more cones, unless its coverage is tiny.
+        // A face without a history traces more cones, unless its coverage is so tiny that it hardly counts.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
         Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction,
                               int(isNew ? lightStep.initialCones : cones));
+        // For occlusion there is no VCT_ENVIRONMENT, so `sky` is the share of the hemisphere that is open.
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);
         if (!occlusion) {
             // Only the share `rate` of the faces gathers in a step, so each counts 1 / rate times in the sums

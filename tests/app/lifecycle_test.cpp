@@ -31,9 +31,6 @@ TEST(Lifecycle, StartsTestsTheDriverShowsASceneAndEnds) {
     EXPECT_TRUE(android.logged("self-test passed")) << android.errors();
     EXPECT_TRUE(android.logged("GL_OES_shader_image_atomic")) << "what `vct info` prints belongs in the log";
     EXPECT_TRUE(android.logged("the app ends"));
-    for (const char* section : {"shadow map", "G-buffer", "voxelize", "mipmap", "cone trace", "present"})
-        EXPECT_EQ(std::count(android.traceSections.begin(), android.traceSections.end(), section), 1)
-            << section;
     expectClean(android);
 }
 
@@ -99,19 +96,6 @@ TEST(Lifecycle, RotationGivesASurfaceOfTheNewSize) {
     expectClean(android);
 }
 
-TEST(Lifecycle, AContextLostBetweenFramesIsReplaced) {
-    Small android;
-    android.startUntilSceneShown(width, height);
-    android.then([&] { android.loseContextAtSwap(1); });
-    android.frames(3);
-    android.then([&] { android.capture = true; });
-    android.frames(1);
-    android.run();
-    EXPECT_EQ(android.contextsMade, 2);
-    EXPECT_TRUE(android.logged("the GL context was lost"));
-    expectClean(android);
-}
-
 // The driver may report the loss at any call of a frame, or while GL objects are set up.
 TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
     for (int call : {1, 2, 3, 5, 8, 13, 21, 34}) {
@@ -169,15 +153,6 @@ TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
     expectClean(android);
 }
 
-TEST(Lifecycle, TheBackButtonIsLeftToTheSystem) {
-    Small android;
-    android.startUntilSceneShown(width, height);
-    android.key();
-    android.run();
-    EXPECT_EQ(android.lastHandled, 0);
-    expectClean(android);
-}
-
 TEST(Lifecycle, SavedStateKeepsACommandFromRunningTwice) {
     TemporaryFolder files;
     for (const bool restored : {false, true}) {
@@ -209,16 +184,6 @@ TEST(Lifecycle, ASurfaceThatCannotBeMadeWaitsForTheNextWindow) {
     EXPECT_GT(android.shown, 0);
     EXPECT_TRUE(android.logged("the window cannot be drawn into"));
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
-}
-
-TEST(StandInTest, NoticesADeadWindowsSurface) {
-    Small android;
-    android.startUntilSceneShown(width, height);
-    // The window dies without a command, so the app goes on drawing.
-    android.then([&] { android.glue.window->alive = false; });
-    android.frames(2);
-    android.run();
-    EXPECT_FALSE(android.misuse.empty());
 }
 
 TEST(DriverFaultsOfTheApp, ElementsAreBoundAfterTheirVertexArrayAndNothingIsQueried) {

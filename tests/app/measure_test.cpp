@@ -117,18 +117,6 @@ TEST(MeasureInTheApp, ALostWindowAndAPauseOnlyDelayIt) {
     EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
 }
 
-TEST(MeasureInTheApp, ALostContextFailsIt) {
-    Measuring android("bench size=16x16 grid=64 repeat=1");
-    const TemporaryFolder& files = android.folder;
-    android.framesUntilLogged("bench: 1 of");
-    android.frames(4);
-    android.then([&] { android.loseContextAtGlError(3); });
-    android.frames(10);
-    android.run();
-    expectMentions(readBytes(files.file("results/failed")), {"context was lost"});
-    EXPECT_EQ(android.misuse, std::vector<std::string>{});
-}
-
 TEST(MeasureInTheApp, AScenePushedIntoTheFilesFolderCanBeMeasured) {
     Measuring android("bench scene=mine.glb size=16x16 grid=64 repeat=1");
     const TemporaryFolder& files = android.folder;

@@ -35,21 +35,6 @@ struct MadeUpDevice {
     }
 };
 
-TEST(ResolutionScale, RisesToTheWindowsPixelsWhereThereIsTime) {
-    ResolutionScale scale;
-    MadeUpDevice fast{1.0, 5.0};
-    fast.run(scale, 120);
-    EXPECT_EQ(scale.divisor(), 1.0);
-}
-
-TEST(ResolutionScale, StaysAtItsBoundWhereNoSizeIsFastEnough) {
-    ResolutionScale scale;
-    MadeUpDevice hopeless{100.0, 100.0};
-    EXPECT_EQ(hopeless.run(scale, 10), 1) << "ten frames suffice";
-    EXPECT_EQ(scale.divisor(), ResolutionScale::maxDivisor);
-    EXPECT_EQ(hopeless.run(scale, 500), 0);
-}
-
 // Once the size has converged, frames that differ by a tenth do not change it, at any speed of the device.
 TEST(ResolutionScale, DoesNotOscillate) {
     for (double windowMs = 4.0; windowMs < 400.0; windowMs *= 1.07) {

@@ -45,14 +45,6 @@ TEST(Info, NamesMissingExtensionsAndExitsWithOne) {
     EXPECT_TRUE(has(outcome, "no global illumination without")) << outcome.output;
 }
 
-TEST(Info, AcceptsEssl310WithExtensionsInAnEs31Context) {
-    if (!has(info("", ""), "Mesa")) GTEST_SKIP() << "only Mesa can be told to be an older version";
-    const Outcome outcome = info("MESA_GLES_VERSION_OVERRIDE=3.1", "");
-    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
-    EXPECT_TRUE(has(outcome, "310 es with extensions")) << outcome.output;
-    EXPECT_TRUE(has(outcome, "KHR_debug messages and groups")) << outcome.output;
-}
-
 TEST(Info, PrintsNothingButItsReportOnZink) {
     VCT_SKIP_IF_ABSENT(Backend::zink);
     const Outcome outcome = info("env -u XDG_RUNTIME_DIR", "--backend zink");

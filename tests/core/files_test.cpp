@@ -72,20 +72,5 @@ TEST(ReplaceFile, ALackOfSpaceLeavesTheOldFileAndNoOther) {
     EXPECT_EQ(folder.list(), FileNames{"a"});
 }
 
-TEST(Interruption, RemovesFilesAndEmptyFoldersThatAreHalfMade) {
-    const TemporaryFolder folder;
-    for (const char* name : {"empty", "used", "kept"})
-        std::filesystem::create_directory(folder.file(name));
-    writeBytes(folder.file("used/mine"), "mine");
-    writeBytes(folder.file("half"), "half");
-    {
-        const RemovedOnInterruption kept(folder.file("kept"));
-    }
-    const RemovedOnInterruption empty(folder.file("empty")), used(folder.file("used")),
-        half(folder.file("half"));
-    removeAfterInterruption();
-    EXPECT_EQ(folder.list(), (FileNames{"kept", "used"}));
-}
-
 }  // namespace
 }  // namespace vct::test

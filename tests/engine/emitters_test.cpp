@@ -35,22 +35,6 @@ std::vector<EmitterPart> partsAt64(const Scene& scene) {
     return emitterParts(scene, volumeAround(scene.boundsWorld, 64));
 }
 
-TEST(EmitterParts, ASquareIsDividedAndKeepsItsArea) {
-    const Scene scene = roomWithEmitter(0.5);
-    const std::vector<EmitterPart> parts = partsAt64(scene);
-    ASSERT_EQ(parts.size(), 4U);
-    double area = 0.0;
-    for (const EmitterPart& part : parts) {
-        area += part.area;
-        EXPECT_FALSE(part.isRound());
-        EXPECT_NEAR(part.facing.y, -0.25 * 0.25, 1e-6);
-        EXPECT_NEAR(std::abs(part.centre.x), 0.125, 0.01);
-        EXPECT_NEAR(glm::length(part.side), 0.125, 0.01);
-        EXPECT_NEAR(part.radiance.g, emitterRadiance, 1e-3);
-    }
-    EXPECT_NEAR(area, 0.25, 1e-6);
-}
-
 TEST(EmitterParts, ASmallBoxIsOnePartWithoutADirection) {
     Scene scene = closedBox(0);
     addBox(scene, glm::dvec3(0.1), {0.2, 0.1, 0.3}, addEmissiveMaterial(scene));
@@ -117,15 +101,16 @@ bool plateHides(const glm::dvec3& from, const glm::dvec3& to) {
 
 TEST(Emitters, LightAFloorByTheirFormFactor) {
     const Context context = openContext(Backend::egl);
-    for (const double side : {0.1, 0.5}) {
-        SCOPED_TRACE(side);
+    // The last emitter is so close that its parts fill much of the hemisphere. Its error grows to the side.
+    for (const auto& [side, height] : {std::pair{0.1, 0.98}, {0.5, 0.98}, {0.5, -0.5}}) {
+        SCOPED_TRACE(testing::Message() << side << " wide at " << height);
         const Settings settings = mobileAt(64);
-        FrameInspector inspector(context, roomWithEmitter(side), noLight(), settings,
+        FrameInspector inspector(context, roomWithEmitter(side, height), noLight(), settings,
                                  lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
         for (const auto& [surface, light] : inspector.seen(Output::indirectLight)) {
-            if (surface.positionWorld.y > -0.99) continue;
-            const double right =
-                roomAlbedo * emitterRadiance * shareOfSquare(surface.positionWorld, side, 0.98);
+            const glm::dvec3& p = surface.positionWorld;
+            if (p.y > -0.99 || (height < 0.0 && std::max(std::abs(p.x), std::abs(p.z)) > 0.25)) continue;
+            const double right = roomAlbedo * emitterRadiance * shareOfSquare(p, side, height);
             ASSERT_NEAR(light.g, right, 0.03 * right);
         }
     }

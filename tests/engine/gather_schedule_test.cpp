@@ -8,7 +8,7 @@
 namespace vct::test {
 namespace {
 
-constexpr GatherSchedule::Change noChange{false, false}, otherLists{true, false}, otherLight{false, true};
+constexpr GatherSchedule::Change noChange{false, false};
 
 GatherSettings settingsWith(int directions, int refined, int cones) {
     GatherSettings settings;
@@ -42,39 +42,6 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
             visited.insert((step.direction + cone) % 256);
     }
     EXPECT_EQ(visited.size(), 256U);
-}
-
-TEST(GatherSchedule, AChangeShortensHistoriesAndStartsAgain) {
-    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
-    while (!schedule.isConverged())
-        schedule.advance(noChange);
-    const GatherStep changed = schedule.advance(otherLight);
-    EXPECT_EQ(changed.cones, 1U);
-    EXPECT_EQ(changed.coneBudget, static_cast<std::uint32_t>(GatherSettings().coneBudget));
-    EXPECT_EQ(changed.smoothing, 1.0F);
-    EXPECT_LE(changed.history, 15.0F);
-    EXPECT_EQ(changed.roundShare, 0.0F);
-    EXPECT_FALSE(schedule.isConverged());
-    const GatherStep after = schedule.advance(noChange);
-    EXPECT_EQ(after.cones, 8U);
-    EXPECT_EQ(after.coneBudget, 0U);
-    EXPECT_LT(after.history, changed.history);
-    EXPECT_LT(after.smoothing, 1.0F);
-    int steps = 2;
-    for (; !schedule.isConverged(); ++steps)
-        schedule.advance(noChange);
-    EXPECT_EQ(steps, schedule.convergenceSteps());
-}
-
-// Voxels that are rebuilt in the same light keep converged light and long histories.
-TEST(GatherSchedule, OtherListsInTheSameLightKeepHistories) {
-    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
-    while (!schedule.isConverged())
-        schedule.advance(noChange);
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_GT(schedule.advance(otherLists).history, 100.0F);
-        EXPECT_TRUE(schedule.isConverged());
-    }
 }
 
 }  // namespace

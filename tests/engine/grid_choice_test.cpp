@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "engine/directional/directional_voxels.h"
-#include "engine/driver_needs.h"
 #include "support/errors.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -71,23 +70,6 @@ TEST(GridChoice, IsLimitedByThePresetAndTheMemory) {
     EXPECT_EQ(small.grid, 64);
     expectMentions(small.reason, {"the finest that memory allows"});
     EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0)).grid, 128);
-}
-
-TEST(GridChoice, IsLimitedByTheDriver) {
-    const Scene scene = floorWith(20, {0.1, 0.05, 1});
-    const Settings quality = presetSettings("quality");  // six faces take three voxels' width
-    EXPECT_EQ(chooseGrid(scene, quality, driverWith(3 * 256), enough).grid, 256);
-    const GridChoice coarser = chooseGrid(scene, quality, driverWith(3 * 256 - 1), enough);
-    EXPECT_EQ(coarser.grid, 128);
-    expectMentions(coarser.reason, {"grid 128", "the finest that the driver allows"});
-
-    // With no possible grid, the coarsest is refused by the name of the limit.
-    const gl::Capabilities tiny = driverWith(100);
-    Settings refused = quality;
-    refused.grid = chooseGrid(scene, quality, tiny, enough).grid;
-    EXPECT_EQ(refused.grid, 128);
-    expectMentions(errorOf([&] { requireNeeds(refused, tiny); }),
-                   {"GL_MAX_3D_TEXTURE_SIZE >= 384", "found: 100", "use a coarser grid"});
 }
 
 TEST(GridChoice, WarnsOfPartsSmallerThanAVoxel) {

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "gl/read_back.h"
+#include "lab/cpu_mips.h"
 #include "lab/debug_view.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 #include "support/renderers.h"
-#include "support/voxels.h"
 
 namespace vct::test {
 namespace {

@@ -1,23 +1,9 @@
 // Bit layouts that C++ and the shaders share.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "shared/layout.h"
 
 using namespace vct::shared;
-
-TEST(VoxelWord, RoundTripsEveryField) {
-    std::mt19937 random(1);
-    for (int i = 0; i < 10000; ++i) {
-        const uint light = random() % 16, count = random() % 16;
-        const uvec3 color(random() % 256, random() % 256, random() % 256);
-        const uint word = packVoxel(light, count, color);
-        ASSERT_EQ(voxelLight(word), light);
-        ASSERT_EQ(voxelCount(word), count);
-        ASSERT_EQ(voxelColor(word), color);
-    }
-}
 
 TEST(VoxelWord, HasTheThesissOrder) {  // figure 4.3
     EXPECT_EQ(packVoxel(8, 8, uvec3(0x12, 0x34, 0x56)), 0x88123456U);

@@ -36,20 +36,6 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     }
 }
 
-// Irradiance persists from pose to pose, and converges to that of a scene in which nothing moved.
-TEST(MovingInstances, LeaveNoTraceInTheIrradiance) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = load(twoThatMove());
-    const Settings settings = mobileSettings();
-    for (const Output mode : {Output::gi, Output::ao}) {
-        PlayingScene stage(context, scene, settings);
-        for (const double seconds : {0.35, 1.7}) {
-            stage.frameAt(seconds - 0.05, mode);
-            expectFreshLight(stage, context, scene, settings, seconds, mode);
-        }
-    }
-}
-
 // Occlusion needs voxels without irradiance, and phong needs none.
 TEST_P(Moving, EveryFrameIsFreshWhenModesTakeTurns) {
     const Context context = openContext(Backend::egl);
@@ -126,41 +112,6 @@ TEST_P(Moving, TheLightMaySetAndTheCameraMayMove) {
     EXPECT_LT(brightness(), 0.05 * day);
 }
 
-// A card with a picture and the same card after half a turn are in one place: the camera sees the one that is
-// drawn first. Half way round the two have changed places.
-TEST(MovingInstances, AreSortedIndependentlyOfTheirOrder) {
-    const Context context = openContext(Backend::egl);
-    GltfBuilder builder = openFloor();
-    const int texture = builder.texture(encodePng(16));
-    const int material =
-        builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
-    const int mesh = builder.mesh(
-        {{"attributes",
-          {{"POSITION", builder.floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0})},
-           {"TEXCOORD_0", builder.floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0, 0}, "VEC2")}}},
-         {"material", material}});
-    const int card = builder.add("nodes", {{"mesh", mesh}});
-    const int turned = builder.add("nodes", {{"mesh", mesh}, {"rotation", {0, 0, 1, 0}}});
-    const int wheel = builder.node({{"children", {card, turned}}, {"translation", {0, 1.2, 0}}});
-    builder.animate(wheel, "rotation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 0.70710678F, 0.70710678F, 0, 0, 1, 0});
-    const Scene scene = load(builder);
-    const Settings settings = mobileSettings();
-    PlayingScene stage(context, scene, settings);
-    stage.frameAt(0.0);
-    const Image before = stage.renderer().radiance();
-    for (const double seconds : {2.0, 0.0, 0.7})
-        expectFresh(stage, context, scene, settings, seconds);
-    for (unsigned seed = 1; seed < 3; ++seed) {
-        Scene shuffled = scene;
-        shuffleTriangles(shuffled, seed);
-        PlayingScene other(context, shuffled, settings);
-        for (const double seconds : {0.0, 2.0, 2.0, 0.0, 0.0, 0.7, 0.7})  // the frames of expectFresh()
-            other.frameAt(seconds);
-        expectSameGrid(gridOf(stage.renderer()), gridOf(other.renderer()), "seed " + std::to_string(seed));
-        expectSamePicture(stage.renderer().radiance(), other.renderer().radiance(), "shuffled");
-    }
-}
-
 // The box shares voxels with the wall and shades it. The wall covers its voxels in part, so anything that is
 // added twice would show.
 TEST(MovingInstances, ABoxMayPassThroughAWall) {
@@ -175,26 +126,6 @@ TEST(MovingInstances, ABoxMayPassThroughAWall) {
     const Settings settings = mobileSettings();
     PlayingScene stage(context, scene, settings);
     for (double seconds = 0.0; seconds <= 2.0; seconds += 0.4)
-        expectFresh(stage, context, scene, settings, seconds);
-}
-
-TEST(MovingInstances, MayBeAThousand) {
-    const Context context = openContext(Backend::egl);
-    GltfBuilder builder = openFloor();
-    const int first = addCube(builder, {0.2F, 0.7F, 0.3F}, {{"translation", {0, 0.5, 0}}});
-    const int mesh = builder.document["nodes"][static_cast<std::size_t>(first)]["mesh"];
-    for (int i = 0; i < 1000; ++i) {
-        const float x = -1.8F + 0.36F * static_cast<float>(i % 10),
-                    y = 0.1F + 0.2F * static_cast<float>(i / 100),
-                    z = -1.8F + 0.36F * static_cast<float>(i / 10 % 10);
-        const int node = builder.node({{"mesh", mesh}, {"scale", {0.1, 0.1, 0.1}}});
-        builder.animate(node, "translation", {0, 1}, {x, y, z, x + 0.2F, y + 0.1F, z - 0.1F});
-    }
-    const Scene scene = load(builder);
-    const Settings settings = mobileSettings();
-    PlayingScene stage(context, scene, settings);
-    stage.frameAt(0.0);
-    for (const double seconds : {0.2, 1.0})
         expectFresh(stage, context, scene, settings, seconds);
 }
 

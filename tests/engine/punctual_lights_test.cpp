@@ -11,7 +11,6 @@
 #include "support/playing_scene.h"
 #include "support/punctual_light.h"
 #include "support/scenes.h"
-#include "support/steps.h"
 
 namespace vct::test {
 namespace {
@@ -172,19 +171,6 @@ TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
         EXPECT_GT(change, 0.3 * sum) << preset;
         EXPECT_LE(std::abs(difference), 0.005 * sum) << preset;
     }
-}
-
-TEST(PunctualLights, InAStaticSceneMapsAndVoxelsAreNotRebuilt) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene =
-        roomAtNight({punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0})});
-    Settings settings = mobileAt(48);
-    settings.lightFrames = 1;
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), settings);
-    renderer.render({{Output::gi}, intoRoom});
-    const Image first = renderer.radiance();
-    EXPECT_EQ(stepsOf(renderer, [&] { renderer.render({{Output::gi}, intoRoom}); }), "");
-    EXPECT_TRUE(renderer.radiance().pixels == first.pixels);
 }
 
 // One light reaches a part of the scene only, and in the second round an object carries one.

@@ -1,7 +1,6 @@
 // Packed voxels of triangles that are sorted by their axis equal those of the geometry shader bit for bit.
 #include <gtest/gtest.h>
 
-#include "engine/axis_sort.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/errors.h"
@@ -61,29 +60,6 @@ TEST_P(SortedAxes, GiveTheVoxelsOfTheGeometryShader) {
     ASSERT_GT(byShader.lists[0].size(), 1000U);
     ASSERT_EQ(byShader.words.size(), byShader.lists.size());
     expectSameGrid(voxelized(scene, withoutGeometryShaders(context.capabilities)), byShader, name);
-}
-
-Mesh triangles(const std::vector<glm::vec3>& corners) {
-    Mesh mesh;
-    for (const glm::vec3& corner : corners) {
-        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-        mesh.vertices.push_back({corner, {0, 1, 0}, {}, {}});
-    }
-    return mesh;
-}
-
-TEST(AxisSort, KeepsTheOrderOfEachAxisAndOmitsTrianglesWithoutArea) {
-    const glm::vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-    const AxisSort sorted = sortByAxis(triangles({o, x, y,        // z
-                                                  o, y, z,        // x
-                                                  o, x, x,        // none
-                                                  o, z, x,        // y
-                                                  o, y, x,        // z
-                                                  o, x + y, z}),  // x, by preference over y
-                                       glm::mat4(1.0F));
-    EXPECT_EQ(sorted.indexCounts, (std::array<int, 3>{6, 3, 6}));
-    EXPECT_EQ(sorted.indices,
-              (std::vector<std::uint32_t>{3, 4, 5, 15, 16, 17, 9, 10, 11, 0, 1, 2, 12, 13, 14}));
 }
 
 TEST(Voxelization, EveryPresetRunsWithoutGeometryShadersAndPackedVoxelsSaySo) {

@@ -4,11 +4,9 @@
 #include <string>
 
 #include "core/error.h"
-#include "lab/debug_view.h"
 #include "lab/options.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
-#include "support/grids.h"
 #include "support/moving_scenes.h"
 #include "support/renderers.h"
 #include "support/steps.h"
@@ -94,23 +92,6 @@ TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     EXPECT_EQ(steps(), "");
 }
 
-// The light parts show the first bounce alone.
-TEST_P(Unchanged, LightAndOcclusionAreGatheredIndependently) {
-    frame();
-    const std::string occlusion = isPacked() ? "" : "irradiance";
-    const std::string light = isPacked() ? "" : "inject, mipmap, irradiance";
-    EXPECT_EQ(steps(Output::ao), occlusion);
-    EXPECT_EQ(steps(Output::ao), "");
-    EXPECT_EQ(steps(Output::gi), "");
-    pose(0.3);
-    EXPECT_NE(steps(Output::ao), "");
-    EXPECT_EQ(steps(Output::gi), light);
-    EXPECT_EQ(steps(Output::ao), "");
-    lightParts(renderer_, chooseCamera(scene_, ""));
-    EXPECT_EQ(steps(Output::gi), light);
-    EXPECT_EQ(steps(Output::gi), "");
-}
-
 TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
     frame();
     gl::Enable(GL_TEXTURE_3D);  // ES has no such state: the frame finds the error at its end
@@ -121,38 +102,6 @@ TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
     pose(0.0);
     EXPECT_EQ(steps(), all());
     EXPECT_EQ(steps(), "");
-}
-
-// Voxels that are rebuilt receive a little more light in each frame, so pictures with it differ.
-TEST_P(Unchanged, RevoxelizeRunsEveryStepInEveryFrameAndGivesTheSamePictures) {
-    settings_.revoxelize = true;
-    Renderer always = newRenderer();
-    const auto expectSamePicture = [&](Output mode, const char* camera, const std::string& name) {
-        frame(mode, camera);
-        always.render({{mode}, cameraFromText(camera, scene_)});
-        if (isPacked() || !reads(mode).voxels) {
-            EXPECT_TRUE(renderer_.radiance().pixels == always.radiance().pixels) << name;
-        } else {
-            expectSameGrid(gridOf(renderer_), gridOf(always), name);
-        }
-        EXPECT_EQ(renderer_.activeVoxels(), always.activeVoxels()) << name;
-    };
-    for (Output mode : allModes()) {
-        expectSamePicture(mode, "", outputName(mode));
-        expectSamePicture(mode, "", outputName(mode));
-        expectSamePicture(mode, "eye=1,2,3,target=0,0,0,fov=40", outputName(mode));
-    }
-    frame(Output::giConeShadow);
-    const Image before = renderer_.radiance();
-    for (Renderer* renderer : {&renderer_, &always}) {
-        renderer->setPose(poseAt(scene_.animation, 1.2));
-        renderer->setLightDirection(glm::dvec3(0.5, 1.0, 0.0));
-    }
-    expectSamePicture(Output::giConeShadow, "", "moved");
-    EXPECT_FALSE(renderer_.radiance().pixels == before.pixels);
-    expectSamePicture(Output::giConeShadow, "", "moved before");
-    const auto draw = [&] { always.render({{Output::gi}, chooseCamera(scene_, "")}); };
-    EXPECT_EQ(stepsOf(always, draw), all());
 }
 
 }  // namespace

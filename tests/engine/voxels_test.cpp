@@ -4,12 +4,12 @@
 #include <set>
 
 #include "gl/read_back.h"
+#include "lab/cpu_mips.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 #include "support/errors.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
-#include "support/voxels.h"
 
 namespace vct::test {
 namespace {

@@ -6,9 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "gl/debug.h"
 #include "gl/requirements.h"
-#include "platform/contexts.h"
 #include "support/errors.h"
 
 namespace vct::gl {
@@ -84,33 +82,6 @@ TEST(Requirements, EachExtensionAndLimitIsNamedAlone) {
     }
 }
 
-TEST(Requirements, EverythingMissingIsNamedAtOnce) {
-    const Change leaveOutAll = [](MadeUpDriver& driver) {
-        driver.extensions.clear();
-        driver.limits.clear();
-        driver.essl310 = false;
-    };
-    const std::string text = errorAfter(leaveOutAll);
-    size_t required = 0;
-    for (const Requirement& row : after(leaveOutAll).requirements) {
-        if (!row.required || row.met) continue;
-        ++required;
-        test::expectMentions(text, {row.name, row.neededBy});
-    }
-    EXPECT_EQ(required, 15u);  // all but the version itself
-    test::expectMentions(text, {"Made-up 9000"});
-}
-
-TEST(Requirements, OptionalOnesAreDescribedWithoutAnError) {
-    const Change leaveOut = [](MadeUpDriver& driver) {
-        driver.extensions.pop_back();  // GL_KHR_debug
-        driver.limits[GL_MAX_3D_TEXTURE_SIZE] = 256;
-    };
-    EXPECT_EQ(errorAfter(leaveOut), "");
-    test::expectMentions(describe(after(leaveOut)),
-                         {"absent  GL_KHR_debug", "absent  GL_MAX_3D_TEXTURE_SIZE >= 1536", "512^3"});
-}
-
 TEST(Requirements, FloatTargetsMayReplaceHalfFloatOnes) {
     EXPECT_EQ(errorAfter([](MadeUpDriver& d) { d.extensions[2] = "GL_EXT_color_buffer_float"; }), "");
 }
@@ -137,25 +108,6 @@ TEST(Requirements, SoftwareRenderersAreKnown) {
     EXPECT_FALSE(isSoftwareRenderer("Mali-G78"));
     EXPECT_FALSE(isSoftwareRenderer("zink (NVIDIA H200)"));
 }
-
-class CapabilitiesOf : public testing::TestWithParam<Backend> {};
-
-TEST_P(CapabilitiesOf, EachDriverHereSuffice) {
-    VCT_SKIP_IF_ABSENT(GetParam());
-    const auto platform = test::createContext(GetParam());
-    installDebugCallback();
-    const Capabilities capabilities = queryCapabilities();
-    EXPECT_NO_THROW(checkErrors("queryCapabilities"));
-    EXPECT_NO_THROW(capabilities.requireAll());
-    EXPECT_EQ(capabilities.desktopContext, GetParam() == Backend::osmesa);
-    EXPECT_TRUE(capabilities.debugOutput);
-    EXPECT_GE(capabilities.uniformBufferOffsetAlignment, 1);
-    EXPECT_EQ(capabilities.softwareDriver, isSoftwareRenderer(capabilities.renderer));
-}
-
-INSTANTIATE_TEST_SUITE_P(Capabilities, CapabilitiesOf,
-                         testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
-                         [](const auto& test) { return std::string(backendName(test.param)); });
 
 }  // namespace
 }  // namespace vct::gl

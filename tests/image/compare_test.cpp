@@ -1,61 +1,14 @@
-// Comparison of pictures, as a function and as `vct compare`.
+// `vct compare`: comparison of pictures and its exit status.
 #include "image/compare.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cli/program_run.h"
-#include "core/error.h"
 
 namespace vct::test {
 namespace {
-
-float step(int n) {
-    return float(n) / 255.0F;
-}
-
-TEST(CompareImages, ADifferenceOfExactlyTheLimitIsNone) {
-    for (int n = 0; n < 250; ++n) {
-        const Image a(1, 1, glm::vec3(step(n)));
-        EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 5))), step(5)).fraction, 0.0) << n;
-        EXPECT_EQ(compareImages(a, Image(1, 1, glm::vec3(step(n + 6))), step(5)).fraction, 1.0) << n;
-    }
-    const Image a(1, 1, glm::vec3(1000.0F));
-    const Image b(1, 1, glm::vec3(std::nextafter(1000.0F, 2000.0F)));
-    EXPECT_EQ(compareImages(a, b, 0.0F).fraction, 1.0);
-}
-
-TEST(CompareImages, EveryValueMustBeFiniteEvenIfBothAreNot) {
-    const float infinity = std::numeric_limits<float>::infinity();
-    for (const float bad : {std::nanf(""), infinity, -infinity})
-        for (int channel = 0; channel < 3; ++channel) {
-            const Image good(5, 4);
-            Image wrong = good;
-            wrong.at(3, 2)[channel] = bad;
-            EXPECT_FALSE(compareImages(good, wrong, 1.0F).comparable);
-            EXPECT_FALSE(compareImages(wrong, good, 1.0F).comparable);
-            EXPECT_FALSE(compareImages(wrong, wrong, 1.0F).comparable);
-        }
-}
-
-TEST(DifferenceImage, ShowsTheLimitAsMidGrey) {
-    Image a(4, 1);
-    Image b(4, 1);
-    b.at(1, 0) = glm::vec3(0.2F);
-    b.at(2, 0) = {0.0F, -9.0F, 0.1F};
-    a.at(3, 0).x = std::nanf("");
-    const Image difference = differenceImage(a, b, 0.2F);
-    EXPECT_EQ(difference.at(0, 0), glm::vec3(0.0F));
-    EXPECT_NEAR(srgbEncode(difference.at(1, 0).g), 0.5F, 1e-4F);
-    EXPECT_EQ(difference.at(2, 0).g, 1.0F);
-    EXPECT_NEAR(srgbEncode(difference.at(2, 0).b), 0.25F, 1e-4F);
-    EXPECT_EQ(difference.at(3, 0), glm::vec3(1.0F, 0.0F, 1.0F));
-    EXPECT_EQ(differenceImage(a, b, 0.0F).at(1, 0), glm::vec3(1.0F));
-    EXPECT_THROW(differenceImage(a, Image(1, 4), 0.2F), Error);
-}
 
 class CompareCommand : public ::testing::Test {
   protected:

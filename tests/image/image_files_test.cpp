@@ -186,20 +186,5 @@ TEST(ReadImage, RefusesEnormousPictures) {
     expectMentions(errorOf([&] { readImage(folder.file("a.exr")); }), {"maximum width of 16384"});
 }
 
-TEST(WriteImage, FailsWithCauseAndLeavesNothingBehind) {
-    const TemporaryFolder folder;
-    const Image image(4, 4);
-    using Write = void (*)(const std::string&, const Image&);
-    for (const Write write : {Write(writePng), Write(writeExr)}) {
-        const std::string missing = folder.file("no/such/folder/a.png");
-        expectMentions(errorOf([&] { write(missing, image); }), {"a.png': No such file"});
-
-        std::filesystem::create_directory(folder.file("taken"));
-        expectMentions(errorOf([&] { write(folder.file("taken"), image); }), {"Is a directory"});
-        EXPECT_EQ(folder.list(), Names{"taken"});
-        std::filesystem::remove(folder.file("taken"));
-    }
-}
-
 }  // namespace
 }  // namespace vct

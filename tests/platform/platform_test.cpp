@@ -82,13 +82,6 @@ TEST(Platform, ASecondEglContextOutlivesTheFirst) {
     EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST(Platform, DestructionLeavesNoContextBehind) {
-    auto platform = createContext(Backend::egl);
-    EXPECT_NE(eglGetCurrentContext(), EGL_NO_CONTEXT);
-    platform.reset();
-    EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
-}
-
 TEST(Platform, ZinkIsRefusedBesideAnotherEglContext) {
     VCT_SKIP_IF_ABSENT(Backend::zink);
     auto egl = createContext(Backend::egl);

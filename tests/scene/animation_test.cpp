@@ -93,17 +93,6 @@ TEST(Animation, ACubicSplineOfRotationsIsNormalised) {
     EXPECT_NEAR(glm::determinant(at(scene, 0.5)), 1.0, 1e-9);
 }
 
-TEST(Animation, AMovingNodeIsKeptThoughItIsScaledToZeroAtRest) {
-    GltfBuilder builder;
-    builder.triangle();
-    const int node = builder.triangle();
-    builder.document["nodes"][1]["scale"] = {0, 0, 0};
-    builder.animate(node, "scale", {0, 1}, {0, 0, 0, 1, 1, 1});
-    const Scene scene = load(builder);
-    EXPECT_EQ(scene.instances.size(), 2U);
-    EXPECT_FALSE(hasWarning(scene, "zero"));
-}
-
 // Exporters write a cut like this.
 TEST(Animation, TwoKeysAtOneTimeAreAJump) {
     const Scene scene = moved("translation", {0, 1, 1, 2}, {0, 0, 0, 4, 0, 0, 7, 0, 0, 8, 0, 0});

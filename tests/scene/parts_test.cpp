@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "support/scenes.h"
 
 namespace vct::test {
@@ -14,24 +11,6 @@ void expectSides(const Part& part, double a, double b, double c, double within =
     EXPECT_NEAR(part.sides[0], a, within);
     EXPECT_NEAR(part.sides[1], b, within);
     EXPECT_NEAR(part.sides[2], c, within);
-}
-
-TEST(Parts, ABoxIsOnePartThoughItsFacesShareNoVertex) {
-    Scene scene = emptyScene();
-    addBox(scene, {2.0, 0.12, 0.16});
-    const std::vector<Part> parts = connectedParts(scene);
-    ASSERT_EQ(parts.size(), 1U);
-    expectSides(parts[0], 0.12, 0.16, 2.0);
-    EXPECT_NEAR(parts[0].area, 2.0 * (2.0 * 0.12 + 2.0 * 0.16 + 0.12 * 0.16), 1e-6);
-}
-
-TEST(Parts, ABoxTurnedInsideItsObjectHasItsOwnSides) {
-    Scene scene = emptyScene();
-    addBox(scene, {2.0, 0.1, 0.3});
-    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.6, glm::dvec3(3, 1, 2));
-    for (Vertex& vertex : scene.meshes[0].vertices)
-        vertex.position = glm::vec3(turn * glm::dvec4(glm::dvec3(vertex.position), 1.0));
-    expectSides(connectedParts(scene).at(0), 0.1, 0.3, 2.0, 1e-5);
 }
 
 TEST(Parts, PiecesOfOneMeshThatDoNotTouchAreApart) {

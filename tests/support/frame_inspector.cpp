@@ -171,8 +171,16 @@ Words FrameInspector::packedVoxels() {
     return readVoxels(renderer_.occupancy().texture(), 0);
 }
 
-void FrameInspector::replacePackedVoxels(const Words& base) {
-    writePyramid(renderer_.occupancy().texture(), base);
+void FrameInspector::replacePackedVoxels(Words base) {
+    const gl::Texture& voxels = renderer_.occupancy().texture();
+    voxels.bind(VCT_TEX_VOXELS);
+    gl::PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    for (int level = 0; level < voxels.levels(); ++level) {
+        const int side = voxels.width() >> level;
+        gl::TexSubImage3D(GL_TEXTURE_3D, level, 0, 0, 0, side, side, side, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                          base.data());
+        if (level + 1 < voxels.levels()) base = mipOnCpu(base, side);
+    }
 }
 
 std::vector<FaceLevel> FrameInspector::faceLevels() {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/renderer.h"
+#include "lab/cpu_mips.h"
 #include "platform/platform.h"
 #include "support/face_irradiance.h"
 #include "support/faces.h"
-#include "support/voxels.h"
 
 namespace vct::test {
 
@@ -59,7 +59,7 @@ class FrameInspector {
 
     Words packedVoxels();  // the base level
     // The CPU computes the other levels.
-    void replacePackedVoxels(const Words& base);
+    void replacePackedVoxels(Words base);
 
     // The radiance that faces store as 1 in the last frame, relative to E/pi.
     double faceRange() const;

@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 """Checks the language of the repository: comments, words and links. Standard library only.
 
-    tests/text/check_text.py            checks every file that git tracks; exit code 1 and a list where something is wrong
-    tests/text/check_text.py --self-test  checks that each rule finds a text that breaks it
+    tests/text/check_text.py    checks every file that git tracks; exit code 1 and a list where something is wrong
 """
-import argparse
 import pathlib
 import re
 import subprocess
@@ -97,28 +95,7 @@ def faults(name: str, text: str):
         yield from rule(name, lines)
 
 
-def self_test() -> int:
-    broken = {
-        "jni/a.cpp": ["    // Where the list ends.", "int lamps;", "// The light settles.", "made_.reset();"],
-        "tools/a.py": ["# What it says.", "made = anew()"],
-        "docs/a.md": ["[gone](no_such_page.md)", "[gone](#no-such-heading)", "voxels remember their light"],
-    }
-    missed = [f"{name}: {line}" for name, lines in broken.items() for line in lines if not list(faults(name, line))]
-    clean = {"jni/a.cpp": "// The list ends where the next one begins.", "tests/a.cpp": 'load("lamp.glb");',
-             "docs/a.md": "[a page](README.md)"}
-    wrong = [f"{name}: {line}" for name, line in clean.items() if list(faults(name, line))]
-    for text in missed:
-        print("not found:", text)
-    for text in wrong:
-        print("found without a reason:", text)
-    return 1 if missed or wrong else 0
-
-
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--self-test", action="store_true", help="check the rules themselves")
-    if parser.parse_args().self_test:
-        return self_test()
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True, text=True).stdout
     count = 0
     for name in filter(None, listed.split("\0")):

@@ -1,4 +1,4 @@
-"""tools/apk: pack.py writes what Android needs, and check.py finds each possible error of an APK.
+"""tools/apk: pack.py writes what Android needs, and check.py finds errors of an APK.
 
 The checks run on tampered copies of the real APK, build/android/vct.apk; without one they are skipped.
 """
@@ -17,7 +17,6 @@ from files import ROOT
 
 APK = ROOT / "build" / "android" / "vct.apk"
 OURS = "lib/arm64-v8a/libvct.so"
-CXX = "lib/arm64-v8a/libc++_shared.so"
 
 
 @pytest.fixture(scope="module")
@@ -42,17 +41,13 @@ class Copy:
         assert data.count(old) >= 1 and len(old) == len(new)
         self.entries[name][1] = data.replace(old, new)
 
-    def write(self, signed=True, alignment=pack.PAGE):
-        page, pack.PAGE = pack.PAGE, alignment
-        try:
-            with zipfile.ZipFile(self.path, "w") as apk:
-                for name, (kind, data) in self.entries.items():
-                    if kind == zipfile.ZIP_STORED:
-                        pack.add_stored(apk, name, data)
-                    else:
-                        apk.writestr(zipfile.ZipInfo(name), data, kind)
-        finally:
-            pack.PAGE = page
+    def write(self, signed=True):
+        with zipfile.ZipFile(self.path, "w") as apk:
+            for name, (kind, data) in self.entries.items():
+                if kind == zipfile.ZIP_STORED:
+                    pack.add_stored(apk, name, data)
+                else:
+                    apk.writestr(zipfile.ZipInfo(name), data, kind)
         if signed:
             user = pathlib.Path(os.environ.get("ANDROID_USER_HOME", pathlib.Path.home() / ".android"))
             subprocess.run(["apksigner", "sign", "--ks", user / "debug.keystore", "--ks-pass", "pass:android", self.path], check=True)
@@ -92,15 +87,6 @@ def test_an_unsigned_apk_fails(copy, ndk):
     only(copy.found(ndk, signed=False), "signature", "apksigner")
 
 
-def test_a_byte_changed_after_signing_fails(copy, ndk):
-    path = copy.write()
-    data = bytearray(path.read_bytes())
-    data[check.Apk(path).data_offset(check.Apk(path).libraries[0]) + 5000] ^= 1
-    path.write_bytes(data)
-    found = check.problems(path, ndk)
-    assert found["signature"] and found["archive"] == [f"{OURS} is damaged"]
-
-
 def test_a_file_that_is_not_an_apk_is_an_error(ndk, tmp_path):
     for content in (b"", b"no zip file", APK.read_bytes()[:100000]):
         (tmp_path / "x.apk").write_bytes(content)
@@ -108,45 +94,6 @@ def test_a_file_that_is_not_an_apk_is_an_error(ndk, tmp_path):
                                os.environ["ANDROID_NDK_HOME"]], capture_output=True, text=True, check=False)
         assert done.returncode == 1
         assert "x.apk is not an APK" in done.stderr and "Traceback" not in done.stderr
-
-
-@pytest.mark.parametrize(("old", "new", "words"), [
-    ("vct.app", "vct.apq", "the package"),
-    ("android.hardware.opengles.aep", "android.hardware.opengles.aeq", "Android Extension Pack"),
-    ("android.app.NativeActivity", "android.app.NativeActivitx", "the activity to start"),
-])
-def test_each_entry_of_the_manifest_is_checked(copy, ndk, old, new, words):
-    manifest = copy.entries["AndroidManifest.xml"][1]
-    encoding = "utf-8" if old.encode() in manifest else "utf-16-le"
-    copy.replace("AndroidManifest.xml", old.encode(encoding), new.encode(encoding))
-    assert words in "\n".join(copy.found(ndk)["manifest"])
-
-
-@pytest.mark.parametrize(("kind", "value", "other", "words"), [
-    (0x10, 24, 25, "minSdk"), (0x10, 36, 37, "targetSdk"), (0x11, 0x30001, 0x30002, "OpenGL ES 3.1"),
-    (0x12, 0, 0xFFFFFFFF, "hasCode=false"), (0x12, 0, 0xFFFFFFFF, "extractNativeLibs=false")])
-def test_each_value_of_the_manifest_is_checked(copy, ndk, kind, value, other, words):
-    """A typed value of the binary XML has 8 bytes of size, type and data. All false values are made true at once."""
-    copy.replace("AndroidManifest.xml", *(struct.pack("<HBBI", 8, 0, kind, number) for number in (value, other)))
-    assert words in "\n".join(copy.found(ndk)["manifest"])
-
-
-def test_a_compressed_library_fails(copy, ndk):
-    copy.entries[OURS][0] = zipfile.ZIP_DEFLATED
-    only(copy.found(ndk), "alignment in the file", "is compressed")
-
-
-@pytest.mark.parametrize(("alignment", "words"), [(4096, "not on a page of 16 KiB"), (4, "zipalign")])
-def test_a_library_off_a_page_fails(copy, ndk, alignment, words):
-    # Then multiples of 4 or 4096 are no multiples of 16384.
-    copy.entries = {"assets/scenes/cornell.glb": copy.entries.pop("assets/scenes/cornell.glb"), **copy.entries}
-    found = copy.found(ndk, alignment=alignment, signed=False)
-    assert words in "\n".join(found["alignment in the file"])
-
-
-def test_a_large_apk_fails(copy, ndk):
-    copy.entries["res/large"] = [zipfile.ZIP_STORED, os.urandom(check.MAX_BYTES)]
-    only(copy.found(ndk), "size", "bytes, more than 12000000")
 
 
 def test_missing_and_changed_assets_fail(copy, ndk):
@@ -168,16 +115,6 @@ def test_a_segment_aligned_to_4_kib_fails(copy, ndk):
     only(copy.found(ndk), "libraries", "is aligned to 4096")
 
 
-def test_segments_of_the_ndks_library_count_from_r27_on(copy, ndk, monkeypatch):
-    data = bytearray(copy.entries[CXX][1])
-    struct.pack_into("<Q", data, segment_offsets(data)[0] + 48, 4096)
-    copy.entries[CXX][1] = bytes(data)
-    monkeypatch.setattr(ndk, "major", 26)
-    assert not copy.found(ndk)["libraries"]
-    monkeypatch.setattr(ndk, "major", 27)
-    assert f"{CXX}: a segment" in "\n".join(copy.found(ndk)["libraries"])
-
-
 @pytest.mark.parametrize(("old", "new", "words"), [
     (b"\0libEGL.so\0", b"\0libEGX.so\0", "needs libEGX.so, which neither Android 24 nor the APK has"),
     (b"\0AAssetManager_open\0", b"\0AAssetManager_opeX\0", "no library that it needs has AAssetManager_opeX"),
@@ -187,27 +124,6 @@ def test_segments_of_the_ndks_library_count_from_r27_on(copy, ndk, monkeypatch):
 def test_wrong_names_in_our_library_fail(copy, ndk, old, new, words):
     copy.replace(OURS, old, new)
     assert words in only(copy.found(ndk), "libraries")
-
-
-def test_a_missing_or_broken_library_fails(copy, ndk):
-    data = copy.entries[OURS][1]
-    for broken in (b"", data[:100], b"\x7fELF\x01\x01" + data[6:]):
-        copy.entries[OURS][1] = broken
-        assert f"{OURS}: " in only(copy.found(ndk), "libraries")
-    copy.entries[OURS][1] = data.replace(struct.pack("<H", 183), struct.pack("<H", 62), 1)
-    assert "ELF machine 62" in only(copy.found(ndk), "libraries")
-    del copy.entries[OURS]
-    assert f"{OURS} is missing" in only(copy.found(ndk), "libraries")
-
-
-def test_libraries_of_another_processor_fail(copy, ndk):
-    copy.entries["lib/armeabi-v7a/libvct.so"] = copy.entries[OURS]
-    assert "not built for armeabi-v7a" in only(copy.found(ndk), "libraries")
-
-
-def test_the_build_folder_in_the_library_fails(copy, ndk):
-    copy.entries[OURS][1] += str(check.ROOT).encode()
-    assert "names the folder that it was built in" in only(copy.found(ndk), "libraries")
 
 
 def test_packing_aligns_libraries_and_compresses_assets(tmp_path):

@@ -1,14 +1,10 @@
 """tools/eval.py mali: reading the compiler, matching loops, the bound's arithmetic."""
-import os
 import pathlib
-import subprocess
-import sys
 
 import pytest
 
-from conftest import ROOT
 from evaluation.mali import CLOCK_HZ, CORES, bound_ms, words_of
-from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse, passing_vertex_shader
+from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse
 from evaluation.mali_loops import match_loops
 from files import Failed
 
@@ -75,22 +71,7 @@ def test_the_bound_is_the_formula_of_the_help():
     assert words_of(unrolled, 100, loops((0, 300, "c"), (1, 3000)))["A"] == 3000, "copies share the iterations"
 
 
-def test_the_passing_vertex_shader_keeps_the_variants():
-    text = passing_vertex_shader("#version 310 es\n#extension GL_EXT_geometry_shader : require\n#define X\n#line 1 0\n"
-                                 "layout(triangles) in;\nin vec3 v[];\nout vec3 a;\n#ifdef X\nout vec2 b;\n#endif\nvoid main() {}\n")
-    assert "#extension" not in text and text.startswith("#version 310 es\n#define X\n")
-    assert text.count("#ifdef X") == 2 and "out vec2 b;" in text and "b = vec2(vertex * " in text
-
-
 def test_a_program_that_is_no_compiler_is_an_error(tmp_path):
     for compiler in (tmp_path / "none", pathlib.Path("/bin/false")):
         with pytest.raises(Failed, match="drm-shim"):
             compile_shaders(compiler, [tmp_path / "a.frag"])
-
-
-def test_bounds_are_written_with_the_real_compiler(program, tmp_path):
-    compiler = os.environ.get("VCT_MALI_COMPILER")
-    if not compiler:
-        pytest.skip("VCT_MALI_COMPILER does not name Mesa's compiler for Mali (tools/eval.py mali --help)")
-    subprocess.run([sys.executable, ROOT / "tools/eval.py", "mali", "--compiler", compiler, "--out", tmp_path], check=True)
-    assert "| mobile, gi-cone-shadow |" in (tmp_path / "bounds.md").read_text()

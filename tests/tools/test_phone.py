@@ -5,7 +5,6 @@ import os
 import pathlib
 import shutil
 import subprocess
-import sys
 
 import pytest
 
@@ -161,27 +160,3 @@ def test_a_wrong_command_line_prints_the_usage(phone):
         assert done.returncode == 2
         assert "scripts/phone.sh push SCENE.glb" in done.stderr
     failed(phone.run("--timeout", "soon", "bench"), "not a number of seconds")
-
-
-BENCH = {"version": 1, "tables": {"5.3": {"title": "Steps", "columns": ["CS", "Tot"], "rows": [
-    {"platform": "Here", "source": "measured", "values": [1.0, 12.5], "min": [1, 12], "max": [1, 13]},
-    {"platform": "Mobile", "source": "thesis", "values": [1.93, 856.0]}]}}}
-
-
-def test_tables_of_two_machines_have_the_thesis_once(root, tmp_path):
-    file = tmp_path / "bench.json"
-    file.write_text(json.dumps(BENCH))
-    done = subprocess.run([sys.executable, root / "tools" / "phone_tables.py", f"Phone={file}", f"desk={file}"],
-                          capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines() == ["Table 5.3: Steps", "", "|  | CS | Tot |", "|---|---|---|", "| Phone | 1.00 | 12.50 |",
-                                        "| desk | 1.00 | 12.50 |", "| Mobile (thesis) | 1.93 | 856.00 |"]
-
-
-@pytest.mark.parametrize("content", ["", "[]", "{}", '{"version": 2, "tables": {}}', '{"version": 1, "modes": {}}', '{"version": 4}'])
-def test_tables_refuse_unknown_files(root, tmp_path, content):
-    file = tmp_path / "bench.json"
-    file.write_text(content)
-    done = subprocess.run([sys.executable, root / "tools" / "phone_tables.py", f"Phone={file}"],
-                          capture_output=True, text=True, check=False)
-    assert done.returncode == 1
-    assert str(file) in done.stderr and "Traceback" not in done.stderr

@@ -160,18 +160,6 @@ def test_the_printed_command_renders_the_view(view, program, root, tmp_path):
     window.close("key", "Escape")
 
 
-def test_an_upright_window_shows_a_scene_without_a_camera(view, program, maker, tmp_path):
-    maker.quad((-1, 0, 1), (2, 0, 0), (0, 0, -2), maker.grey(0.6))
-    maker.quad((-1, 0, -1), (2, 0, 0), (0, 1.5, 0), maker.glb.material("red", (0.8, 0.2, 0.1)))
-    maker.path.write_bytes(maker.glb.to_bytes())
-    window = view(maker.path, "--size", "200x320", "--preset", "thesis", "--grid", "64", "--mode", "gi")
-    words, options, picture = window.save()
-    assert picture.shape == (320, 200, 3)
-    assert f"seen by --camera {options['--camera']}\n" in window.err.read_text()
-    assert difference(picture, rendered(program, words, tmp_path)) < 0.5
-    window.close("key", "Escape")
-
-
 def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     for name in ("cornell", "moving"):
         shutil.copy(root / f"assets/{name}.glb", tmp_path)
@@ -198,26 +186,6 @@ def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     wait_for("the other scene", lambda: "cornell.glb: " in window.err.read_text())
     words, _, _ = window.save()
     assert words[2].endswith("cornell.glb")
-    window.close("key", "Escape")
-
-
-def test_wheel_and_drag_over_the_panel_are_the_panels(view, root):
-    window = view(root / "assets/cornell.glb", "--size", "480x240", "--mode", "phong")  # lower than the panel
-    window.do("key", "t")  # hides the times, which change
-    _, options, _ = window.save()
-    panel = (slice(60, 230), slice(10, 300))
-    top = window.screen(480, 240)[panel]
-    window.do("mousemove", 150, 150, "click", 5, "click", 5)
-    assert difference(top, window.screen(480, 240)[panel]) > 5, "the panel does not scroll"
-    window.do("click", 4, "click", 4)
-    window.do("click", 4)
-    assert difference(top, window.screen(480, 240)[panel]) < 1, "and back"
-    window.do("mousedown", 1, "mousemove_relative", "--", 20, 20, "mouseup", 1)
-    _, same, _ = window.save()
-    assert same["--camera"] == options["--camera"], "wheel and drag were the panel's"
-    window.do("mousemove", 450, 150, "click", 5)
-    _, farther, _ = window.save()
-    assert farther["--camera"] != options["--camera"]
     window.close("key", "Escape")
 
 
@@ -263,21 +231,6 @@ def test_a_missing_display_is_one_clear_error(program, root, value):
                           timeout=60, check=False)
     assert done.returncode == 1
     assert re.fullmatch(r"vct: error: .*(cannot open a window: .*DISPLAY|built without GLFW).*\n", done.stderr), done.stderr
-
-
-@pytest.mark.parametrize("arguments, words", [
-    (["missing.glb"], "no such file"),
-    (["assets/cornell.glb", "--mode", "all"], "name one"),
-    (["assets/cornell.glb", "--camera", "target=1,2,3"], "has no eye"),
-    (["assets/cornell.glb", "--light", "direction=0,0,0"], "must not be 0,0,0"),
-    (["assets/cornell.glb", "--preset", "best"], "thesis, mobile"),
-    (["assets/cornell.glb", "--sky", "blue"], "'blue' is not a number"),
-])
-def test_wrong_options_are_errors_before_a_window_opens(program, root, arguments, words):
-    done = subprocess.run([program, "view", *arguments], cwd=root, capture_output=True, text=True, timeout=60, check=False)
-    assert done.returncode == 1
-    if "built without GLFW" not in done.stderr:
-        assert words in done.stderr
 
 
 def test_a_scene_that_cannot_be_loaded_is_an_error(program, display, tmp_path):

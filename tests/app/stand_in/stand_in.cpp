@@ -77,7 +77,7 @@ void StandIn::input(AInputEvent input) {
     event([this, input]() mutable {
         timeNs_ += 16'000'000;
         input.timeNs = timeNs_;
-        lastHandled = glue.onInputEvent(&glue, &input);
+        glue.onInputEvent(&glue, &input);
     });
 }
 

@@ -57,7 +57,6 @@ class StandIn {
     void touch(int action, const std::vector<AInputEvent::Pointer>& pointers) {
         input({AINPUT_EVENT_TYPE_MOTION, action, pointers});
     }
-    void key() { input({AINPUT_EVENT_TYPE_KEY}); }
     void then(std::function<void()> what) { script_.push_back(std::move(what)); }
     // Starts and resumes the app and gives it a window.
     void start(int width, int height);
@@ -91,7 +90,6 @@ class StandIn {
     std::vector<std::string> misuse;  // of windows, surfaces, the context; leaks of GL objects
     int shown = 0;                    // frames on the screen
     int contextsMade = 0;
-    int lastHandled = -1;   // the answer of the app to the last input event
     bool capture = false;   // keep the frames that are shown
     Image screen;           // the last frame shown, while `capture`; 8-bit values over 255
     bool finished = false;  // ANativeActivity_finish
