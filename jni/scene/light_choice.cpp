@@ -10,8 +10,10 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// True if the scene is a room with emitters that light it. Materials with an emissive texture do not count.
-bool hasLightingEmission(const Scene& scene) {
+}  // namespace
+
+bool isLitByEmitters(const Scene& scene) {
+    if (!scene.lights.empty() || !scene.punctualLights.empty()) return false;
     const std::vector<unsigned> materials = featuresOf(scene).materialFeatures;
     return std::any_of(materials.begin(), materials.end(),
                        [](unsigned features) {
@@ -21,13 +23,11 @@ bool hasLightingEmission(const Scene& scene) {
            isOpenRoom(scene);
 }
 
-}  // namespace
-
 DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light = defaultLight();
     if (scene.punctualLights.empty()) {
-        if (hasLightingEmission(scene)) light.intensity = 0.0F;
+        if (isLitByEmitters(scene)) light.intensity = 0.0F;
         return light;
     }
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
@@ -50,7 +50,7 @@ DirectionalLight defaultLight() {
 }
 
 glm::vec3 chooseSky(const Scene& scene) {
-    const bool isLit = !scene.lights.empty() || !scene.punctualLights.empty() || hasLightingEmission(scene);
+    const bool isLit = !scene.lights.empty() || !scene.punctualLights.empty() || isLitByEmitters(scene);
     return isLit ? glm::vec3(0.0F) : plainSky(defaultLight());
 }
 

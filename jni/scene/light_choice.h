@@ -5,6 +5,9 @@
 
 namespace vct {
 
+// True if the scene is a room without any light but with emitters. Materials with an emissive texture do not
+// count.
+bool isLitByEmitters(const Scene& scene);
 // Returns the scene's sun. If the scene has none:
 // - If it has other lights, returns a black sun. Its intensity is the illuminance that the strongest of them
 //   gives at a distance of a quarter of the scene's size; the renderer uses it as the unit of radiance.
