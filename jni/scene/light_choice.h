@@ -1,6 +1,9 @@
 // Chooses sun and sky for scenes whose file may not have any.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "scene/scene.h"
 
 namespace vct {
@@ -15,6 +18,12 @@ bool isLitByEmitters(const Scene& scene);
 //   such as the dial of an instrument gives too little light, and so does any emitter in the open.)
 // - Otherwise returns defaultLight().
 DirectionalLight chooseLight(const Scene& scene);
+// Returns a light for a scene without any light whose camera is in a closed room or shows one, where
+// neither sun nor sky would reach; none for other scenes. It gives surfaces in the room about the illuminance
+// of the default sun.
+std::optional<PunctualLight> chooseRoomLight(const Scene& scene, const Camera& camera);
+// A note for the user about that light, one line.
+std::string roomLightNote(const PunctualLight& light);
 // A sun from the upper front right with an illuminance of pi.
 DirectionalLight defaultLight();
 // The radiance of a plain sky if the scene has no light of its own, so that its first picture is not dark;
