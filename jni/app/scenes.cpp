@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/log.h"
+#include "scene/camera.h"
+#include "scene/light_choice.h"
 
 namespace vct::app {
 
@@ -24,8 +26,13 @@ void Scenes::load(const SceneFile& file) {
     log("loading " + file.path);
     file_ = file;
     loaded_ = std::async(std::launch::async, [this, file] {
-        return std::make_shared<const Scene>(
-            loadGltf(file.path, read_(file, cancelled_), {.allowOutside = file.allowOutside}));
+        Scene scene = loadGltf(file.path, read_(file, cancelled_), {.allowOutside = file.allowOutside});
+        const auto light = file.addRoomLight ? chooseRoomLight(scene, chooseCamera(scene, "")) : std::nullopt;
+        if (light) {
+            scene.punctualLights.push_back(*light);
+            log(roomLightNote(*light));
+        }
+        return std::make_shared<const Scene>(std::move(scene));
     });
 }
 

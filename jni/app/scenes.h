@@ -19,6 +19,7 @@ struct SceneFile {
     std::string path;           // path of the file, or within the APK
     bool bundled = false;       // the file is in the APK
     bool allowOutside = false;  // see GltfOptions
+    bool addRoomLight = true;   // light a closed room that has no light
 };
 
 using FindScenes = std::function<std::vector<SceneFile>()>;

@@ -10,6 +10,7 @@
 #include "cli/sky_option.h"
 #include "lab/bench_run.h"
 #include "lab/options.h"
+#include "scene/camera.h"
 #include "scene/gltf.h"
 
 namespace vct::cli {
@@ -36,7 +37,10 @@ void bench(BenchOptions& options) {
     if (!options.out.empty()) out.emplace(options.out);
     if (!options.json.empty()) requireWritableFile(options.json);
 
-    const auto scene = std::make_shared<const Scene>(given.load());
+    Scene loaded = given.load();
+    const Camera camera = cameraFromText(given.camera, loaded, aspectOf(given.size));
+    options.sky.addRoomLight(loaded, camera, given.light);
+    const auto scene = std::make_shared<const Scene>(std::move(loaded));
     DirectionalLight light = lightFromText(given.light, *scene);
     Settings sky;
     options.sky.applyTo(sky);

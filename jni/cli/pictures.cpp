@@ -11,12 +11,22 @@
 
 namespace vct::cli {
 
+namespace {
+
+// The largest automatic exposure without a warning, relative to the one that shows a white surface in full
+// light as white. The dark side of a wall in the sun needs 13 (assets/thin_wall.glb).
+constexpr float maxBrightening = 16.0F;
+
+}  // namespace
+
 void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMap) {
     command
         .add_option(
             "--exposure", exposure,
             "Brightness of the PNGs: a factor, or auto, which brings the geometric mean of the last mode's "
-            "first picture to middle grey and prints the factor. All PNGs of a run use the same factor; EXRs "
+            "first picture to middle grey and prints the factor, with a warning if it brightens the scene "
+            "more "
+            "than 16 times. All PNGs of a run use the same factor; EXRs "
             "are never scaled")
         ->check([](const std::string& text) { return text == "auto" ? std::string() : positive(text); })
         ->capture_default_str()
@@ -38,10 +48,19 @@ PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exp
       contactSheet_(contactSheet),
       warned_(!exposure) {}
 
-void PictureWriter::chooseExposure(const Image& image) {
+void PictureWriter::chooseExposure(const Image& image, float white) {
     exposure_ = automaticExposure(image);
     say("exposure of all PNGs: " + numberText(exposure_) + " (--exposure " + numberText(exposure_) +
         " repeats it)");
+    if (exposure_ * white <= maxBrightening) return;
+    char text[320];
+    std::snprintf(text, sizeof text,
+                  "warning: little of the scene's light reaches the picture. Its exposure would show a white "
+                  "surface in full light %.2g times too bright, and above %g errors become visible, such as "
+                  "light that leaks through walls. Choose another --camera, or other light with --light and "
+                  "--sky",
+                  double{exposure_ * white}, double{maxBrightening});
+    say(text);
 }
 
 void PictureWriter::write(const std::string& name, const Image& image, bool isShare) {

@@ -27,8 +27,9 @@ class PictureWriter {
                   bool contactSheet);
 
     // Chooses the exposure for `image` and uses it for all PNGs of the run, so that sequences do not flicker
-    // and modes can be compared. Prints it.
-    void chooseExposure(const Image& image);
+    // and modes can be compared. Prints it, with a warning if the picture is much darker than `white`, the
+    // radiance of a white surface in the scene's light.
+    void chooseExposure(const Image& image, float white);
 
     // Writes NAME.png and NAME.exr. If the exposure was given by the user, warns about the first PNG that is
     // white over much of its area. `isShare`: the values are shares of 1 and not light, so no exposure is

@@ -1,4 +1,5 @@
 // vct render: renders a scene to pictures, debug views and step timings.
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -12,6 +13,8 @@
 #include "core/memory.h"
 #include "core/number_text.h"
 #include "engine/directional/gather_schedule.h"
+#include "engine/environment.h"
+#include "engine/frame_uniforms.h"
 #include "engine/renderer.h"
 #include "lab/debug_view.h"
 #include "lab/options.h"
@@ -122,6 +125,13 @@ void requirePictureMemory(glm::ivec2 size) {
                       "ask for a smaller picture");
 }
 
+// Radiance of a white surface in the strongest of the scene's lights: sun, lamps or sky; 0 without these.
+float whiteRadiance(const DirectionalLight& light, const Settings& settings) {
+    const glm::vec3& sky = settings.skyRadiance;
+    const float white = std::max({light.intensity > 0.0F ? radianceUnit(light) : 0.0F, sky.r, sky.g, sky.b});
+    return settings.environment ? std::max(white, settings.environment->largestIrradiance()) : white;
+}
+
 // Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
 // in a sequence each frame is one sample. Reading back and writing are not timed.
 void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
@@ -192,6 +202,7 @@ void render(const RenderOptions& options) {
     shuffleTriangles(scene, options.seedOrder);
     const std::vector<double> moments = momentsOf(options, scene);
     const Camera camera = options.scene.cameraOf(scene);
+    options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, light, settings);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
@@ -227,7 +238,7 @@ void render(const RenderOptions& options) {
         // If all modes are rendered, the last one has the most complete light.
         const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
         renderer.render({{modes.back()}, first, LightSteps::all});
-        pictures.chooseExposure(renderer.radiance());
+        pictures.chooseExposure(renderer.radiance(), whiteRadiance(light, settings));
     }
     for (const Output mode : modes)
         renderMode(placed, mode, moments, pictures, report);

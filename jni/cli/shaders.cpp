@@ -135,8 +135,9 @@ void writeShaders(const ShadersOptions& options) {
     Settings sky;
     options.sky.applyTo(sky);
     OutputFolder out(options.out);
-    const Scene scene = options.scene.load();
+    Scene scene = options.scene.load();
     const Camera camera = options.scene.cameraOf(scene);
+    options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, light, sky);
     std::size_t vertices = 0;

@@ -34,6 +34,14 @@ void SkyOption::applyTo(Settings& settings) const {
             std::make_shared<const Environment>(readEnvironment(environment), "'" + environment + "'");
 }
 
+void SkyOption::addRoomLight(Scene& scene, const Camera& camera, const std::string& lightText) const {
+    if (given() || !lightText.empty()) return;
+    const std::optional<PunctualLight> light = chooseRoomLight(scene, camera);
+    if (!light) return;
+    scene.punctualLights.push_back(*light);
+    say(roomLightNote(*light) + ". --light or --sky lights the scene from outside instead");
+}
+
 void SkyOption::lightScene(const Scene& scene, const std::string& lightText, DirectionalLight& light,
                            Settings& settings) const {
     if (!scene.lights.empty() || !scene.punctualLights.empty() || !lightText.empty()) return;

@@ -18,6 +18,8 @@ struct SkyOption {
     void addTo(CLI::App& command);
     // Sets the sky that was given. Throws vct::Error if its text or its file is not valid.
     void applyTo(Settings& settings) const;
+    // Adds a light to a closed room without a light, unless the user gave a light or a sky, and prints it.
+    void addRoomLight(Scene& scene, const Camera& camera, const std::string& lightText) const;
     // Chooses the light of a scene that has none, if the user gave no light either (`lightText` is empty):
     // only the given sky, or only the scene's emitters, or else a sun and a sky of one colour, which it
     // prints.

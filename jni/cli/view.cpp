@@ -47,7 +47,8 @@ struct ViewOptions {
 using app::SceneFile;
 
 // Lists the scene and the other scenes in its folder.
-std::vector<SceneFile> scenesBeside(const std::string& path, bool allowOutside) {
+std::vector<SceneFile> scenesBeside(const ViewOptions& options) {
+    const std::string& path = options.scene.path;
     namespace fs = std::filesystem;
     std::vector<SceneFile> scenes;
     const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
@@ -57,7 +58,8 @@ std::vector<SceneFile> scenesBeside(const std::string& path, bool allowOutside) 
         if (!entry.is_regular_file(ignored) || (ending != ".glb" && ending != ".gltf")) continue;
         const bool same = entry.path().filename() == fs::path(path).filename();
         scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false,
-                          allowOutside && same});
+                          options.scene.allowOutside && same,
+                          !options.sky.given() && (!same || options.scene.light.empty())});
     }
     std::sort(scenes.begin(), scenes.end(),
               [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
@@ -146,9 +148,7 @@ bool view(const ViewOptions& options) {
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
-    desktop.findScenes = [path, allowOutside = options.scene.allowOutside] {
-        return scenesBeside(path, allowOutside);
-    };
+    desktop.findScenes = [&options] { return scenesBeside(options); };
     desktop.readScene = [](const SceneFile&, const std::atomic<bool>& cancelled) -> ReadFile {
         return [&cancelled](const std::string& file) {
             if (cancelled) throw Error("loading was cancelled");

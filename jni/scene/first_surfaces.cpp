@@ -32,7 +32,8 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& 
     // triangles cost nothing else.
     const double height = glm::dot(cornersWorld[0] - eye, normalWorld);
     const bool front = height < 0.0;
-    if (height == 0.0 || (!front && !doubleSided)) return;
+    const bool visible = front || doubleSided;
+    if (height == 0.0 || !(visible || findsBacks)) return;
     const glm::dmat3 viewFromWorld = glm::transpose(worldFromView);
     glm::dvec3 p[3];
     for (int i = 0; i < 3; ++i)
@@ -72,9 +73,13 @@ void FirstSurfaces::draw(const glm::dvec3 (&cornersWorld)[3], const glm::dvec3& 
             const double depth = height / glm::dot(d, normal);
             Sample& sample = samples[static_cast<std::size_t>(y) * resolution + x];
             if (!(depth > 0.0)) continue;
+            if (!visible) {
+                if (sample.backDepth == 0.0 || depth < sample.backDepth) sample.backDepth = depth;
+                continue;
+            }
             const bool same = std::abs(sample.depth - depth) < 1e-6 * depth;
             if (sample.depth > 0.0 && (same ? sample.area >= area : sample.depth < depth)) continue;
-            sample = {depth, seenNormal, instance, area};
+            sample = {depth, seenNormal, instance, area, sample.backDepth};
         }
     }
 }

@@ -18,12 +18,14 @@ struct FirstSurfaces {
         glm::dvec3 normal{0.0};  // world space, unit length, on the visible side
         int instance = -1;       // index into Scene::instances
         double area = 0.0;       // area of the triangle, square metres
+        double backDepth = 0.0;  // depth of the first back that is invisible, if findsBacks; 0: none
     };
 
     glm::dvec3 eye{0.0};            // world
     glm::dmat3 worldFromView{1.0};  // columns: right, up, back
     double tanHalfWidth = 1, tanHalfHeight = 1;
     int resolution = 0;
+    bool findsBacks = false;
     std::vector<Sample> samples;  // row by row, the bottom row first
 
     FirstSurfaces(const glm::dvec3& eyeWorld, const glm::dmat3& axes, double tanWidth, double tanHeight,

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "scene/camera.h"
+#include "scene/direct_light.h"
 #include "scene/first_surfaces.h"
+#include "scene/light_choice.h"
 
 namespace vct {
 namespace {
@@ -26,14 +28,18 @@ constexpr int outsideResolution = 96, aroundResolution = 12;
 constexpr double closedShare = 0.96;
 // The same share for a room that is open at a side. A field under the sky has half.
 constexpr double openShare = 0.6;
-constexpr double roomShare = 0.1;   // smallest visible volume inside a room, in shares of the bounds' volume
-constexpr double muchMore = 1.5;    // another side must show so many times the surface seen from the front
-constexpr double fromBelow = 0.67;  // weight of views from below, because objects rarely stand on glass
+constexpr double roomShare = 0.1;    // smallest visible volume inside a room, in shares of the bounds' volume
+constexpr double muchMore = 1.5;     // another side must show so many times the surface seen from the front
+constexpr double fromBelow = 0.67;   // weight of views from below, because objects rarely stand on glass
+constexpr double unlitWeight = 0.1;  // weight of surfaces that no light of the scene reaches
+// A view from outside with a smaller share of lit surface than this is dark.
+constexpr double darkShare = 0.2;
 
 struct View {
     glm::dvec3 eye;
     glm::dvec3 target;
-    double fovDeg;  // vertical
+    double fovDeg;    // vertical
+    double litShare;  // share of the visible surfaces that light reaches
 };
 
 double diagonalOf(const Scene& scene) {
@@ -129,24 +135,44 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, d
     return views;
 }
 
-// Visible surface area in square metres. Surfaces at grazing angles count less than their area.
-double areaSeen(const FirstSurfaces& view) {
+// True if the scene's light reaches the surface of this sample. In a scene without a light of its own,
+// vct's sun and sky reach all surfaces that are seen from outside.
+bool isLit(const DirectLight& light, const FirstSurfaces& view, std::size_t sample) {
+    return !light.exists() || light.reaches(view.eye + view.samples[sample].depth * view.direction(sample),
+                                            view.samples[sample]);
+}
+
+// Share of the visible surfaces that light reaches.
+double litShare(const FirstSurfaces& view, const DirectLight& light) {
+    int met = 0, lit = 0;
+    for (std::size_t i = 0; i < view.samples.size(); ++i) {
+        if (view.samples[i].depth == 0.0) continue;
+        ++met;
+        lit += isLit(light, view, i);
+    }
+    return met > 0 ? static_cast<double>(lit) / met : 0.0;
+}
+
+// Visible surface area in square metres. Surfaces at grazing angles and unlit ones count less than their
+// area.
+double areaSeen(const FirstSurfaces& view, const DirectLight& light) {
     double area = 0.0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
         const FirstSurfaces::Sample& sample = view.samples[i];
         if (sample.depth == 0.0) continue;
         const glm::dvec3 d = sample.depth * view.direction(i);
         const double cosine = -glm::dot(sample.normal, d) / glm::length(d);
-        area += glm::dot(d, d) * view.solidAngle(i) / std::max(cosine, 0.5);
+        area += glm::dot(d, d) * view.solidAngle(i) / std::max(cosine, 0.5) *
+                (isLit(light, view, i) ? 1.0 : unlitWeight);
     }
     return area;
 }
 
-const FirstSurfaces& bestFromOutside(const std::vector<FirstSurfaces>& views) {
+const FirstSurfaces& bestFromOutside(const std::vector<FirstSurfaces>& views, const DirectLight& light) {
     std::size_t best = 0;
-    double most = muchMore * areaSeen(views[0]);
+    double most = muchMore * areaSeen(views[0], light);
     for (std::size_t i = 1; i < views.size(); ++i) {
-        const double area = areaSeen(views[i]) * (i < views.size() / 2 ? 1.0 : fromBelow);
+        const double area = areaSeen(views[i], light) * (i < views.size() / 2 ? 1.0 : fromBelow);
         if (area <= most) continue;
         best = i;
         most = area;
@@ -159,17 +185,24 @@ using Around = std::vector<FirstSurfaces>;
 
 struct Enclosure {
     double closed = 0.0;  // share of all directions that have a surface
+    double solid = 0.0;   // share of all directions whose first side is a back; most, inside an object
     double volume = 0.0;  // volume between the point and the surfaces
+
+    bool isInsideAnObject() const { return solid > 0.5; }
 };
 
 Enclosure enclosureOf(const Around& around) {
     Enclosure enclosure;
     for (const FirstSurfaces& view : around) {
         for (std::size_t i = 0; i < view.samples.size(); ++i) {
-            const double depth = view.samples[i].depth;
+            const double depth = view.samples[i].depth, backDepth = view.samples[i].backDepth;
+            const double share = view.solidAngle(i) / (2.0 * fullTurn);
+            // The back of an object's underside and the floor that it stands on coincide.
+            if (backDepth > 0.0 && (depth == 0.0 || backDepth < (1.0 + 1e-6) * depth))
+                enclosure.solid += share;
             if (depth == 0.0) continue;
             const double distance = depth * glm::length(view.direction(i));
-            enclosure.closed += view.solidAngle(i) / (2.0 * fullTurn);
+            enclosure.closed += share;
             enclosure.volume += view.solidAngle(i) * distance * distance * distance / 3.0;
         }
     }
@@ -204,6 +237,8 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
         for (const FirstSurfaces& view :
              viewsAround(glm::mix(scene.boundsWorld.min, scene.boundsWorld.max, share), aroundResolution))
             views.push_back(view);
+    for (FirstSurfaces& view : views)
+        view.findsBacks = true;
     drawFirstSurfaces(scene, views);
     std::vector<Around> places;
     for (std::size_t i = 0; i < views.size(); i += 6)
@@ -224,7 +259,7 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     double most = roomShare * size.x * size.y * size.z;
     for (const Around& around : places) {
         const Enclosure enclosure = enclosureOf(around);
-        if (enclosure.volume < roomShare * size.x * size.y * size.z) continue;
+        if (enclosure.isInsideAnObject() || enclosure.volume < roomShare * size.x * size.y * size.z) continue;
         if (enclosure.closed < minClosed) return false;
         if (enclosure.volume < most) continue;
         most = enclosure.volume;
@@ -234,37 +269,54 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     return !hidesItsInside(outside.front(), widest->front().eye) || thingsSeen(*widest) > thingsSeen(outside);
 }
 
-// Three times the volume in cubic metres that is visible in a view with these axes.
-double volumeBefore(const Around& around, const glm::dmat3& axes, const glm::dvec2& tanHalf) {
+// The surfaces in a view from inside.
+struct Prospect {
+    double volume = 0.0;          // cubic metres: three times the visible volume; unlit surfaces count less
+    double met = 0.0, lit = 0.0;  // solid angle of all surfaces, and of those that light reaches
+};
+
+Prospect prospectOf(const Around& around, const glm::dmat3& axes, const glm::dvec2& tanHalf,
+                    const DirectLight& light) {
     const glm::dmat3 viewFromWorld = glm::transpose(axes);
-    double volume = 0.0;
+    Prospect prospect;
     for (const FirstSurfaces& view : around) {
         for (std::size_t i = 0; i < view.samples.size(); ++i) {
             const glm::dvec3 d = view.direction(i), p = viewFromWorld * d;
             if (p.z >= 0.0 || std::abs(p.x) > -p.z * tanHalf.x || std::abs(p.y) > -p.z * tanHalf.y) continue;
-            volume += std::pow(view.samples[i].depth * glm::length(d), 3.0) * view.solidAngle(i);
+            if (view.samples[i].depth == 0.0) continue;
+            const double solidAngle = view.solidAngle(i);
+            const bool lit = isLit(light, view, i);
+            prospect.met += solidAngle;
+            if (lit) prospect.lit += solidAngle;
+            prospect.volume += std::pow(view.samples[i].depth * glm::length(d), 3.0) * solidAngle *
+                               (lit ? 1.0 : unlitWeight);
         }
     }
-    return volume;
+    return prospect;
 }
 
-View viewInside(const Scene& scene, double aspect) {
+// The view of the most volume, from a place that is closed in at least this share of all directions and not
+// inside an object.
+std::optional<View> viewInside(const Scene& scene, double aspect, const DirectLight& light,
+                               double minClosed) {
     const double fovDeg = fovFor(insideTanHalf, aspect);
     const double tanHalf = std::tan(0.5 * glm::radians(fovDeg));
     std::vector<glm::dvec3> shares;
     for (const double x : {0.12, 0.3, 0.5, 0.7, 0.88})
         for (const double z : {0.12, 0.3, 0.5, 0.7, 0.88})
             shares.emplace_back(x, 0.55, z);
-    View best{{}, {}, fovDeg};
-    double most = -1.0;
+    std::optional<View> best;
+    double most = 0.0;
     for (const Around& around : placesAround(scene, shares)) {
+        const Enclosure enclosure = enclosureOf(around);
+        if (enclosure.isInsideAnObject() || enclosure.closed < minClosed) continue;
         for (int turn = 0; turn < 16; ++turn) {
             const glm::dmat3 axes = axesFrom(towards(turn * fullTurn / 16.0, 0.1));  // slightly downwards
-            const double volume = volumeBefore(around, axes, {tanHalf * aspect, tanHalf});
-            if (volume <= most) continue;
-            most = volume;
-            best.eye = around.front().eye;
-            best.target = best.eye - 0.25 * diagonalOf(scene) * axes[2];
+            const Prospect prospect = prospectOf(around, axes, {tanHalf * aspect, tanHalf}, light);
+            if (prospect.volume <= most) continue;
+            most = prospect.volume;
+            const glm::dvec3 eye = around.front().eye;
+            best = {eye, eye - 0.25 * diagonalOf(scene) * axes[2], fovDeg, prospect.lit / prospect.met};
         }
     }
     return best;
@@ -275,11 +327,16 @@ View viewInside(const Scene& scene, double aspect) {
 Camera frameScene(const Scene& scene, double aspect) {
     const double fovDeg = fovFor(outsideTanHalf, aspect);
     const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, fovDeg, aspect);
-    if (isRoom(scene, outside, closedShare)) {
-        const View inside = viewInside(scene, aspect);
-        return lookAtRounded(inside.eye, inside.target, inside.fovDeg, diagonalOf(scene));
+    const DirectLight light(scene, isLitByEmitters(scene));
+    const FirstSurfaces& best = bestFromOutside(outside, light);
+    // A lamp behind walls with a window does not light their outside.
+    const double lit = litShare(best, light);
+    const bool closed = isRoom(scene, outside, closedShare);
+    if (closed || lit < darkShare) {
+        const std::optional<View> inside = viewInside(scene, aspect, light, closed ? 0.0 : openShare);
+        if (inside && inside->litShare > (closed ? 0.0 : lit))
+            return lookAtRounded(inside->eye, inside->target, inside->fovDeg, diagonalOf(scene));
     }
-    const FirstSurfaces& best = bestFromOutside(outside);
     const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
     const glm::dvec3 back = best.worldFromView[2];
     return lookAtRounded(best.eye, best.eye - glm::dot(best.eye - centre, back) * back, fovDeg,

@@ -1,10 +1,16 @@
 // Chooses sun and sky for scenes whose file may not have any.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "scene/scene.h"
 
 namespace vct {
 
+// True if the scene is a room without any light but with emitters. Materials with an emissive texture do not
+// count.
+bool isLitByEmitters(const Scene& scene);
 // Returns the scene's sun. If the scene has none:
 // - If it has other lights, returns a black sun. Its intensity is the illuminance that the strongest of them
 //   gives at a distance of a quarter of the scene's size; the renderer uses it as the unit of radiance.
@@ -12,6 +18,12 @@ namespace vct {
 //   such as the dial of an instrument gives too little light, and so does any emitter in the open.)
 // - Otherwise returns defaultLight().
 DirectionalLight chooseLight(const Scene& scene);
+// Returns a light for a scene without any light whose camera is in a closed room or shows one, where
+// neither sun nor sky would reach; none for other scenes. It gives surfaces in the room about the illuminance
+// of the default sun.
+std::optional<PunctualLight> chooseRoomLight(const Scene& scene, const Camera& camera);
+// A note for the user about that light, one line.
+std::string roomLightNote(const PunctualLight& light);
 // A sun from the upper front right with an illuminance of pi.
 DirectionalLight defaultLight();
 // The radiance of a plain sky if the scene has no light of its own, so that its first picture is not dark;

@@ -6,6 +6,7 @@
 #include "image/compare.h"
 #include "image/image.h"
 #include "support/errors.h"
+#include "support/gltf_builder.h"
 #include "support/pictures.h"
 
 namespace vct::test {
@@ -72,6 +73,45 @@ TEST(SkyOption, ASceneWithoutLightGetsASunAndASkyThatOptionsRepeat) {
     ASSERT_EQ(program.run(renderPatio("--environment " + patio + ".hdr")), 0) << program.err;
     EXPECT_EQ(program.err.find("the scene has no light of its own"), std::string::npos);
     EXPECT_GT(compareImages(readImage(program.folder.file("out/gi.exr")), byDefault, 0.01F).fraction, 0.5);
+}
+
+// Writes a room of 4 x 2 x 3 m with single-sided walls that face inwards.
+void writeClosedRoom(const ProgramRun& program, const std::string& name, GltfBuilder builder = {}) {
+    const float x = 2.0F, y = 1.0F, z = 1.5F;
+    std::vector<float> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.insert(corners.end(), {(i & 1) != 0 ? x : -x, (i & 2) != 0 ? y : -y, (i & 4) != 0 ? z : -z});
+    const std::vector<std::uint16_t> indices{0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 1, 3, 0, 3, 2,
+                                             4, 6, 7, 4, 7, 5, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    const int mesh = builder.mesh({{"attributes", {{"POSITION", builder.floats(corners)}}},
+                                   {"indices", builder.accessor(indices, uint16, "SCALAR")}});
+    builder.node({{"mesh", mesh}});
+    writeBytes(program.folder.file(name), builder.glb());
+}
+
+constexpr const char* renderRoom =
+    "render room.glb --out out --mode gi --preset mobile --grid 64 --light-frames 2 --size 16x16 ";
+
+TEST(SkyOption, AClosedRoomWithoutALightGetsALampAndSaysSo) {
+    ProgramRun program;
+    writeClosedRoom(program, "room.glb");
+    program.expectSuccess(renderRoom);
+    expectMentions(program.err,
+                   {"a closed room without a light", "adds a point light of", "--light or --sky"});
+    EXPECT_EQ(program.err.find("--sky 0.2"), std::string::npos) << program.err;
+    EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;
+    program.expectSuccess(std::string(renderRoom) + "--exposure 1");
+    const Image lit = readImage(program.folder.file("out/gi.exr"));
+    for (const glm::vec3& pixel : lit.pixels)
+        EXPECT_GT(pixel.g, 0.1F);
+}
+
+TEST(SkyOption, AnExposureThatOnlyShowsLeaksIsWarnedAbout) {
+    ProgramRun program;
+    writeClosedRoom(program, "room.glb");
+    program.expectSuccess(std::string(renderRoom) + "--light intensity=3.14 --sky 0.2,0.25,0.35");
+    EXPECT_EQ(program.err.find("adds a point light"), std::string::npos) << program.err;
+    expectMentions(program.err, {"warning: little of the scene's light reaches the picture", "--camera"});
 }
 
 }  // namespace

@@ -111,6 +111,20 @@ TEST(FrameScene, ASheetIsSeenFromTheSideThatItFaces) {
     }
 }
 
+TEST(FrameScene, ADiscThatFacesAnywhereIsSeenFromItsFront) {
+    for (int i = 0; i < 64; ++i) {  // a spiral that covers the sphere evenly
+        const double y = 1.0 - (2.0 * i + 1.0) / 64.0, azimuth = 2.4 * i;
+        const glm::dvec3 normal(std::sqrt(1.0 - y * y) * std::cos(azimuth), y,
+                                std::sqrt(1.0 - y * y) * std::sin(azimuth));
+        const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(0.31, 0.22, -0.7), normal));
+        Scene scene = emptyScene();
+        addQuad(scene, {4, 5, 6}, u, glm::cross(normal, u));
+        scene = finished(std::move(scene));
+        const glm::dvec3 back(frameScene(scene, 1.0).worldFromCamera[2]);
+        EXPECT_GT(glm::dot(back, normal), 0.2) << normal.x << " " << normal.y << " " << normal.z;
+    }
+}
+
 TEST(FrameScene, AnEmptySceneHasAViewToo) {
     EXPECT_TRUE(std::isfinite(frameScene(emptyScene(), 1.0).worldFromCamera[3].z));
 }
@@ -164,6 +178,77 @@ TEST(FrameRoom, AnOpenRoomAndAnObjectAreSeenFromOutside) {
     addBox(bottle, {2, 4, 2});
     addBox(bottle, {-1.9, -3.9, -1.9});
     EXPECT_FALSE(isInside(finished(bottle), frameScene(finished(bottle), 1.0)));
+}
+
+// A room of 5 x 2.7 x 4 m of six slabs, with a box in it, and perhaps a window in its back wall.
+Scene roomOfSlabs(double thickness, bool window) {
+    Scene scene = emptyScene();
+    const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        addBox(scene, to - from, 0.5 * (from + to));
+    };
+    const double t = thickness, x = 2.5, y = 2.7, z = 2.0;
+    add({-x - t, -t, -z - t}, {x + t, 0, z + t});
+    add({-x - t, y, -z - t}, {x + t, y + t, z + t});
+    add({-x - t, 0, -z - t}, {-x, y, z + t});
+    add({x, 0, -z - t}, {x + t, y, z + t});
+    add({-x, 0, z}, {x, y, z + t});
+    if (window) {
+        add({-x, 0, -z - t}, {-0.8, y, -z});
+        add({0.8, 0, -z - t}, {x, y, -z});
+        add({-0.8, 0, -z - t}, {0.8, 0.9, -z});
+        add({-0.8, 2.1, -z - t}, {0.8, y, -z});
+    } else {
+        add({-x, 0, -z - t}, {x, y, -z});
+    }
+    add({0.6, 0, -0.4}, {1.1, 0.5, 0.1});
+    return finished(std::move(scene));
+}
+
+PunctualLight lampAt(const glm::dvec3& position) {
+    PunctualLight lamp;
+    lamp.worldFromLight[3] = glm::dvec4(position, 1.0);
+    return lamp;
+}
+
+TEST(FrameRoom, ALampBehindAWindowIsSeenFromInside) {
+    for (const double thickness : {0.02, 0.2}) {
+        Scene room = roomOfSlabs(thickness, true);
+        EXPECT_FALSE(isInside(room, frameScene(room, 1.0))) << thickness;
+        room.punctualLights.push_back(lampAt({0, 2.2, 0}));
+        EXPECT_TRUE(isInside(room, frameScene(room, 1.0))) << thickness;
+    }
+}
+
+TEST(FrameRoom, ALampThatLightsTheOutsideIsSeenFromOutside) {
+    Scene room = roomOfSlabs(0.2, true);
+    room.punctualLights.push_back(lampAt({0, 4, -8}));
+    const Camera camera = frameScene(room, 1.0);
+    EXPECT_FALSE(isInside(room, camera));
+    EXPECT_LT(camera.worldFromCamera[3].z, -2.0) << "the lit wall is at the back";
+    room.punctualLights.clear();
+    room.lights.push_back(lightFrom({0, 0, -1}));
+    EXPECT_LT(frameScene(room, 1.0).worldFromCamera[3].z, -2.0);
+}
+
+TEST(FrameRoom, TheEyeIsNeverInAWall) {
+    for (const double thickness : {0.02, 0.2, 0.5, 0.7, 1.0}) {
+        for (const bool partition : {false, true}) {
+            Scene room = roomOfSlabs(thickness, false);
+            if (partition) addBox(room, {0.1, 2.7, 3.0}, {0.0, 1.35, -0.5});
+            room = finished(std::move(room));
+            const glm::dvec3 eye(frameScene(room, 1.0).worldFromCamera[3]);
+            EXPECT_TRUE(isInside(room, frameScene(room, 1.0)));
+            for (const Instance& instance : room.instances) {
+                Bounds box = noBounds;
+                const Mesh& mesh = room.meshes[static_cast<std::size_t>(instance.mesh)];
+                for (const Vertex& vertex : mesh.vertices)
+                    box.include(mesh.centre + glm::dvec3(vertex.position));
+                EXPECT_FALSE(glm::all(glm::greaterThan(eye, box.min)) &&
+                             glm::all(glm::lessThan(eye, box.max)))
+                    << thickness << " " << partition << ": " << eye.x << " " << eye.y << " " << eye.z;
+            }
+        }
+    }
 }
 
 }  // namespace

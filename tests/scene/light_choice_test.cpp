@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/camera.h"
 #include "support/scenes.h"
 
 namespace vct::test {
@@ -63,6 +64,48 @@ TEST(ChooseLight, AnEmissiveTextureDoesNotReplaceTheSun) {
     room.materials.back().emissiveTexture = 0;
     EXPECT_GT(chooseLight(room).intensity, 3.0F);
     EXPECT_GT(chooseSky(room).b, 0.1F);
+}
+
+Camera cameraAt(const glm::dvec3& eye) {
+    return lookAt(eye, {0.1, 0, 0}, 60.0);
+}
+
+// A room of 2 x 2 x 2 m that emits nothing.
+Scene darkRoom(std::size_t walls) {
+    Scene room = roomWithAnEmitter(walls);
+    for (Material& material : room.materials)
+        material.emissive = glm::vec3(0.0F);
+    return room;
+}
+
+TEST(ChooseRoomLight, AClosedRoomWithoutALightGetsOneInItsMiddle) {
+    for (const glm::dvec3& eye : {glm::dvec3(0.9, 0.3, 0.8), glm::dvec3(-0.8, -0.7, 0.9)}) {
+        const std::optional<PunctualLight> lamp = chooseRoomLight(darkRoom(6), cameraAt(eye));
+        ASSERT_TRUE(lamp.has_value());
+        const glm::dvec3 place(lamp->worldFromLight[3]);
+        EXPECT_LT(glm::length(glm::dvec2(place.x, place.z)), 0.4);
+        EXPECT_GT(place.y, 0.3);
+        EXPECT_LT(place.y, 0.85);
+        EXPECT_NEAR(lamp->intensity, pi, 2.0) << "about pi lux in a metre's distance";
+    }
+    // The camera looks through the back of the front wall, which stops the sun.
+    EXPECT_TRUE(chooseRoomLight(darkRoom(6), cameraAt({0, 0, 4})).has_value());
+}
+
+TEST(ChooseRoomLight, OtherScenesGetNone) {
+    EXPECT_FALSE(chooseRoomLight(darkRoom(5), cameraAt({0, 0, 0.5}))) << "open at the front";
+    EXPECT_FALSE(chooseRoomLight(darkRoom(1), cameraAt({0, 0, 0.5}))) << "in the open";
+    EXPECT_FALSE(chooseRoomLight(roomWithAnEmitter(6), cameraAt({0, 0, 0.5}))) << "lit by an emitter";
+    Scene crate = emptyScene();
+    addBox(crate, {2, 2, 2});
+    EXPECT_FALSE(chooseRoomLight(finished(crate), cameraAt({0, 0, 4}))) << "seen from outside";
+    Scene lit = darkRoom(6);
+    lit.punctualLights.emplace_back();
+    EXPECT_FALSE(chooseRoomLight(lit, cameraAt({0, 0, 0.5})));
+    lit = darkRoom(6);
+    lit.lights.emplace_back();
+    EXPECT_FALSE(chooseRoomLight(lit, cameraAt({0, 0, 0.5})));
+    EXPECT_FALSE(chooseRoomLight(emptyScene(), cameraAt({0, 0, 0.5})));
 }
 
 }  // namespace

@@ -72,6 +72,9 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
                               "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
                               "--emission", asked.emission, *given)
     chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
+    if "adds a point light" in said:
+        raise Failed("the scene is a closed room without a light, and the path tracer does not know the light that vct "
+                     "adds to it; give --light or --sky, or put a light into the file")
     if chosen and not given:
         asked.light, asked.sky = chosen.groups()
         given += ["--light", asked.light, "--sky", asked.sky]
