@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "cli/commands.h"
@@ -22,6 +23,7 @@ std::string optionsOf(const std::string& error) {
                                          {"lightFrames", "--light-frames"},
                                          {"ask for an animation", "--animation"},
                                          {"the back end egl", "--backend"},
+                                         {"another back end", "--backend"},
                                          {"choose no device", "--device"},
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
@@ -80,9 +82,15 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::fputs(
             "vct: error: not enough memory; ask for a smaller picture (--size) or a coarser grid (--grid), "
-            "or "
-            "free memory\n",
+            "or free memory\n",
             stderr);
+        return 1;
+    } catch (const std::system_error& error) {
+        std::fprintf(
+            stderr,
+            "vct: error: the system refused a resource (%s); end other programs, or raise the limits of "
+            "processes and memory (ulimit -a)\n",
+            error.what());
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vct: error: %s%s\n", error.what(), optionsOf(error.what()).c_str());

@@ -216,7 +216,7 @@ Scene loadGltf(const std::string& path, const ReadFile& readFile, const GltfOpti
         throw;
     } catch (const std::bad_alloc&) {
         throw Error("cannot load " + oneLine(path) +
-                    ": it needs more memory than is available; simplify the scene, or free memory");
+                    ": it needs more memory than is available; simplify the scene, or " + memoryRemedy());
     } catch (const std::exception& error) {
         throw Error("cannot load " + oneLine(path) + ": " + asClause(error.what()) + "; " + reexportRemedy);
     }

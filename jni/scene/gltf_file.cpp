@@ -323,7 +323,7 @@ void GltfFile::reserve(std::size_t bytes, const std::string& what) {
         fail(what + " asks for " + megabytesText(bytes) + ", and only " +
                  megabytesText(limitBytes - usedBytes) + " are left of the " + megabytesText(limitBytes) +
                  " that a scene may take (half of the available memory)",
-             "make the scene smaller, or free memory");
+             std::string("make the scene smaller, or ") + memoryRemedy());
     usedBytes += bytes;
 }
 

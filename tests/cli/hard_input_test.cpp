@@ -95,7 +95,43 @@ TEST(HardInput, JsonThatNeedsTooMuchMemoryIsNotParsed) {
     writeBytes(program.folder.file("numbers.gltf"), text + "]}");
     EXPECT_EQ(program.run("info numbers.gltf", "ulimit -v 900000;"), 1);
     EXPECT_EQ(lineCount(program.err), 1) << program.err;
-    expectMentions(program.err, {"numbers.gltf", "reading its JSON asks for 401 MB", "free memory"});
+    expectMentions(program.err,
+                   {"numbers.gltf", "reading its JSON asks for 401 MB", "raise the limit of `ulimit -v`"});
+}
+
+// Mesa's compiler ends the process if it gets no memory.
+TEST(HardInput, UnderALimitOfAddressSpaceNoDriverIsTried) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    for (const char* limit : {"560000", "602000", "640000", "900000"}) {
+        EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), std::string("ulimit -v ") + limit + ";"),
+                  1);
+        expectMentions(program.err, {"error: not enough memory for an OpenGL driver", "MB of address space",
+                                     "MB are left; raise the limit of `ulimit -v`"});
+    }
+}
+
+// No thread gets a stack of 4 GB.
+TEST(HardInput, WithoutThreadsAProgramSaysSoOrDoesWithoutThem) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    const std::string limits = "ulimit -s 4000000 && ulimit -v 3000000;";
+    EXPECT_EQ(program.run(std::string("info --print-camera ") + ProgramRun::cornell, limits), 0)
+        << program.err;
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), limits), 1);
+    expectMentions(program.err, {"error: the system starts no thread for an OpenGL driver", "`ulimit -u`"});
+}
+
+TEST(HardInput, ADriverThatIsTooOldIsNamed) {
+    ProgramRun program;
+    if (program.run("info", "MESA_GLES_VERSION_OVERRIDE=3.0") == 0)
+        GTEST_SKIP() << "only Mesa can be told to be older";
+    expectMentions(program.err, {"OpenGL ES 3.0 Mesa", "is too old", "update the driver", "(--backend)"});
+    EXPECT_EQ(program.err.find("install"), std::string::npos) << program.err;
 }
 
 TEST(Output, AnInterruptedRunLeavesNothing) {
