@@ -53,7 +53,8 @@ std::vector<std::string> keepStrongestLights(Scene& scene, std::size_t most) {
     }
     std::vector<std::size_t> order(lights.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return lux[a] > lux[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return lux[a] > lux[b]; });
     std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most));
 
     std::vector<PunctualLight> kept;

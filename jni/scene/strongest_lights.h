@@ -9,8 +9,8 @@
 
 namespace vct {
 
-// Keeps the `most` punctual lights that matter most, in their order. Returns the names of the others, or their
-// numbers in the list.
+// Keeps the `most` punctual lights that matter most, in their order. Returns the names of the others, or
+// their numbers in the list.
 //
 // The measure of a light is the illuminance of a surface that faces it at the nearest side of the box around
 // an object, without shadows, cones and motion. Lights in such a box or near it count as a tenth of the
