@@ -99,6 +99,50 @@ TEST(HardInput, JsonThatNeedsTooMuchMemoryIsNotParsed) {
                    {"numbers.gltf", "reading its JSON asks for 401 MB", "raise the limit of `ulimit -v`"});
 }
 
+TEST(HardInput, AFolderInThePlaceOfAPictureIsFoundBeforeRendering) {
+    struct Case {
+        const char *folder, *options;
+    };
+    for (const Case& test :
+         {Case{"ao.png", "--mode phong,ao"}, Case{"contact_sheet.png", "--contact-sheet"},
+          Case{"cone_shadow.exr", "--light-parts"}, Case{"debug_views/voxels.png", "--debug-views"}}) {
+        ProgramRun program;
+        std::filesystem::create_directories(program.folder.file(std::string("out/") + test.folder));
+        const std::string options = std::string(" --size 16x16 --grid 64 --out out ") + test.options;
+        EXPECT_EQ(program.run(std::string("render ") + ProgramRun::cornell + options), 1) << test.folder;
+        EXPECT_EQ(lineCount(program.err), 1) << program.err;
+        expectMentions(program.err, {std::string("cannot write 'out/") + test.folder, "Is a directory"});
+    }
+    ProgramRun program;
+    std::filesystem::create_directories(program.folder.file("out/phong_0001.png"));
+    EXPECT_EQ(
+        program.run("render '" VCT_SOURCE_DIR "/assets/moving.glb' --frames 2 --fps 1" + std::string(quick)),
+        1);
+    EXPECT_EQ(lineCount(program.err), 1) << program.err;
+    expectMentions(program.err, {"out/phong_0001.png"});
+}
+
+TEST(HardInput, NoCameraIsBlamedThatNobodyGave) {
+    ProgramRun program;
+    GltfBuilder builder;
+    builder.triangle();
+    builder.document["nodes"][0]["translation"] = {1e15, 1e15, 1e15};
+    writeBytes(program.folder.file("far.glb"), builder.glb());
+    EXPECT_EQ(program.run("info far.glb --print-camera"), 1);
+    expectMentions(program.err,
+                   {"cannot frame the scene far.glb", "too far from the origin", "move it nearer"});
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell, "--camera eye=1,2,3,target=1,2,3")), 1);
+    expectMentions(program.err, {"the camera's eye and target", "(--camera)"});
+
+    // A file's camera whose near plane is at an absurd distance.
+    GltfBuilder near;
+    near.triangle();
+    near.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1e300}}}});
+    near.node({{"camera", 0}, {"translation", {0, 0, 2}}});
+    writeBytes(program.folder.file("near.glb"), near.glb());
+    program.expectSuccess("info near.glb --print-camera");
+}
+
 // Mesa's compiler ends the process if it gets no memory.
 TEST(HardInput, UnderALimitOfAddressSpaceNoDriverIsTried) {
 #if defined(__SANITIZE_ADDRESS__)
