@@ -50,6 +50,14 @@ std::string unknownCommand(const CLI::App& app, const CLI::ParseError& error, in
            "; the commands are " + vct::listText(names);
 }
 
+// CLI11's text, or a clearer one.
+std::string textOf(const CLI::ParseError& error) {
+    const std::string text = error.what();
+    const std::size_t twice = text.find(": At Most 1 required");
+    return twice == std::string::npos ? text
+                                      : text.substr(0, twice) + " is given more than once; give it once";
+}
+
 // Removes unfinished files and empty new folders, then lets the signal end the process as it would without a
 // handler.
 void endTidily(int signal) {
@@ -92,7 +100,7 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "vct: error: %s; see vct --help\n",
                          unknownCommand(app, error, argc, argv).c_str());
         else
-            std::fprintf(stderr, "vct: error: %s; see vct %s --help\n", error.what(),
+            std::fprintf(stderr, "vct: error: %s; see vct %s --help\n", textOf(error).c_str(),
                          command.front()->get_name().c_str());
         return 1;
     } catch (const std::bad_alloc&) {

@@ -19,10 +19,10 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
     const bool reflections = shown([](const OutputReads& read) { return read.reflections; });
     const bool hasSun = run.sun.intensity > 0.0F && run.sun.color != glm::vec3(0.0F);
     const std::vector<PunctualLight>& others = run.scene.punctualLights;
-    const bool hasSoftDirectional =
-        run.settings.lightRadius > 0.0F && std::any_of(others.begin(), others.end(), [](const PunctualLight& light) {
-            return light.type == PunctualLight::Type::directional;
-        });
+    const bool hasSoftDirectional = run.settings.lightRadius > 0.0F &&
+                                    std::any_of(others.begin(), others.end(), [](const PunctualLight& light) {
+                                        return light.type == PunctualLight::Type::directional;
+                                    });
     const bool isPacked = run.settings.voxels == Voxels::packed;
     const auto isGiven = [&](const char* option) { return run.given.count(option) != 0; };
 
@@ -45,7 +45,8 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
         {"--shadow-map", !shadowMap, "the mode phong has no shadows"},
         {"--shadow-map", !hasSun, noSun},
         {"--specular", !reflections, "it needs the mode gi or gi-cone-shadow"},
-        {"--specular", !featuresOf(run.scene).glossy, "the scene has no glossy materials (roughness below 1)"},
+        {"--specular", !featuresOf(run.scene).glossy,
+         "the scene has no glossy materials (roughness below 1)"},
         {"--emission", !run.hasEmitters, "no surface of the scene emits light"},
         {"--grid", !voxels, noVoxels},
         {"--voxel-size", !voxels, noVoxels},

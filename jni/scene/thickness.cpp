@@ -60,8 +60,8 @@ class Cells {
     // False if the triangles are so many and so large that the grid would take too much memory.
     bool isComplete() const { return isComplete_; }
 
-    // Returns the distance at which a ray from inside an instance leaves it, or HUGE_VAL if that is not before
-    // `longest`. Only the surfaces of that instance count, because solids of others often overlap it.
+    // Returns the distance at which a ray from inside an instance leaves it, or HUGE_VAL if that is not
+    // before `longest`. Only the surfaces of that instance count, because solids of others often overlap it.
     double exit(std::size_t instance, const glm::dvec3& from, const glm::dvec3& direction, double longest) {
         Bounds box{from, from};
         box.include(from + longest * direction);
@@ -120,7 +120,8 @@ class Cells {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> cells_;
     bool isComplete_ = true;
     std::vector<std::uint32_t> candidates_;
-    std::vector<std::pair<double, int>> hits_;  // distance, and 1 where a solid is entered, -1 where it is left
+    std::vector<std::pair<double, int>>
+        hits_;  // distance, and 1 where a solid is entered, -1 where it is left
 };
 
 LocalSize sizeAt(Cells& cells, std::size_t instance, const glm::dvec3& point, const glm::dvec3& inwards,
@@ -162,13 +163,15 @@ std::vector<LocalSize> localSizes(const Scene& scene, std::size_t count, double 
     double passed = 0.0;  // area of the triangles before this one
     for (const Triangle& triangle : triangles) {
         passed += glm::length(triangle.areaNormal);
-        while (sizes.size() < count && (static_cast<double>(sizes.size()) + 0.5) * area < passed * static_cast<double>(count)) {
+        while (sizes.size() < count &&
+               (static_cast<double>(sizes.size()) + 0.5) * area < passed * static_cast<double>(count)) {
             // Points of the R2 sequence (Roberts 2018), folded into the triangle.
             const auto i = static_cast<double>(sizes.size() + 1);
             glm::dvec2 uv = glm::fract(i * glm::dvec2(0.7548776662466927, 0.5698402909980532));
             if (uv.x + uv.y > 1.0) uv = 1.0 - uv;
             const glm::dvec3 point = triangle.corner + uv.x * triangle.edge1 + uv.y * triangle.edge2;
-            sizes.push_back(sizeAt(cells, triangle.instance, point, -glm::normalize(triangle.areaNormal), longest));
+            sizes.push_back(
+                sizeAt(cells, triangle.instance, point, -glm::normalize(triangle.areaNormal), longest));
         }
     }
     return sizes;

@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadCommand{"Mode", renderCornell("--out out --mode sepia"),
                    "--mode: 'sepia' is not a mode; use phong"},
+        BadCommand{"ModeTwice", renderCornell("--out out --mode ao --mode gi"),
+                   "--mode is given more than once"},
         BadCommand{"Size", renderCornell("--out out --size 400"), "WIDTHxHEIGHT"},
         BadCommand{"ConeAngle", renderCornell("--out out --cone-angle 0"), "the cone angle"},
         BadCommand{"Preset", renderCornell("--out out --preset best"), "thesis"},

@@ -11,15 +11,18 @@ constexpr const char* tinyOutput = " --size 16x16 --out out ";
 
 TEST(WithoutEffect, EachOptionIsNamedWithTheReason) {
     ProgramRun program;
-    program.expectSuccess(std::string("render ") + ProgramRun::cornell + tinyOutput +
-                          "--preset thesis --mode phong --grid 64 --light-frames 3 --cone-angle 2 --light-radius 0.1 "
-                          "--shadow soft-map --shadow-map 64 --specular none --emission 2 --active-voxels 9999 "
-                          "--revoxelize --contact-sheet");
+    program.expectSuccess(
+        std::string("render ") + ProgramRun::cornell + tinyOutput +
+        "--preset thesis --mode phong --grid 64 --light-frames 3 --cone-angle 2 --light-radius 0.1 "
+        "--shadow soft-map --shadow-map 64 --specular none --emission 2 --active-voxels 9999 "
+        "--revoxelize --contact-sheet");
     for (const char* option :
-         {"--light-frames has no effect: the preset thesis", "--cone-angle has no effect: it needs the mode gi-cone",
+         {"--light-frames has no effect: the preset thesis",
+          "--cone-angle has no effect: it needs the mode gi-cone",
           "--light-radius has no effect: it needs the mode", "--shadow has no effect: it needs the mode",
           "--shadow-map has no effect: the mode phong", "--specular has no effect: it needs the mode gi",
-          "--emission has no effect: no surface", "--active-voxels has no effect: the modes phong and shadow-map",
+          "--emission has no effect: no surface",
+          "--active-voxels has no effect: the modes phong and shadow-map",
           "--grid has no effect: the modes phong", "--revoxelize has no effect: it changes only the times",
           "--contact-sheet has no effect: a sheet needs several modes"})
         expectMentions(program.err, {std::string("note: ") + option});
@@ -32,9 +35,10 @@ TEST(WithoutEffect, EachOptionIsNamedWithTheReason) {
 
 TEST(WithoutEffect, NothingIsSaidOfOptionsThatHaveOne) {
     ProgramRun program;
-    program.expectSuccess(std::string("render ") + ProgramRun::cornell + tinyOutput +
-                          "--mode phong,gi-cone-shadow --grid 64 --light-frames 2 --cone-angle 2 --shadow soft-map "
-                          "--shadow-map 64 --active-voxels 99999 --contact-sheet");
+    program.expectSuccess(
+        std::string("render ") + ProgramRun::cornell + tinyOutput +
+        "--mode phong,gi-cone-shadow --grid 64 --light-frames 2 --cone-angle 2 --shadow soft-map "
+        "--shadow-map 64 --active-voxels 99999 --contact-sheet");
     EXPECT_EQ(program.err.find("has no effect"), std::string::npos) << program.err;
     program.expectSuccess("render " VCT_SOURCE_DIR "/assets/moving.glb --mode phong --time 1 --animation 0" +
                           std::string(tinyOutput));
@@ -48,8 +52,9 @@ TEST(WithoutEffect, OptionsOfLightsDependOnTheScene) {
     ProgramRun program;
     program.expectSuccess(std::string("render ") + ProgramRun::cornell + tinyOutput +
                           "--grid 64 --light-frames 1 --light-radius 0.1 --light intensity=0 --cone-angle 9");
-    expectMentions(program.err, {"note: --light-radius has no effect: the scene has no lights besides the sun",
-                                 "note: --cone-angle has no effect: the scene has no sun"});
+    expectMentions(program.err,
+                   {"note: --light-radius has no effect: the scene has no lights besides the sun",
+                    "note: --cone-angle has no effect: the scene has no sun"});
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -162,6 +163,18 @@ TEST(GltfErrors, ImagesWithAWrongSizeAreNamed) {
         const int view = builder.view(png.data(), png.size());
         builder.document["images"][0]["bufferView"] = view;
         expectError(loadError(builder), "image 0");
+    }
+}
+
+// stb_image puts the name into its reason, and a zero in the name ends the reason.
+TEST(GltfErrors, AnImageWithAChunkWithoutANameHasAReason) {
+    for (const std::size_t letter : {0U, 2U}) {
+        Bytes image = encodePng(8);
+        const auto data = bytesOf("IDAT");
+        const auto chunk = std::search(image.begin(), image.end(), data.begin(), data.end());
+        ASSERT_NE(chunk, image.end());
+        chunk[static_cast<std::ptrdiff_t>(letter)] = 0;
+        expectError(loadError(completeFile(image)), "image 0 cannot be decoded: its data are damaged");
     }
 }
 
