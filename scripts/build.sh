@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# build.sh PRESET [TARGET]: configures and builds a preset of CMakePresets.json. Prints errors and warnings only.
+# build.sh PRESET [TARGET]: configures and builds a preset of CMakePresets.json. Prints errors, warnings and every tenth of a
+# long build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -14,5 +15,17 @@ cmake --preset "$preset" --log-level=WARNING >"$log" 2>&1 || {
     exit 1
 }
 # Ninja's default is two jobs more than there are processors, and builds with sanitizers need much memory.
-cmake --build --preset "$preset" --target "$target" --parallel "$(nproc)" -- --quiet
+NINJA_STATUS="[%f/%t] " cmake --build --preset "$preset" --target "$target" --parallel "$(nproc)" |
+    awk -v preset="$preset" '
+        /^\[[0-9]+\/[0-9]+\] / {
+            split(substr($1, 2), steps, /[\/\]]/)
+            tenth = int(10 * steps[1] / steps[2])
+            if (tenth > printed && steps[2] >= 50) {
+                print preset ": " steps[1] " of " steps[2] " steps"
+                fflush()
+                printed = tenth
+            }
+            next
+        }
+        !/^ninja: no work to do/ { print; fflush() }'
 echo "$preset: built in $((SECONDS - start)) s"

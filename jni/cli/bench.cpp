@@ -34,7 +34,11 @@ void bench(BenchOptions& options) {
     for (const std::string& preset : request.presets)
         validate(given.settings(preset));
     std::optional<OutputFolder> out;
-    if (!options.out.empty()) out.emplace(options.out);
+    if (!options.out.empty()) {
+        out.emplace(options.out);
+        for (const Output mode : allModes())
+            requireNoFolder(out->file(std::string(outputName(mode)) + ".png"));
+    }
     if (!options.json.empty()) requireWritableFile(options.json);
 
     Scene loaded = given.load();

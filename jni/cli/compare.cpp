@@ -105,21 +105,27 @@ void addCompare(CLI::App& app, int& exitCode) {
     command
         ->add_option("--max-difference", options->maxDifference,
                      "Largest difference of a channel that is allowed in every pixel: for PNGs 0 to 1 or "
-                     "n/255, for EXRs in linear units")
-        ->required()
+                     "n/255, for EXRs in linear units (required)")
         ->check([](const std::string& text) {
             double value = 0.0;
             return parseNumber(text, value);
         });
     command
         ->add_option("--max-fraction", options->maxFraction,
-                     "Fraction of the pixels that may exceed --max-difference, 0 to 1")
-        ->required()
+                     "Fraction of the pixels that may exceed --max-difference, 0 to 1 (required)")
         ->check(CLI::Range(0.0, 1.0));
     command->add_option(
         "--diff", options->diff,
         "File for |A - B| as a PNG: mid-grey means --max-difference, magenta NaN or infinity");
-    command->callback([options, &exitCode] { exitCode = compare(*options); });
+    command->callback([options, command, &exitCode] {
+        // In one message, which CLI11's own check of required options cannot do.
+        if (command->count("--max-difference") == 0 || command->count("--max-fraction") == 0)
+            throw CLI::RequiredError(
+                "--max-difference and --max-fraction are required, such as --max-difference 5/255 "
+                "--max-fraction 0.001",
+                CLI::ExitCodes::RequiredError);
+        exitCode = compare(*options);
+    });
 }
 
 }  // namespace vct::cli

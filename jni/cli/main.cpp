@@ -6,11 +6,14 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/files.h"
+#include "core/list_text.h"
 
 namespace {
 
@@ -22,7 +25,9 @@ std::string optionsOf(const std::string& error) {
                                          {"lightFrames", "--light-frames"},
                                          {"ask for an animation", "--animation"},
                                          {"the back end egl", "--backend"},
+                                         {"another back end", "--backend"},
                                          {"choose no device", "--device"},
+                                         {"the camera's", "--camera"},
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
                                          {"the shadow 'cone'", "--shadow"},
@@ -33,6 +38,24 @@ std::string optionsOf(const std::string& error) {
         if (error.find(advice) != std::string::npos)
             options += std::string(options.empty() ? "" : ", ") + option;
     return options.empty() ? "" : " (" + options + ")";
+}
+
+// Explains what is wrong with a command line that names none of the commands.
+std::string unknownCommand(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+    if (argc > 1 && argv[1][0] == '-') return error.what();
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    return (argc < 2 ? "A command is required" : "there is no command '" + std::string(argv[1]) + "'") +
+           "; the commands are " + vct::listText(names);
+}
+
+// CLI11's text, or a clearer one.
+std::string textOf(const CLI::ParseError& error) {
+    const std::string text = error.what();
+    const std::size_t twice = text.find(": At Most 1 required");
+    return twice == std::string::npos ? text
+                                      : text.substr(0, twice) + " is given more than once; give it once";
 }
 
 // Removes unfinished files and empty new folders, then lets the signal end the process as it would without a
@@ -73,16 +96,25 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
         const std::vector<CLI::App*> command = app.get_subcommands();
-        const std::string help =
-            command.empty() ? "vct --help" : "vct " + command.front()->get_name() + " --help";
-        std::fprintf(stderr, "vct: error: %s; see %s\n", error.what(), help.c_str());
+        if (command.empty())
+            std::fprintf(stderr, "vct: error: %s; see vct --help\n",
+                         unknownCommand(app, error, argc, argv).c_str());
+        else
+            std::fprintf(stderr, "vct: error: %s; see vct %s --help\n", textOf(error).c_str(),
+                         command.front()->get_name().c_str());
         return 1;
     } catch (const std::bad_alloc&) {
         std::fputs(
             "vct: error: not enough memory; ask for a smaller picture (--size) or a coarser grid (--grid), "
-            "or "
-            "free memory\n",
+            "or free memory\n",
             stderr);
+        return 1;
+    } catch (const std::system_error& error) {
+        std::fprintf(
+            stderr,
+            "vct: error: the system refused a resource (%s); end other programs, or raise the limits of "
+            "processes and memory (ulimit -a)\n",
+            error.what());
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vct: error: %s%s\n", error.what(), optionsOf(error.what()).c_str());

@@ -10,6 +10,12 @@ namespace vct::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+[[noreturn]] void failToWrite(const std::string& path, const std::string& cause) {
+    throw Error("cannot write '" + path + "': " + cause + "; choose a file in an existing, writable folder");
+}
+}  // namespace
+
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     const auto fail = [&](const std::string& cause) {
         removeCreated();
@@ -42,17 +48,16 @@ void OutputFolder::removeCreated() {
         fs::remove(folder->path(), ignored);
 }
 
-void requireWritableFile(const std::string& path) {
+void requireNoFolder(const std::string& path) {
     std::error_code ignored;
     const fs::file_status found = fs::status(path, ignored);
-    std::string cause;
-    if (fs::exists(found) && !fs::is_regular_file(found))
-        cause = fs::is_directory(found) ? std::strerror(EISDIR) : "it exists but is not a file";
-    else if (const int error = causeNotWritable(path))
-        cause = std::strerror(error);
-    if (!cause.empty())
-        throw Error("cannot write '" + path + "': " + cause +
-                    "; choose a file in an existing, writable folder");
+    if (!fs::exists(found) || fs::is_regular_file(found)) return;
+    failToWrite(path, fs::is_directory(found) ? std::strerror(EISDIR) : "it exists but is not a file");
+}
+
+void requireWritableFile(const std::string& path) {
+    requireNoFolder(path);
+    if (const int error = causeNotWritable(path)) failToWrite(path, std::strerror(error));
 }
 
 }  // namespace vct::cli

@@ -31,6 +31,9 @@ class OutputFolder {
     std::vector<RemovedOnInterruption> created_;  // the created folders, outermost first
 };
 
+// Throws vct::Error if something other than a file, such as a folder, is at `path`.
+void requireNoFolder(const std::string& path);
+
 // Throws vct::Error if no file can be written at `path`. Writes nothing.
 void requireWritableFile(const std::string& path);
 

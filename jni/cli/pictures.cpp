@@ -48,6 +48,22 @@ PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exp
       contactSheet_(contactSheet),
       warned_(!exposure) {}
 
+void PictureWriter::requireRoomFor(const std::string& name) const {
+    for (const char* extension : {".png", ".exr"})
+        requireNoFolder(folder_.file(name + extension));
+}
+
+void PictureWriter::requireRoomForContactSheet() const {
+    requireNoFolder(folder_.file("contact_sheet.png"));
+}
+
+void PictureWriter::requireRoomForDebugViews() const {
+    const OutputFolder folder(folder_.file("debug_views"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        if (entry.path().extension() == ".png" || entry.path().extension() == ".exr")
+            requireNoFolder(entry.path().string());
+}
+
 void PictureWriter::chooseExposure(const Image& image, float white) {
     exposure_ = automaticExposure(image);
     say("exposure of all PNGs: " + numberText(exposure_) + " (--exposure " + numberText(exposure_) +

@@ -26,6 +26,12 @@ class PictureWriter {
     PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
                   bool contactSheet);
 
+    // Throws vct::Error if a folder stands where write() of this name would write a file.
+    void requireRoomFor(const std::string& name) const;
+    // The same for writeContactSheet() and for writeDebugViews().
+    void requireRoomForContactSheet() const;
+    void requireRoomForDebugViews() const;
+
     // Chooses the exposure for `image` and uses it for all PNGs of the run, so that sequences do not flicker
     // and modes can be compared. Prints it, with a warning if the picture is much darker than `white`, the
     // radiance of a white surface in the scene's light.

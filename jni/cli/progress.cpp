@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
+#include <system_error>
 
 namespace vct::cli {
 
@@ -13,7 +14,7 @@ void say(const std::string& line) {
 
 Progress::Progress(const std::string& what, Begin begin) {
     if (begin == Begin::atOnce) say(what);
-    reminder_ = std::jthread([what](const std::stop_token& stop) {
+    const auto remind = [what](const std::stop_token& stop) {
         std::mutex mutex;
         std::unique_lock lock(mutex);
         std::condition_variable_any stopped;
@@ -23,7 +24,12 @@ Progress::Progress(const std::string& what, Begin begin) {
             if (stop.stop_requested()) return;
             say(what + ": " + std::to_string(at.count()) + " s so far");
         }
-    });
+    };
+    try {
+        reminder_ = std::jthread(remind);
+    } catch (const std::system_error&) {
+        // The system starts no more threads. The work does not depend on the reminders.
+    }
 }
 
 }  // namespace vct::cli

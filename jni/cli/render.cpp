@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -9,6 +10,7 @@
 #include "cli/pictures.h"
 #include "cli/progress.h"
 #include "cli/sky_option.h"
+#include "cli/without_effect.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/number_text.h"
@@ -29,6 +31,7 @@ namespace vct::cli {
 namespace {
 
 struct RenderOptions {
+    std::set<std::string> given;  // names of the options on the command line
     SceneOptions scene;
     std::string out, timings, animation;
     std::string mode = "gi-cone-shadow";
@@ -132,6 +135,28 @@ float whiteRadiance(const DirectionalLight& light, const Settings& settings) {
     return settings.environment ? std::max(white, settings.environment->largestIrradiance()) : white;
 }
 
+// The name of a picture of a sequence, without extension.
+std::string frameName(Output mode, int frame) {
+    char suffix[16];
+    std::snprintf(suffix, sizeof suffix, "_%04d", frame);
+    return outputName(mode) + std::string(suffix);
+}
+
+// Throws if a folder stands where a picture of this run would be written.
+void requireRoom(const RenderOptions& options, const std::vector<Output>& modes,
+                 const PictureWriter& pictures) {
+    for (const Output mode : modes) {
+        if (!options.frames) pictures.requireRoomFor(outputName(mode));
+        for (int frame = 0; frame < options.frames.value_or(0); ++frame)
+            pictures.requireRoomFor(frameName(mode, frame));
+    }
+    if (options.lightParts)
+        for (const std::string& name : lightPartNames())
+            pictures.requireRoomFor(name);
+    if (options.contactSheet) pictures.requireRoomForContactSheet();
+    if (options.debugViews) pictures.requireRoomForDebugViews();
+}
+
 // Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
 // in a sequence each frame is one sample. Reading back and writing are not timed.
 void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
@@ -162,13 +187,12 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
     }
     // Each frame is written at once, because a long sequence may not fit into memory.
     for (std::size_t frame = 0; options.frames && frame < moments.size(); ++frame) {
-        char line[96], suffix[32];
+        char line[96];
         std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", name.c_str(), frame + 1,
                       moments.size(), moments[frame]);
-        std::snprintf(suffix, sizeof suffix, "_%04zu", frame);
         const Progress progress(line);
         renderer.render({{mode}, placed.moveTo(moments[frame])});
-        write(name + suffix);
+        write(frameName(mode, static_cast<int>(frame)));
     }
     if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
 }
@@ -189,12 +213,14 @@ void render(const RenderOptions& options) {
     // Checks the outputs before any slow work.
     PictureWriter pictures(options.out, exposure, parsed("--tone-map", toneMapFromText, options.toneMap),
                            options.contactSheet);
+    requireRoom(options, modes, pictures);
     if (!options.timings.empty()) requireWritableFile(options.timings);
 
     requirePictureMemory(settings.size);
 
     const std::string& path = options.scene.path;
     Scene scene = options.scene.load(options.animation);
+    const bool hasEmitters = featuresOf(scene).has(featureEmissive);
     for (Material& material : scene.materials)
         material.emissive *= options.emission;
     for (const std::string& warning : scene.warnings)
@@ -205,6 +231,10 @@ void render(const RenderOptions& options) {
     options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
     options.sky.lightScene(scene, options.scene.light, light, settings);
+    for (const std::string& sentence :
+         optionsWithoutEffect({options.given, modes, options.lightParts || options.debugViews, settings,
+                               scene, light, hasEmitters}))
+        say("note: " + sentence);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
@@ -327,7 +357,7 @@ void addRender(CLI::App& app, int&) {
         ->add_option("--light-frames", options->lightFrames,
                      "Frames after a change until indirect light has converged, 1 to 1000 (default: the "
                      "preset's). With 16 or more, a refinement with more directions follows. Still pictures "
-                     "show the light after all of these frames. The preset thesis ignores this option")
+                     "show the light after all of these frames. It has no effect with the preset thesis")
         ->group(lightGroup);
     const char* const animationGroup = "Animation";
     command
@@ -400,7 +430,11 @@ void addRender(CLI::App& app, int&) {
         ->add_option("--seed-order", options->seedOrder,
                      "Shuffle the triangles with this seed, as a test: the pictures must not change")
         ->group(measuringGroup);
-    command->callback([options] { render(*options); });
+    command->callback([options, command] {
+        for (const CLI::Option* option : command->get_options())
+            if (option->count() > 0) options->given.insert(option->get_name());
+        render(*options);
+    });
 }
 
 }  // namespace vct::cli

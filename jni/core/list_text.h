@@ -6,9 +6,9 @@
 
 namespace vct {
 
-// "a, b, c", or the first few and how many more: "a, b, c, d, e and 95 more".
+// "a, b, c", or the first few and how many more: "a, b, c, d, e, f and 94 more".
 inline std::string listText(const std::vector<std::string>& items) {
-    constexpr std::size_t most = 5;
+    constexpr std::size_t most = 6;
     std::string text;
     for (std::size_t i = 0; i < items.size() && i < most; ++i)
         text += (i == 0 ? "" : ", ") + items[i];

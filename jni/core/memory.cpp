@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <system_error>
+#include <thread>
 
 #include "core/error.h"
 #include "core/number_text.h"
+#include "core/one_line.h"
 
 namespace vct {
 
@@ -42,31 +45,73 @@ std::size_t freeAddressSpace() {
     return limit.rlim_cur > used ? static_cast<std::size_t>(limit.rlim_cur) - used : 0;
 }
 
-std::size_t freeBytes() {
-    return std::min(freeMemory(), freeAddressSpace());
+// The tighter one of the two limits.
+struct Limit {
+    std::size_t left;  // bytes
+    const char* name;  // as in "5 MB are left of NAME"
+    const char* remedy;
+};
+
+Limit tightestLimit() {
+    const std::size_t memory = freeMemory(), addresses = freeAddressSpace();
+    if (addresses < memory)
+        return {addresses, "the address space that `ulimit -v` allows", "raise the limit of `ulimit -v`"};
+    return {memory, "the main memory", "free memory"};
+}
+
+// Address space that a driver takes before it draws: the libraries, and for each thread a stack and a heap.
+// Measured with llvmpipe of Mesa 22: 311 MB on one core, 606 MB on two, 1360 MB with eight threads and 1491
+// MB with 16.
+std::size_t driverAddressSpace() {
+    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, 9U);
+    return (std::size_t{400} + 128 * threads) << 20;
+}
+
+std::string leftOf(const Limit& limit) {
+    return megabytesText(limit.left) + " are left of " + limit.name;
 }
 
 }  // namespace
 
 std::size_t availableMemory() {
-    const std::size_t available = freeBytes();
+    const std::size_t available = tightestLimit().left;
     return available > driverReserve ? available - driverReserve : 0;
 }
 
+const char* memoryRemedy() {
+    return tightestLimit().remedy;
+}
+
+void requireDriver() {
+    const std::size_t needed = driverAddressSpace() + driverReserve, left = freeAddressSpace();
+    if (left < needed)
+        throw Error("not enough memory for an OpenGL driver: it needs " + megabytesText(needed) +
+                    " of address space, and " + megabytesText(left) +
+                    " are left; raise the limit of `ulimit -v`");
+    try {
+        std::thread([] {}).join();
+    } catch (const std::system_error& error) {
+        throw Error(
+            "the system starts no thread for an OpenGL driver (" + asClause(error.what()) +
+            "); raise the limits of processes (`ulimit -u`) and address space (`ulimit -v`), or lower "
+            "that of the stack (`ulimit -s`)");
+    }
+}
+
 void requireMemory(std::size_t bytes, const std::string& what) {
-    const std::size_t available = freeBytes();
-    if (bytes + driverReserve > available)
-        throw Error("not enough memory for " + what + ": " +
-                    (bytes == 0 ? "it needs " : "it needs " + megabytesText(bytes) + " and ") +
-                    megabytesText(driverReserve) + " for the driver, and " + megabytesText(available) +
-                    " are available; use fewer voxels (a coarser grid), or free memory");
+    const Limit limit = tightestLimit();
+    if (bytes + driverReserve <= limit.left) return;
+    throw Error("not enough memory for " + what + ": " +
+                (bytes == 0 ? "it needs " : "it needs " + megabytesText(bytes) + " and ") +
+                megabytesText(driverReserve) + " for the driver, and " + leftOf(limit) + "; " +
+                (bytes == 0 ? "" : "use fewer voxels (a coarser grid), or ") + limit.remedy);
 }
 
 void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy) {
-    const std::size_t available = freeBytes();
-    if (bytes > available)
+    const Limit limit = tightestLimit();
+    if (bytes > limit.left)
         throw Error("not enough memory for " + what + ": it needs " + megabytesText(bytes) + ", and " +
-                    megabytesText(available) + " are available; " + remedy + ", or free memory");
+                    leftOf(limit) + "; " + remedy + ", or " + limit.remedy);
 }
 
 }  // namespace vct

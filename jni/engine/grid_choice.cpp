@@ -1,6 +1,7 @@
 #include "engine/grid_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -9,7 +10,7 @@
 #include "engine/driver_needs.h"
 #include "engine/volume.h"
 #include "scene/parts.h"
-#include "scene/scene_features.h"
+#include "scene/thickness.h"
 
 namespace vct {
 
@@ -19,6 +20,8 @@ constexpr double voxelsAcross = 2.0;
 constexpr double shareOfSurface = 0.02;
 // A part is a sheet if its shortest side is at most this share of the next one: 0 but for rounding.
 constexpr double sheet = 1e-4;
+// Points at which the thickness is measured. 2 % of them are 40.
+constexpr std::size_t measuredPoints = 2000;
 
 double voxelSize(const Bounds& boundsWorld, int grid) {
     return volumeAround(boundsWorld, grid).voxelSize();
@@ -38,17 +41,19 @@ std::string lengthText(double metres) {
 }
 
 struct Narrow {
-    double across = 0.0;  // metres
-    std::string name;     // the mesh's
+    double across = HUGE_VAL;  // metres
+    bool isPart = false;
+    std::string name;  // the mesh's, of a part
 
     std::string text(Voxels voxels) const {
-        return "the narrowest 2 % of the surface are parts up to " + lengthText(across) +
-               (voxels == Voxels::packed ? " thick" : " wide") + (name.empty() ? "" : " (\"" + name + "\")");
+        return std::string("the narrowest 2 % of the surface are ") + (isPart ? "parts " : "") + "up to " +
+               lengthText(across) + (voxels == Voxels::packed ? " thick" : " wide") +
+               (name.empty() ? "" : " (\"" + name + "\")");
     }
 };
 
 // The width up to which parts make up shareOfSurface of the surface.
-Narrow narrowest(const Scene& scene, Voxels voxels) {
+Narrow narrowestPart(const Scene& scene, Voxels voxels) {
     std::vector<Part> parts = connectedParts(scene);
     const auto across = [&](const Part& part) {
         const bool thin = voxels == Voxels::packed && part.sides[0] > sheet * part.sides[1];
@@ -63,9 +68,23 @@ Narrow narrowest(const Scene& scene, Voxels voxels) {
         area += part.area;
         if (area < shareOfSurface * total) continue;
         const Instance& instance = scene.instances[static_cast<std::size_t>(part.instance)];
-        return {across(part), scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
+        return {across(part), true, scene.meshes[static_cast<std::size_t>(instance.mesh)].name};
     }
     return {};
+}
+
+// Finds the width up to which parts, or places of larger ones, make up shareOfSurface of the surface.
+// `longest`: a greater width does not matter.
+Narrow narrowest(const Scene& scene, Voxels voxels, double longest) {
+    Narrow part = narrowestPart(scene, voxels);
+    std::vector<double> sizes;
+    for (const LocalSize& size : localSizes(scene, measuredPoints, longest))
+        sizes.push_back(voxels == Voxels::packed ? size.thickness : size.width);
+    const auto rank = static_cast<std::ptrdiff_t>(shareOfSurface * static_cast<double>(sizes.size()));
+    if (rank >= static_cast<std::ptrdiff_t>(sizes.size())) return part;
+    std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+    const double local = sizes[static_cast<std::size_t>(rank)];
+    return local < 0.99 * part.across ? Narrow{local, false, ""} : part;
 }
 
 }  // namespace
@@ -75,8 +94,9 @@ std::string gridText(const Bounds& boundsWorld, int grid) {
 }
 
 std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
-    const Narrow narrow = narrowest(scene, settings.voxels);
-    if (narrow.across <= 0.0 || narrow.across >= voxelSize(scene.boundsWorld, settings.grid)) return {};
+    const double voxel = voxelSize(scene.boundsWorld, settings.grid);
+    const Narrow narrow = narrowest(scene, settings.voxels, voxel);
+    if (narrow.across <= 0.0 || narrow.across >= voxel) return {};
     return "warning: " + narrow.text(settings.voxels) +
            ", less than a voxel, so their light and shadow are wrong; use a finer grid, or remove distant "
            "objects from the scene";
@@ -95,7 +115,8 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
                       std::size_t bytes) {
     const std::vector<int> driverGrids =
         possibleGrids(settings, capabilities, std::numeric_limits<std::size_t>::max());
-    const Narrow narrow = narrowest(scene, settings.voxels);
+    const double coarsest = voxelSize(scene.boundsWorld, settings.gridRange.coarsest);
+    const Narrow narrow = narrowest(scene, settings.voxels, voxelsAcross * coarsest);
     const double needed = narrow.across / voxelsAcross;
     const auto enough = [&](int grid) {
         return needed <= 0.0 || voxelSize(scene.boundsWorld, grid) <= needed;
@@ -119,7 +140,10 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
     if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
     std::string reason = gridText(scene.boundsWorld, chosen) + limit;
     if (needed > 0.0)
-        reason += "; " + narrow.text(settings.voxels) + ", which need voxels of " + lengthText(needed);
+        reason += needed < coarsest
+                      ? "; " + narrow.text(settings.voxels) + ", which need voxels of " + lengthText(needed)
+                      : std::string("; less than 2 % of the surface belongs to parts that are ") +
+                            (settings.voxels == Voxels::packed ? "thinner" : "narrower") + " than two voxels";
     return {chosen, reason};
 }
 

@@ -29,6 +29,9 @@ int gridForVoxelSize(const Bounds& boundsWorld, double metres);
 // coarsest one, for which the constructor of Renderer reports what the driver lacks. The narrowest parts
 // make up 2 % of the surface, because otherwise a single screw could decide.
 //
+// The width of a part is that of the box around it (scene/parts.h), or less where rays find less
+// (scene/thickness.h): a house may be a single part, and its walls are thin.
+//
 // With two voxels across, a part fills at least one voxel alone. The width of a part depends on the kind of
 // voxels (scene/parts.h measures the sides):
 // - Voxels::directional: the second-shortest side. A wall may be thinner than a voxel, because voxels keep

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "core/error.h"
+#include "core/memory.h"
 #include "core/number_text.h"
 #include "gl/debug.h"
 
@@ -68,9 +70,18 @@ void throwIfTooLarge(const std::string& label, GLenum target, std::size_t bytes)
 void throwIfOutOfMemory(const std::string& label, std::size_t bytes) {
     const GLenum error = GetError();
     if (error == GL_CONTEXT_LOST) throw ContextLost(label + ": the GL context was lost");
-    if (error == GL_OUT_OF_MEMORY)
-        throw Error("not enough memory for " + label + " (" + megabytesText(bytes) +
-                    "); use fewer voxels (a coarser grid) or a smaller picture, or free memory");
+    if (error != GL_OUT_OF_MEMORY) return;
+    const std::string remedy = "; use fewer voxels (a coarser grid) or a smaller picture";
+    const std::size_t available = availableMemory();
+    if (bytes < available && available != std::numeric_limits<std::size_t>::max())
+        throw Error(
+            "the driver refuses " + label + " (" + megabytesText(bytes) + "), although " +
+            megabytesText(available) +
+            " of main memory are free: it is more than the driver allows in one piece, or than the GPU "
+            "has" +
+            remedy);
+    throw Error("not enough memory for " + label + " (" + megabytesText(bytes) + ")" + remedy + ", or " +
+                memoryRemedy());
 }
 
 }  // namespace

@@ -25,6 +25,13 @@ Imf::FrameBuffer planesOf(const Image& image, const std::vector<const char*>& na
     return planes;
 }
 
+// The reason of an OpenEXR error, without its name of the file: a stream in memory is called "(string)".
+std::string reasonOf(const std::exception& error) {
+    const std::string text = error.what(), name = "\"(string)\". ";
+    const std::size_t found = text.find(name);
+    return asClause(found == std::string::npos ? text : text.substr(found + name.size()));
+}
+
 }  // namespace
 
 void writeExr(const std::string& path, const Image& image) {
@@ -38,7 +45,7 @@ void writeExr(const std::string& path, const Image& image) {
         file.setFrameBuffer(planesOf(image, rgb, {0, 0}));
         file.writePixels(image.height);
     } catch (const std::exception& error) {
-        throw Error("cannot write picture '" + path + "': EXR encoding failed (" + asClause(error.what()) +
+        throw Error("cannot write picture '" + path + "': EXR encoding failed (" + reasonOf(error) +
                     "); choose a smaller size");
     }
     replaceFile(path, stream.str());
@@ -67,7 +74,7 @@ Image decodeExr(const std::string& path, const Bytes& bytes) {
                 pixel = glm::vec3(pixel.r);
         return image;
     } catch (const std::exception& error) {
-        throw Error("cannot read EXR '" + path + "': " + asClause(error.what()) +
+        throw Error("cannot read EXR '" + path + "': " + reasonOf(error) +
                     "; write the file again, or with fewer pixels");
     }
 }

@@ -28,10 +28,11 @@ std::string stbiFailureReason() {
     return stbi_failure_reason();
 }
 
-// stb_image's failure reason as printable text: it can contain a damaged chunk's name, which may be any four
-// bytes.
+// stb_image's failure reason as printable text, or "" if it is none. It can begin with a damaged chunk's
+// name, which may be any four bytes, and a zero ends it.
 std::string failureReason() {
     std::string reason = stbi_failure_reason();
+    if (reason.size() <= 4) return "";
     std::replace_if(reason.begin(), reason.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
     return reason;
 }
@@ -128,8 +129,10 @@ std::vector<std::uint8_t> StbPicture::decode(int channels) const {
     const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_memory(bytes_, static_cast<int>(size_), &width, &height, &channelsOfFile, channels),
         stbi_image_free);
-    if (decoded == nullptr)
-        throw PictureError(stbi_failure_reason() == noReason ? "its data are damaged" : failureReason());
+    if (decoded == nullptr) {
+        const std::string reason = stbi_failure_reason() == noReason ? "" : failureReason();
+        throw PictureError(reason.empty() ? "its data are damaged" : reason);
+    }
     if (width != width_ || height != height_)
         throw PictureError("its size differs from the one in its header");
     return {decoded.get(), decoded.get() + pixels * static_cast<std::size_t>(channels)};

@@ -69,6 +69,14 @@ std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera) {
     return parts;
 }
 
+std::vector<std::string> lightPartNames() {
+    std::vector<std::string> names;
+    for (const Output output :
+         {Output::ambientVisibility, Output::indirectLight, Output::sunVisibility, Output::specularLight})
+        names.emplace_back(outputName(output));
+    return names;
+}
+
 std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera) {
     renderer.render({{Output::giConeShadow}, camera, LightSteps::all});
     const gl::ShaderLibrary& shaders = renderer.shaders();

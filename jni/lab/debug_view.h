@@ -22,6 +22,8 @@ struct DebugView {
 // Renders the parts of the light from `camera`, each alone and converged: ambient_occlusion, indirect_light
 // (one bounce), cone_shadow, and specular_light if the scene has glossy materials.
 std::vector<DebugView> lightParts(Renderer& renderer, const Camera& camera);
+// The names of all that lightParts() may return.
+std::vector<std::string> lightPartNames();
 // Renders all intermediate results, including the parts of the light.
 std::vector<DebugView> debugViews(Renderer& renderer, const Camera& camera);
 

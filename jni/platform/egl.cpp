@@ -123,6 +123,12 @@ std::map<EGLDisplay, int>& displayUsers() {
     return users;
 }
 
+// Thrown if a display has a driver, but of an older version.
+class OldDriver : public Error {
+  public:
+    using Error::Error;
+};
+
 class EglPlatform : public Platform {
   public:
     EglPlatform(const EglSource& source, bool debug) {
@@ -169,7 +175,12 @@ class EglPlatform : public Platform {
                 if (context_ == EGL_NO_CONTEXT) context_ = tryContext(config, minor, askDebug);
             }
         }
-        if (context_ == EGL_NO_CONTEXT) throw Error("no OpenGL ES 3.1 context, " + eglError());
+        if (context_ == EGL_NO_CONTEXT) {
+            const std::string error = eglError();
+            const std::string older = olderDriver(config);
+            if (!older.empty()) throw OldDriver("the driver " + older + " is too old");
+            throw Error("no OpenGL ES 3.1 context, " + error);
+        }
         if (!eglMakeCurrent(display_, surface_, surface_, context_))
             throw Error("eglMakeCurrent failed, " + eglError());
     }
@@ -197,6 +208,30 @@ class EglPlatform : public Platform {
             attribs.insert(attribs.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
         attribs.push_back(EGL_NONE);
         return eglCreateContext(display_, config, EGL_NO_CONTEXT, attribs.data());
+    }
+
+    // Names the driver and its version if it gives contexts of older versions; returns "" if it gives none.
+    std::string olderDriver(EGLConfig config) {
+        for (const EGLint major : {3, 2}) {
+            const std::array<EGLint, 3> attribs = {EGL_CONTEXT_CLIENT_VERSION, major, EGL_NONE};
+            const EGLContext older = eglCreateContext(display_, config, EGL_NO_CONTEXT, attribs.data());
+            if (older == EGL_NO_CONTEXT) continue;
+            std::string name;
+            if (eglMakeCurrent(display_, surface_, surface_, older)) {
+                const auto getString =
+                    reinterpret_cast<const unsigned char* (*)(unsigned)>(eglGetProcAddress("glGetString"));
+                constexpr unsigned glRenderer = 0x1F01, glVersion = 0x1F02;
+                for (const unsigned key : {glRenderer, glVersion}) {
+                    const unsigned char* const text = getString ? getString(key) : nullptr;
+                    if (text)
+                        name += (name.empty() ? "" : ", ") + std::string(reinterpret_cast<const char*>(text));
+                }
+                eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            }
+            eglDestroyContext(display_, older);
+            if (!name.empty()) return name;
+        }
+        return "";
     }
 
     void release() {
@@ -230,14 +265,21 @@ bool eglInUse() {
 
 std::unique_ptr<Platform> createEgl(const PlatformOptions& options, const std::string& remedy) {
     std::string failures;
+    bool isOld = false;
     for (const EglSource& source : eglSources(options.device)) {
+        std::string failure;
         try {
             return std::make_unique<EglPlatform>(source, options.debug);
+        } catch (const OldDriver& error) {
+            isOld = true;
+            failure = error.what();
         } catch (const Error& error) {
-            failures += (failures.empty() ? "" : "; ") + source.name + ": " + error.what();
+            failure = error.what();
         }
+        failures += (failures.empty() ? "" : "; ") + source.name + ": " + failure;
     }
-    throw Error("EGL cannot create an OpenGL ES 3.1 context (" + failures + ")" + remedy);
+    throw Error("EGL cannot create an OpenGL ES 3.1 context (" + failures + ")" +
+                (isOld && !remedy.empty() ? "; update the driver, or choose another back end" : remedy));
 }
 
 }  // namespace vct::detail

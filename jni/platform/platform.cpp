@@ -30,13 +30,10 @@ Backend backendFromName(const std::string& name) {
 }
 
 std::unique_ptr<Platform> createPlatform(const PlatformOptions& options) {
+    requireDriver();
     switch (options.backend) {
         case Backend::egl:
-            // Without free memory no driver can be loaded, and the driver's own message does not tell why.
-            return detail::createEgl(options,
-                                     availableMemory() == 0
-                                         ? "; there is too little memory for a driver; free memory"
-                                         : "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
+            return detail::createEgl(options, "; install a driver (libegl1 and libgl1-mesa-dri for Mesa's)");
         case Backend::osmesa:
             return detail::createOsmesa(options);
         case Backend::zink:

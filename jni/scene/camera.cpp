@@ -97,10 +97,15 @@ Camera lookAtRounded(const glm::dvec3& eye, const glm::dvec3& target, double ver
 
 std::string cameraOption(const Camera& camera, const Bounds& bounds) {
     const glm::dvec3 eye(camera.worldFromCamera[3]), back(camera.worldFromCamera[2]);
+    const double diagonal = std::max(glm::length(bounds.max - bounds.min), 1e-9);
+    // clipFromWorld() does not distinguish nearest distances of more than a part of the diagonal.
     const double distance = std::isfinite(camera.nearest)
-                                ? camera.nearest / nearestOfDistance
-                                : std::max(glm::length(bounds.max - bounds.min), 1e-9);
+                                ? std::min(camera.nearest / nearestOfDistance, 1e3 * diagonal)
+                                : diagonal;
     const glm::dvec3 target = eye - distance * back;
+    if (target == eye)
+        throw Error("camera \"" + camera.name + "\" is too far from the origin (" + printed(eye) +
+                    ") to be written as an option; move it nearer");
     // The subtraction leaves rounding noise in the target (-1e-17 instead of 0), which is set to 0.
     const double noise = 1e-14 * (glm::length(eye) + distance);
     const auto tidy = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
@@ -123,7 +128,15 @@ Camera fitted(Camera camera, double aspect) {
 }
 
 Camera chooseCamera(const Scene& scene, const std::string& nameOrIndex, double aspect) {
-    if (scene.cameras.empty() && nameOrIndex.empty()) return frameScene(scene, aspect);
+    if (scene.cameras.empty() && nameOrIndex.empty()) {
+        try {
+            return frameScene(scene, aspect);
+        } catch (const Error&) {
+            throw Error("cannot frame the scene " + scene.path +
+                        ": it is too far from the origin for its size (" + printed(scene.boundsWorld.min) +
+                        " to " + printed(scene.boundsWorld.max) + "); move it nearer to the origin");
+        }
+    }
     if (scene.cameras.empty())
         throw Error("the scene " + scene.path + " has no camera, and \"" + nameOrIndex +
                     "\" was asked for; leave out --camera for a view of the whole scene");

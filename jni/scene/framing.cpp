@@ -6,9 +6,9 @@
 #include <set>
 
 #include "scene/camera.h"
-#include "scene/direct_light.h"
 #include "scene/first_surfaces.h"
 #include "scene/light_choice.h"
+#include "scene/lit_surfaces.h"
 
 namespace vct {
 namespace {
@@ -137,13 +137,13 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, d
 
 // True if the scene's light reaches the surface of this sample. In a scene without a light of its own,
 // vct's sun and sky reach all surfaces that are seen from outside.
-bool isLit(const DirectLight& light, const FirstSurfaces& view, std::size_t sample) {
+bool isLit(const LitSurfaces& light, const FirstSurfaces& view, std::size_t sample) {
     return !light.exists() || light.reaches(view.eye + view.samples[sample].depth * view.direction(sample),
                                             view.samples[sample]);
 }
 
 // Share of the visible surfaces that light reaches.
-double litShare(const FirstSurfaces& view, const DirectLight& light) {
+double litShare(const FirstSurfaces& view, const LitSurfaces& light) {
     int met = 0, lit = 0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
         if (view.samples[i].depth == 0.0) continue;
@@ -155,7 +155,7 @@ double litShare(const FirstSurfaces& view, const DirectLight& light) {
 
 // Visible surface area in square metres. Surfaces at grazing angles and unlit ones count less than their
 // area.
-double areaSeen(const FirstSurfaces& view, const DirectLight& light) {
+double areaSeen(const FirstSurfaces& view, const LitSurfaces& light) {
     double area = 0.0;
     for (std::size_t i = 0; i < view.samples.size(); ++i) {
         const FirstSurfaces::Sample& sample = view.samples[i];
@@ -168,7 +168,7 @@ double areaSeen(const FirstSurfaces& view, const DirectLight& light) {
     return area;
 }
 
-const FirstSurfaces& bestFromOutside(const std::vector<FirstSurfaces>& views, const DirectLight& light) {
+const FirstSurfaces& bestFromOutside(const std::vector<FirstSurfaces>& views, const LitSurfaces& light) {
     std::size_t best = 0;
     double most = muchMore * areaSeen(views[0], light);
     for (std::size_t i = 1; i < views.size(); ++i) {
@@ -276,7 +276,7 @@ struct Prospect {
 };
 
 Prospect prospectOf(const Around& around, const glm::dmat3& axes, const glm::dvec2& tanHalf,
-                    const DirectLight& light) {
+                    const LitSurfaces& light) {
     const glm::dmat3 viewFromWorld = glm::transpose(axes);
     Prospect prospect;
     for (const FirstSurfaces& view : around) {
@@ -297,7 +297,7 @@ Prospect prospectOf(const Around& around, const glm::dmat3& axes, const glm::dve
 
 // The view of the most volume, from a place that is closed in at least this share of all directions and not
 // inside an object.
-std::optional<View> viewInside(const Scene& scene, double aspect, const DirectLight& light,
+std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfaces& light,
                                double minClosed) {
     const double fovDeg = fovFor(insideTanHalf, aspect);
     const double tanHalf = std::tan(0.5 * glm::radians(fovDeg));
@@ -327,7 +327,7 @@ std::optional<View> viewInside(const Scene& scene, double aspect, const DirectLi
 Camera frameScene(const Scene& scene, double aspect) {
     const double fovDeg = fovFor(outsideTanHalf, aspect);
     const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, fovDeg, aspect);
-    const DirectLight light(scene, isLitByEmitters(scene));
+    const LitSurfaces light(scene, isLitByEmitters(scene));
     const FirstSurfaces& best = bestFromOutside(outside, light);
     // A lamp behind walls with a window does not light their outside.
     const double lit = litShare(best, light);

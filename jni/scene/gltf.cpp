@@ -8,6 +8,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "core/list_text.h"
 #include "core/memory.h"
 #include "scene/gltf_deformations.h"
 #include "scene/gltf_file.h"
@@ -16,6 +17,8 @@
 #include "scene/gltf_materials.h"
 #include "scene/gltf_nodes.h"
 #include "scene/gltf_packings.h"
+#include "scene/strongest_lights.h"
+#include "shared/layout.h"
 
 namespace vct {
 namespace {
@@ -169,6 +172,13 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
     keepSomethingVisible(file, scene);
     computeBounds(scene);
+    const std::size_t lights = scene.punctualLights.size();
+    const std::vector<std::string> leftOut = keepStrongestLights(scene, VCT_MAX_PUNCTUAL_LIGHTS);
+    if (!leftOut.empty())
+        file.warn(oneLine(file.path) + " has " + std::to_string(lights) +
+                  " lights besides the sun, and the limit is " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
+                  "; those that give the least illuminance at the objects nearest to them are left out: " +
+                  oneLine(listText(leftOut)));
     addCameras(file, nodes, scene);
     scene.warnings = file.takeWarnings();
     return scene;
@@ -206,7 +216,7 @@ Scene loadGltf(const std::string& path, const ReadFile& readFile, const GltfOpti
         throw;
     } catch (const std::bad_alloc&) {
         throw Error("cannot load " + oneLine(path) +
-                    ": it needs more memory than is available; simplify the scene, or free memory");
+                    ": it needs more memory than is available; simplify the scene, or " + memoryRemedy());
     } catch (const std::exception& error) {
         throw Error("cannot load " + oneLine(path) + ": " + asClause(error.what()) + "; " + reexportRemedy);
     }

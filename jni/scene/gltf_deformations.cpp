@@ -59,6 +59,12 @@ std::vector<Influences> loadInfluences(GltfFile& file, const tinygltf::Primitive
     return influences;
 }
 
+// False if an element is NaN or too large for sums.
+bool isUsable(const glm::dmat4& matrix) {
+    const double* const first = &matrix[0][0];
+    return std::all_of(first, first + 16, [](double value) { return std::abs(value) <= 1e30; });
+}
+
 // Returns one displacement per vertex, or none if the target has no such attribute.
 std::vector<glm::vec3> loadDisplacements(GltfFile& file, const std::map<std::string, int>& target,
                                          const char* attribute, std::size_t vertexCount) {
@@ -136,13 +142,29 @@ const std::vector<Joint>& DeformedMeshes::jointsOf(int skin) {
             file_.fail(what + " are only " + std::to_string(values.size() / 16) + " for " +
                        std::to_string(joints.size()) + " joints");
         for (std::size_t i = 0; i < joints.size(); ++i)
-            for (std::size_t k = 0; k < 16; ++k) {
-                if (!(std::abs(values[i * 16 + k]) <= 1e30F)) file_.fail(what + " are not usable numbers");
+            for (std::size_t k = 0; k < 16; ++k)
                 joints[i].jointFromObject[static_cast<int>(k / 4)][static_cast<int>(k % 4)] =
                     values[i * 16 + k];
-            }
     }
     return skins_.emplace(skin, std::move(joints)).first->second;
+}
+
+void DeformedMeshes::checkFollowed(int skin, Deformation& deformation) const {
+    std::vector<bool> isFollowed(deformation.joints.size());
+    for (const Influences& influences : deformation.influences)
+        for (std::size_t i = 0; i < 4; ++i)
+            if (influences.weights[i] != 0.0F) isFollowed[influences.joints[i]] = true;
+    for (std::size_t i = 0; i < deformation.joints.size(); ++i) {
+        glm::dmat4& matrix = deformation.joints[i].jointFromObject;
+        if (!isFollowed[i])
+            matrix = glm::dmat4(1.0);
+        else if (!isUsable(matrix))
+            file_.fail(
+                "skin " +
+                indexAndName(static_cast<std::size_t>(skin), file_.at(file_.model.skins, skin, "skin").name) +
+                " has an inverse bind matrix, of joint " + std::to_string(i) +
+                ", that is not usable numbers");
+    }
 }
 
 Mesh DeformedMeshes::at(const PlacedNode& placed, const Mesh& mesh) {
@@ -163,6 +185,7 @@ Mesh DeformedMeshes::at(const PlacedNode& placed, const Mesh& mesh) {
                                std::to_string(influences.joints[i]) + " of " +
                                std::to_string(deformation->joints.size()));
             }
+        checkFollowed(placed.node->skin, *deformation);
     } else {
         deformation->influences.clear();
         deformation->joints = {{placed.moving, placed.worldFromNode, glm::dmat4(1.0)}};

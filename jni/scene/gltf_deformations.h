@@ -26,6 +26,9 @@ class DeformedMeshes {
 
   private:
     const std::vector<Joint>& jointsOf(int skin);
+    // Throws vct::Error if vertices follow a joint whose matrix is not usable. Replaces the matrices of
+    // joints that no vertex follows, because exporters write anything there.
+    void checkFollowed(int skin, Deformation& deformation) const;
 
     GltfFile& file_;
     std::map<int, const PlacedNode*> placedOf_;  // key: index of the node in the file

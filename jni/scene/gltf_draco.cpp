@@ -22,13 +22,6 @@ namespace vct {
 namespace {
 
 constexpr const char* extensionName = "KHR_draco_mesh_compression";
-constexpr const char* hiddenIndices = "indices";  // key in the extension, which has no such property itself
-
-tinygltf::Primitive withIndices(const tinygltf::Primitive& primitive, const tinygltf::Value& extension) {
-    tinygltf::Primitive result = primitive;
-    result.indices = indexAt(extension, hiddenIndices);
-    return result;
-}
 
 #ifdef VCT_HAS_DRACO
 
@@ -193,22 +186,6 @@ bool isPlainToo(const GltfFile& file, const tinygltf::Primitive& primitive) {
 
 }  // namespace
 
-void hideDracoIndices(nlohmann::json& document) {
-    const nlohmann::json::json_pointer packing(std::string("/extensions/") + extensionName);
-    const auto meshes = document.find("meshes");
-    if (meshes == document.end() || !meshes->is_array()) return;
-    for (nlohmann::json& mesh : *meshes) {
-        if (!mesh.is_object() || !mesh.contains("primitives") || !mesh["primitives"].is_array()) continue;
-        for (nlohmann::json& primitive : mesh["primitives"]) {
-            if (!primitive.is_object() || !primitive.contains("indices") || !primitive.contains(packing) ||
-                !primitive[packing].is_object())
-                continue;
-            primitive[packing][hiddenIndices] = primitive["indices"];
-            primitive.erase("indices");
-        }
-    }
-}
-
 #ifdef VCT_HAS_DRACO
 
 std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::Primitive& primitive,
@@ -223,7 +200,7 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
 
     // If the accessors' counts differ from the stream's, the stream's are right. Its faces are triangles,
     // whatever the mode of the primitive.
-    tinygltf::Primitive unpacked = withIndices(primitive, *extension);
+    tinygltf::Primitive unpacked = primitive;
     unpacked.mode = TINYGLTF_MODE_TRIANGLES;
     const auto put = [&](int index, std::size_t count, std::vector<unsigned char> bytes) {
         tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
@@ -261,8 +238,7 @@ std::optional<tinygltf::Primitive> unpackDraco(GltfFile& file, const tinygltf::P
                                                const std::string& mesh) {
     const tinygltf::Value* const extension = extensionOf(primitive.extensions, extensionName);
     if (extension == nullptr) return std::nullopt;
-    tinygltf::Primitive plain = withIndices(primitive, *extension);
-    if (isPlainToo(file, plain)) return plain;
+    if (isPlainToo(file, primitive)) return primitive;
     file.fail(
         mesh + " is compressed by Draco (" + extensionName + "), which this build cannot read",
         "install libdraco-dev and build with the CMake option VCT_DRACO=ON, or export the scene without "

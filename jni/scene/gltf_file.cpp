@@ -41,10 +41,20 @@ std::uint32_t littleEndian32(const unsigned char* bytes) {
            static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
+constexpr std::uint32_t jsonChunk = 0x4E4F534A;
+constexpr std::uint32_t binaryChunk = 0x004E4942;
+
+// Returns the end of a chunk whose length is not a multiple of four, against the specification. Some
+// exporters write the padding and do not count it, others write none.
+std::size_t unpaddedEnd(GltfFile& file, const Bytes& bytes, std::size_t end) {
+    file.warn(
+        "a chunk has a length that is not a multiple of 4 bytes, as glTF requires; it is read as it is");
+    const bool chunkFollows = end + 8 <= bytes.size() && littleEndian32(&bytes[end + 4]) == binaryChunk;
+    return chunkFollows ? end : (end + 3) / 4 * 4;
+}
+
 // glTF 2.0 section 4.4: header of 12 bytes, then chunks of length, type and content.
-Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
-    constexpr std::uint32_t jsonChunk = 0x4E4F534A;
-    constexpr std::uint32_t binaryChunk = 0x004E4942;
+Chunks splitGlb(GltfFile& file, const Bytes& bytes) {
     const char* const copyRemedy = "copy or export it again";
     if (bytes.size() < 12) file.fail("the file ends inside its header", copyRemedy);
     const std::uint32_t version = littleEndian32(&bytes[4]);
@@ -73,7 +83,8 @@ Chunks splitGlb(const GltfFile& file, const Bytes& bytes) {
             chunks.binary = content;
             chunks.binarySize = size;
         }
-        offset += (size + 3) / 4 * 4;
+        offset += size;
+        if (size % 4 != 0 && offset < length) offset = unpaddedEnd(file, bytes, offset);
     }
     if (chunks.json == nullptr) file.fail("it has no JSON chunk", copyRemedy);
     return chunks;
@@ -165,6 +176,69 @@ void allowMissingInverseBindMatrices(json& document) {
         if (skin.is_object()) skin.emplace("inverseBindMatrices", -1);
 }
 
+// Gives accessors without a buffer view a view for the time of parsing, because tinygltf refuses indices
+// without one. Returns the indices of these accessors. By the specification (section 3.6.2.3) their elements
+// are zeros, or come from a compressed stream.
+std::vector<std::size_t> lendViews(json& document) {
+    std::vector<std::size_t> borrowers;
+    const auto accessors = document.find("accessors");
+    if (accessors == document.end() || !accessors->is_array()) return borrowers;
+    json& views = document["bufferViews"];
+    if (views.is_null()) views = json::array();
+    if (!views.is_array()) return borrowers;
+    for (std::size_t i = 0; i < accessors->size(); ++i) {
+        json& accessor = (*accessors)[i];
+        if (!accessor.is_object() || !accessor.emplace("bufferView", views.size()).second) continue;
+        borrowers.push_back(i);
+    }
+    if (!borrowers.empty()) views.push_back({{"buffer", 0}, {"byteLength", 1}});
+    return borrowers;
+}
+
+void takeViewsBack(tinygltf::Model& model, const std::vector<std::size_t>& borrowers) {
+    if (borrowers.empty()) return;
+    for (const std::size_t accessor : borrowers)
+        model.accessors.at(accessor).bufferView = -1;
+    model.bufferViews.pop_back();
+}
+
+// Returns the name of the element at which tinygltf stopped, such as "skins[0]: ", because its own message
+// names the property at most. Returns "" if it read all of them.
+std::string refusedElement(const tinygltf::Model& model, const json& document) {
+    // The order is tinygltf's.
+    const std::pair<const char*, std::size_t> lists[] = {
+        {"bufferViews", model.bufferViews.size()}, {"accessors", model.accessors.size()},
+        {"meshes", model.meshes.size()},           {"nodes", model.nodes.size()},
+        {"scenes", model.scenes.size()},           {"materials", model.materials.size()},
+        {"textures", model.textures.size()},       {"skins", model.skins.size()},
+        {"samplers", model.samplers.size()},       {"cameras", model.cameras.size()}};
+    for (const auto& [name, read] : lists) {
+        const auto list = document.find(name);
+        if (list == document.end() || !list->is_array() || read == list->size()) continue;
+        // tinygltf checks the indices of meshes before the first node, and names the place itself.
+        if (name == std::string("nodes")) return "";
+        return std::string(name) + "[" + std::to_string(read) + "]: ";
+    }
+    return "";
+}
+
+// Lets tinygltf parse the document, without a copy of it in memory.
+void parseStructure(GltfFile& file, json document) {
+    const std::vector<std::size_t> borrowers = lendViews(document);
+    const std::string text = document.dump();
+    document.clear();
+    tinygltf::TinyGLTF parser;
+    std::string errors, ignored;
+    const bool parsed = parser.LoadASCIIFromString(&file.model, &errors, &ignored, text.c_str(),
+                                                   static_cast<unsigned>(text.size()), "");
+    // tinygltf leaves out an object with a missing property and continues. An incomplete scene would be worse
+    // than an error.
+    if (!parsed || !errors.empty())
+        file.fail("its structure is not valid (" + refusedElement(file.model, json::parse(text)) +
+                  (errors.empty() ? "a property is missing or has a wrong type" : asClause(errors)) + ")");
+    takeViewsBack(file.model, borrowers);
+}
+
 // True if a buffer exists only for programs that cannot read meshoptimizer's streams.
 bool isFallback(const json& source) {
     for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
@@ -249,7 +323,7 @@ void GltfFile::reserve(std::size_t bytes, const std::string& what) {
         fail(what + " asks for " + megabytesText(bytes) + ", and only " +
                  megabytesText(limitBytes - usedBytes) + " are left of the " + megabytesText(limitBytes) +
                  " that a scene may take (half of the available memory)",
-             "make the scene smaller, or free memory");
+             std::string("make the scene smaller, or ") + memoryRemedy());
     usedBytes += bytes;
 }
 
@@ -308,24 +382,13 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
     checkAsset(file, document);
     checkExtensions(file, document);
     checkSparseOffsets(file, document);
-    hideDracoIndices(document);
     allowMissingInverseBindMatrices(document);
     // These lists are removed from the document, so tinygltf does not see them.
     const json buffers = takeObjects(file, document, "buffers", "its");
     const json images = takeObjects(file, document, "images", "its");
     file.animations = takeObjects(file, document, "animations", "its");
 
-    tinygltf::TinyGLTF parser;
-    std::string errors;
-    std::string ignored;
-    const std::string structure = document.dump();
-    document.clear();  // frees its memory, which is large for large files
-    const bool parsed = parser.LoadASCIIFromString(&file.model, &errors, &ignored, structure.c_str(),
-                                                   static_cast<unsigned>(structure.size()), "");
-    // tinygltf leaves out an object with a missing property and continues. An incomplete scene would be worse
-    // than an error.
-    if (!parsed || !errors.empty()) file.fail("its structure is not valid (" + asClause(errors) + ")");
-
+    parseStructure(file, std::move(document));
     file.usedBytes -= readingBytes;
 
     file.reserve(chunks.binarySize, "its binary chunk");

@@ -19,10 +19,6 @@ extern const bool canUnpackMeshopt;
 // the view is damaged or the build lacks the library.
 std::vector<unsigned char> unpackMeshopt(GltfFile& file, int index, const tinygltf::Value& packing);
 
-// Hides the indices of Draco-compressed primitives in the document until unpackDraco(), because tinygltf
-// refuses indices without a buffer view.
-void hideDracoIndices(nlohmann::json& document);
-
 // Decompresses a primitive's Draco stream into file.unpackedAccessors, and returns the primitive to load from
 // them, a list of triangles. Returns nothing if the primitive is not compressed. A build without the library
 // returns the uncompressed primitive if the file also holds one, and throws vct::Error otherwise. `mesh`

@@ -101,7 +101,7 @@ const TextureLoader::Pixels& TextureLoader::pixels(const tinygltf::Image& image,
         if (picture.decodingBytes() > availableMemory())
             file_.fail(what + ", " + extent + ", takes " + megabytesText(picture.decodingBytes()) +
                            " to decode, and only " + megabytesText(availableMemory()) + " are available",
-                       "scale it down, or free memory");
+                       std::string("scale it down, or ") + memoryRemedy());
     };
     try {
         if (isWebp(bytes.data, bytes.size)) {

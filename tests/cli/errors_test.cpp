@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadCommand{"Mode", renderCornell("--out out --mode sepia"),
                    "--mode: 'sepia' is not a mode; use phong"},
+        BadCommand{"ModeTwice", renderCornell("--out out --mode ao --mode gi"),
+                   "--mode is given more than once"},
         BadCommand{"Size", renderCornell("--out out --size 400"), "WIDTHxHEIGHT"},
         BadCommand{"ConeAngle", renderCornell("--out out --cone-angle 0"), "the cone angle"},
         BadCommand{"Preset", renderCornell("--out out --preset best"), "thesis"},
@@ -58,7 +60,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"OutInProc", renderCornell("--out /proc/vct"), "/proc/vct"},
         BadCommand{"TimingsBelowAFile", renderCornell("--out out --timings file/t.json"), "file/t.json"},
         BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"},
-        BadCommand{"NoCommand", "", "A command is required; see vct --help"},
+        BadCommand{
+            "NoCommand", "",
+            "A command is required; the commands are render, view, bench, compare, info, shaders; see"},
+        BadCommand{"UnknownCommand", "rendr a.glb",
+                   "there is no command 'rendr'; the commands are render, view"},
+        BadCommand{"CompareWithoutLimits", "compare a.png b.png",
+                   "--max-difference and --max-fraction are required"},
         BadCommand{"UnknownOption", renderCornell("--out out --colour red"),
                    "not expected: red --colour; see vct render --help"},
         BadCommand{"NanAngle", renderCornell("--out out --cone-angle nan"), "'nan' is not a number"},

@@ -95,7 +95,87 @@ TEST(HardInput, JsonThatNeedsTooMuchMemoryIsNotParsed) {
     writeBytes(program.folder.file("numbers.gltf"), text + "]}");
     EXPECT_EQ(program.run("info numbers.gltf", "ulimit -v 900000;"), 1);
     EXPECT_EQ(lineCount(program.err), 1) << program.err;
-    expectMentions(program.err, {"numbers.gltf", "reading its JSON asks for 401 MB", "free memory"});
+    expectMentions(program.err,
+                   {"numbers.gltf", "reading its JSON asks for 401 MB", "raise the limit of `ulimit -v`"});
+}
+
+TEST(HardInput, AFolderInThePlaceOfAPictureIsFoundBeforeRendering) {
+    struct Case {
+        const char *folder, *options;
+    };
+    for (const Case& test :
+         {Case{"ao.png", "--mode phong,ao"}, Case{"contact_sheet.png", "--contact-sheet"},
+          Case{"cone_shadow.exr", "--light-parts"}, Case{"debug_views/voxels.png", "--debug-views"}}) {
+        ProgramRun program;
+        std::filesystem::create_directories(program.folder.file(std::string("out/") + test.folder));
+        const std::string options = std::string(" --size 16x16 --grid 64 --out out ") + test.options;
+        EXPECT_EQ(program.run(std::string("render ") + ProgramRun::cornell + options), 1) << test.folder;
+        EXPECT_EQ(lineCount(program.err), 1) << program.err;
+        expectMentions(program.err, {std::string("cannot write 'out/") + test.folder, "Is a directory"});
+    }
+    ProgramRun program;
+    std::filesystem::create_directories(program.folder.file("out/phong_0001.png"));
+    EXPECT_EQ(
+        program.run("render '" VCT_SOURCE_DIR "/assets/moving.glb' --frames 2 --fps 1" + std::string(quick)),
+        1);
+    EXPECT_EQ(lineCount(program.err), 1) << program.err;
+    expectMentions(program.err, {"out/phong_0001.png"});
+}
+
+TEST(HardInput, NoCameraIsBlamedThatNobodyGave) {
+    ProgramRun program;
+    GltfBuilder builder;
+    builder.triangle();
+    builder.document["nodes"][0]["translation"] = {1e15, 1e15, 1e15};
+    writeBytes(program.folder.file("far.glb"), builder.glb());
+    EXPECT_EQ(program.run("info far.glb --print-camera"), 1);
+    expectMentions(program.err,
+                   {"cannot frame the scene far.glb", "too far from the origin", "move it nearer"});
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell, "--camera eye=1,2,3,target=1,2,3")), 1);
+    expectMentions(program.err, {"the camera's eye and target", "(--camera)"});
+
+    // A file's camera whose near plane is at an absurd distance.
+    GltfBuilder near;
+    near.triangle();
+    near.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1e300}}}});
+    near.node({{"camera", 0}, {"translation", {0, 0, 2}}});
+    writeBytes(program.folder.file("near.glb"), near.glb());
+    program.expectSuccess("info near.glb --print-camera");
+}
+
+// Mesa's compiler ends the process if it gets no memory.
+TEST(HardInput, UnderALimitOfAddressSpaceNoDriverIsTried) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    for (const char* limit : {"560000", "602000", "640000", "900000"}) {
+        EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), std::string("ulimit -v ") + limit + ";"),
+                  1);
+        expectMentions(program.err, {"error: not enough memory for an OpenGL driver", "MB of address space",
+                                     "MB are left; raise the limit of `ulimit -v`"});
+    }
+}
+
+// No thread gets a stack of 4 GB.
+TEST(HardInput, WithoutThreadsAProgramSaysSoOrDoesWithoutThem) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more address space than any limit that a test could set";
+#endif
+    ProgramRun program;
+    const std::string limits = "ulimit -s 4000000 && ulimit -v 3000000;";
+    EXPECT_EQ(program.run(std::string("info --print-camera ") + ProgramRun::cornell, limits), 0)
+        << program.err;
+    EXPECT_EQ(program.run(renderQuickly(ProgramRun::cornell), limits), 1);
+    expectMentions(program.err, {"error: the system starts no thread for an OpenGL driver", "`ulimit -u`"});
+}
+
+TEST(HardInput, ADriverThatIsTooOldIsNamed) {
+    ProgramRun program;
+    if (program.run("info", "MESA_GLES_VERSION_OVERRIDE=3.0") == 0)
+        GTEST_SKIP() << "only Mesa can be told to be older";
+    expectMentions(program.err, {"OpenGL ES 3.0 Mesa", "is too old", "update the driver", "(--backend)"});
+    EXPECT_EQ(program.err.find("install"), std::string::npos) << program.err;
 }
 
 TEST(Output, AnInterruptedRunLeavesNothing) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "engine/material_texture.h"
 #include "support/element_buffers.h"
@@ -129,6 +130,20 @@ TEST(DriverLimits, ATextureThatIsTooLargeIsNamed) {
                    {"deep", std::to_string(side3d + 1), std::to_string(side3d), "coarser grid"});
     EXPECT_NO_THROW(gl::Texture::make2d("as wide as can be", GL_RGBA8, side2d, 1));
     EXPECT_EQ(gl::GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+GLenum GL_APIENTRY outOfMemory() {
+    return GL_OUT_OF_MEMORY;
+}
+
+// Many drivers limit the size of a texture in bytes, and tell it by no query.
+TEST(DriverLimits, ATextureThatTheDriverRefusesIsNotBlamedOnTheMemory) {
+    const Context context = openContext(Backend::egl);
+    const auto getError = std::exchange(gl::GetError, outOfMemory);
+    const std::string error = errorOf([&] { gl::Texture::make3d("voxel faces", GL_RGBA8, 8, 8, 8, 1); });
+    gl::GetError = getError;
+    expectMentions(error, {"the driver refuses voxel faces (1 MB)", "MB of main memory are free",
+                           "more than the driver allows in one piece", "coarser grid"});
 }
 
 TEST(DriverLimits, AStorageBufferThatIsTooLargeIsNamed) {

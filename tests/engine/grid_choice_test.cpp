@@ -53,6 +53,49 @@ TEST(GridChoice, FollowsRodsAndWithPackedVoxelsWallsToo) {
     expectMentions(words.reason, {"10 cm thick"});
 }
 
+// A room of 10 m whose walls and floor are one mesh, closed at the top by nothing: an outer box and an inner
+// one, turned inside out, with a rim between them.
+Scene roomOfOneMesh(double thickness) {
+    Scene scene = emptyScene();
+    const glm::dvec3 outer(10, 4, 10), inner = outer - glm::dvec3(2 * thickness);
+    addBox(scene, outer, {0, 0, 0});
+    addBox(scene, inner, {0, 0, 0});
+    Mesh room;
+    room.name = "room";
+    for (const Instance& instance : scene.instances) {
+        const Mesh& box = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const bool isInner = &box == &scene.meshes.back();
+        const auto first = static_cast<std::uint32_t>(room.vertices.size());
+        for (Vertex vertex : box.vertices) {
+            const glm::dvec3 object = box.centre + glm::dvec3(vertex.position);
+            vertex.position = glm::vec3(instance.worldFromObject * glm::dvec4(object, 1.0));
+            room.vertices.push_back(vertex);
+        }
+        for (std::size_t i = 0; i < box.indices.size(); i += 3)
+            for (const std::size_t corner : {0U, isInner ? 2U : 1U, isInner ? 1U : 2U})
+                room.indices.push_back(first + box.indices[i + corner]);
+    }
+    // A triangle without area connects the two boxes.
+    room.indices.insert(room.indices.end(), {0, 0, static_cast<std::uint32_t>(room.vertices.size() - 1)});
+    scene.meshes = {room};
+    scene.instances = {Instance{0}};
+    return finished(std::move(scene));
+}
+
+TEST(GridChoice, MeasuresTheThicknessOfWallsOfOneMesh) {
+    const GridChoice thick = choose(roomOfOneMesh(0.3), "thesis");
+    EXPECT_EQ(thick.grid, 128) << thick.reason;
+    expectMentions(thick.reason, {"up to 30 cm thick", "need voxels of 15 cm"});
+    const GridChoice thin = choose(roomOfOneMesh(0.02), "thesis");
+    EXPECT_EQ(thin.grid, 512) << thin.reason;
+    expectMentions(thin.reason, {"up to 2 cm thick", "need voxels of 1 cm"});
+    // Directional voxels keep the sides of a wall apart.
+    const GridChoice faces = choose(roomOfOneMesh(0.02), "mobile");
+    EXPECT_EQ(faces.grid, 64) << faces.reason;
+    expectMentions(faces.reason, {"less than 2 % of the surface", "narrower than two voxels"});
+    EXPECT_EQ(faces.reason.find("need voxels of"), std::string::npos) << faces.reason;
+}
+
 TEST(GridChoice, IgnoresALittleSurface) {
     EXPECT_EQ(choose(floorWith(1, {0.1, 0.1, 1}), "mobile").grid, 64);
     EXPECT_EQ(choose(floorWith(20, {0.1, 0.1, 1}), "mobile").grid, 128);

@@ -133,6 +133,7 @@ TEST(ReadImage, RefusesEveryTruncation) {
             const std::string message = messageOfDecoding(whole.substr(0, size));
             ASSERT_NE(message.find("cut'"), std::string::npos)
                 << name << " cut to " << size << ": " << message;
+            ASSERT_EQ(message.find("(string)"), std::string::npos) << message;
         }
     }
 }

@@ -99,6 +99,29 @@ TEST(Deformations, BoxesAndBoundsHoldEveryVertexAtEveryTime) {
     }
 }
 
+// Exporters write anything there.
+TEST(Deformations, TheMatrixOfAJointThatNoVertexFollowsIsIgnored) {
+    const auto withGarbage = [](std::size_t joint) {
+        GltfBuilder b = twoThatDeform();
+        json& skin = b.document["skins"][0];
+        skin["joints"].push_back(skin["joints"][2]);
+        std::vector<float> matrices;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float value = i == joint ? std::nanf("") : 1.0F;
+            const float height = 0.8F * static_cast<float>(i);
+            matrices.insert(matrices.end(),
+                            {value, 0, 0, 0, 0, value, 0, 0, 0, 0, value, 0, 0, -height, 0, 1});
+        }
+        skin["inverseBindMatrices"] = b.floats(matrices, "MAT4");
+        return b;
+    };
+    const Scene plain = load(twoThatDeform()), scene = load(withGarbage(3));
+    EXPECT_EQ(scene.boundsWorld.min, plain.boundsWorld.min);
+    EXPECT_EQ(scene.boundsWorld.max, plain.boundsWorld.max);
+    EXPECT_EQ(triangleSoup(deformingMesh(scene, 0)), triangleSoup(deformingMesh(plain, 0)));
+    expectMentions(loadError(withGarbage(1)), {"skin 0", "inverse bind matrix", "joint 1", "usable numbers"});
+}
+
 TEST(Deformations, DamagedOnesAreNamed) {
     const auto changed = [](auto&& change) {
         GltfBuilder builder = twoThatDeform();

@@ -139,7 +139,7 @@ TEST(Draco, ErrorsAreNamed) {
     expectMentions(errorOf((extension + "/attributes/NORMAL").c_str(), 9), {mesh, "no attribute 9 (NORMAL)"});
     expectMentions(errorOf((extension + "/attributes/NORMAL").c_str(), 2), {mesh, "2 numbers per element"});
     expectMentions(errorOf((extension + "/attributes").c_str(), {{"NORMAL", 1}}), {mesh, "neither"});
-    expectMentions(errorOf("/indices", 99), {"accessor 99"});
+    expectMentions(errorOf("/indices", 99), {"indices accessor out of bounds"});
     expectMentions(loadError(dracoFile(bytesOf("DRACO"), 9, 9)), {mesh, "damaged header"});
     expectMentions(loadError(dracoFile(bytesOf("nothing of that kind"), 9, 9)), {mesh, "damaged header"});
     DracoOf cut = packed;

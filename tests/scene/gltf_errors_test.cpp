@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -55,6 +56,8 @@ const Damage damages[] = {
     {"/extensions/KHR_lights_punctual/lights/0",
      R"({"type": "directional", "name": "sun", "color": [1, -0.5, 1]})",
      "light 0 (sun) has a negative colour"},
+    {"/skins", "[{}]", "skins[0]: a property is missing or has a wrong type"},
+    {"/cameras/0", R"({"type": "perspective"})", "cameras[0]: "},
     {"/scene", "7", "scene 7"},
     {"/scenes/0/nodes", "[]", "no triangles"},
     {"/nodes/0/children", "[7]", "node 7"},
@@ -163,6 +166,18 @@ TEST(GltfErrors, ImagesWithAWrongSizeAreNamed) {
     }
 }
 
+// stb_image puts the name into its reason, and a zero in the name ends the reason.
+TEST(GltfErrors, AnImageWithAChunkWithoutANameHasAReason) {
+    for (const std::size_t letter : {0U, 2U}) {
+        Bytes image = encodePng(8);
+        const auto data = bytesOf("IDAT");
+        const auto chunk = std::search(image.begin(), image.end(), data.begin(), data.end());
+        ASSERT_NE(chunk, image.end());
+        chunk[static_cast<std::ptrdiff_t>(letter)] = 0;
+        expectError(loadError(completeFile(image)), "image 0 cannot be decoded: its data are damaged");
+    }
+}
+
 TEST(GltfErrors, DeepNodesAndDeepJsonAreRefused) {
     GltfBuilder builder;
     builder.triangle();
@@ -210,6 +225,50 @@ TEST(GltfFiles, MayHaveNumbersAndAccessorsThatTheSpecificationAllows) {
     GltfBuilder zeros = plain;
     zeros.document["accessors"][2].erase("bufferView");  // texture coordinates
     EXPECT_EQ(load(zeros).meshes.at(0).vertices.at(1).uv, glm::vec2(0.0F));
+}
+
+TEST(GltfFiles, IndicesWithoutABufferViewAreZerosButForTheirSparseElements) {
+    GltfBuilder b;
+    const int positions = b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const int indices = b.add("accessors", {{"count", 6}, {"componentType", 5125}, {"type", "SCALAR"}});
+    b.node({{"mesh", b.mesh({{"attributes", {{"POSITION", positions}}}, {"indices", indices}})}});
+    b.triangle();
+    EXPECT_EQ(load(b).meshes.at(0).indices.size(), 6U);
+
+    const std::uint32_t where[] = {4, 5}, values[] = {1, 2};
+    b.document["accessors"][1]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", b.view(where, sizeof where)}, {"componentType", 5125}}},
+        {"values", {{"bufferView", b.view(values, sizeof values)}}}};
+    const Mesh mesh = load(b).meshes.at(0);
+    EXPECT_EQ(mesh.vertices.at(mesh.indices.at(4)).position + glm::vec3(mesh.centre), glm::vec3(1, 0, 0));
+
+    b.document["accessors"][1]["bufferView"] = 99;
+    expectError(loadError(b), "accessor");
+}
+
+TEST(GltfFiles, ChunksWithoutPaddingAreDrawnWithAWarning) {
+    GltfBuilder builder = completeFile(encodePng(8));
+    const Bytes whole = builder.glb();
+    EXPECT_FALSE(hasWarning(load(whole), "multiple of 4"));
+    for (std::size_t spaces : {1U, 2U, 3U})
+        for (const bool isCounted : {true, false}) {
+            // The length of the JSON chunk counts all of its spaces, or only those up to a multiple of 4.
+            Bytes odd = whole;
+            const std::size_t size = odd[12] | odd[13] << 8U;
+            if (isCounted)
+                odd.insert(odd.begin() + static_cast<std::ptrdiff_t>(20 + size), spaces, ' ');
+            else
+                odd.insert(odd.begin() + static_cast<std::ptrdiff_t>(20 + size), 4, ' ');
+            odd[12] = static_cast<unsigned char>((size + spaces) & 255U);
+            odd[13] = static_cast<unsigned char>((size + spaces) >> 8U);
+            odd[8] = static_cast<unsigned char>(odd.size() & 255U);
+            odd[9] = static_cast<unsigned char>((odd.size() >> 8U) & 255U);
+            const Scene scene = load(odd);
+            EXPECT_TRUE(hasWarning(scene, "multiple of 4"));
+            EXPECT_EQ(triangleSoup(scene.meshes.at(0)), triangleSoup(load(whole).meshes.at(0)));
+            EXPECT_EQ(scene.textures.at(0).rgba, load(whole).textures.at(0).rgba);
+        }
 }
 
 // A small file may name the same accessor or image any number of times.

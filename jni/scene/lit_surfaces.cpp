@@ -1,4 +1,4 @@
-#include "scene/direct_light.h"
+#include "scene/lit_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Bounds boundsOf(const Scene& scene, const Instance& instance) {
 
 }  // namespace
 
-DirectLight::DirectLight(const Scene& scene, bool emitters) : emits_(scene.instances.size()) {
+LitSurfaces::LitSurfaces(const Scene& scene, bool emitters) : emits_(scene.instances.size()) {
     for (const DirectionalLight& light : scene.lights)
         if (light.intensity > 0.0F) addSun(scene, light.directionToLight);
     for (const PunctualLight& light : scene.punctualLights) {
@@ -59,12 +59,12 @@ DirectLight::DirectLight(const Scene& scene, bool emitters) : emits_(scene.insta
             view = std::move(*drawn++);
 }
 
-void DirectLight::addAround(const glm::dvec3& eyeWorld) {
+void LitSurfaces::addAround(const glm::dvec3& eyeWorld) {
     sources_.push_back(
         {viewsAround(eyeWorld, pointResolution), std::numeric_limits<double>::infinity(), {}, -1.0});
 }
 
-void DirectLight::addSun(const Scene& scene, const glm::dvec3& directionToLight) {
+void LitSurfaces::addSun(const Scene& scene, const glm::dvec3& directionToLight) {
     // From so far away that its rays are parallel.
     constexpr double distance = 1e3;  // in diagonals of the scene
     const double diagonal = glm::length(scene.boundsWorld.max - scene.boundsWorld.min);
@@ -82,7 +82,7 @@ void DirectLight::addSun(const Scene& scene, const glm::dvec3& directionToLight)
                         -1.0});
 }
 
-bool DirectLight::reaches(const glm::dvec3& pointWorld, const FirstSurfaces::Sample& surface) const {
+bool LitSurfaces::reaches(const glm::dvec3& pointWorld, const FirstSurfaces::Sample& surface) const {
     if (surface.instance >= 0 && emits_[static_cast<std::size_t>(surface.instance)]) return true;
     for (const Source& source : sources_) {
         const glm::dvec3 fromLight = pointWorld - source.views.front().eye;

@@ -9,10 +9,10 @@
 
 namespace vct {
 
-class DirectLight {
+class LitSurfaces {
   public:
     // The scene's sun and other lights or, if it has none and `emitters` is set, the surfaces that emit.
-    DirectLight(const Scene& scene, bool emitters);
+    LitSurfaces(const Scene& scene, bool emitters);
 
     bool exists() const { return !sources_.empty(); }
     // True if light reaches this surface.
