@@ -8,7 +8,7 @@
 namespace vct::test {
 namespace {
 
-constexpr GatherSchedule::Change noChange{false, false};
+constexpr GatherSchedule::Change noChange{false, false}, otherLight{false, true};
 
 GatherSettings settingsWith(int directions, int refined, int cones) {
     GatherSettings settings;
@@ -42,6 +42,16 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
             visited.insert((step.direction + cone) % 256);
     }
     EXPECT_EQ(visited.size(), 256U);
+}
+
+// A light that moves would lag behind with the long history of converged light.
+TEST(GatherSchedule, AChangeShortensHistories) {
+    GatherSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    const float during = schedule.advance(otherLight).history;
+    EXPECT_LE(during, 15.0F);
+    EXPECT_LT(schedule.advance(noChange).history, during);
 }
 
 }  // namespace

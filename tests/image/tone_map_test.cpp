@@ -51,7 +51,9 @@ TEST(NeutralToneMap, ShowsNoNumberAsBlack) {
 }
 
 TEST(AutomaticExposure, BringsAPictureToMiddleGrey) {
-    EXPECT_NEAR(automaticExposure(Image(8, 8, glm::vec3(0.5F))), 0.36F, 0.001F);
+    const Image grey(8, 8, glm::vec3(0.5F));
+    EXPECT_NEAR(automaticExposure(grey), 0.36F, 0.001F);
+    EXPECT_NEAR(toneMapped(grey, ToneMap::none, 0.36F).pixels[0].g, 0.18F, 1e-6F);
     EXPECT_NEAR(automaticExposure(Image(8, 8, glm::vec3(2049.0F))), 8.8e-5F, 0.01e-5F);
     EXPECT_EQ(automaticExposure(Image(8, 8)), 1.0F);
     EXPECT_EQ(automaticExposure(Image(0, 0)), 1.0F);
