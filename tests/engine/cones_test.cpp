@@ -9,7 +9,7 @@
 namespace vct::test {
 namespace {
 
-constexpr int grid = 64;
+constexpr int gridSide = 64;
 constexpr const char* shader = R"(
 #include "directional/cones.glsl"
 layout(local_size_x = 1) in;
@@ -30,7 +30,7 @@ void main() {
 // Fills layers of voxels with faces of one direction. The faces are white.
 void fill(const gl::Texture& faces, int level, int face, int firstY, int layers, double radiance,
           double coverage) {
-    const int side = grid >> level;
+    const int side = gridSide >> level;
     const glm::u8vec4 texel(glm::round(glm::dvec4(glm::dvec3(radiance * coverage), coverage) * 255.0));
     const std::vector<glm::u8vec4> texels(static_cast<std::size_t>(side * layers * side), texel);
     faces.bind(VCT_TEX_FACES);
@@ -41,11 +41,12 @@ void fill(const gl::Texture& faces, int level, int face, int firstY, int layers,
 TEST(Cones, GiveTheNumbersOfTheExampleAndOfSamples) {
     const Context context = openContext(Backend::egl);
     constexpr int levels = 7;
-    const gl::Texture faces = gl::Texture::make3d("faces", GL_RGBA8, 3 * grid, 2 * grid, grid, levels);
+    const gl::Texture faces =
+        gl::Texture::make3d("faces", GL_RGBA8, 3 * gridSide, 2 * gridSide, gridSide, levels);
     faces.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     for (int level = 0; level < levels; ++level)
         for (int face = 0; face < faceCount; ++face)
-            fill(faces, level, face, 0, grid >> level, 0.0, 0.0);
+            fill(faces, level, face, 0, gridSide >> level, 0.0, 0.0);
     constexpr int downwards = 3;
     for (const int level : {0, 1}) {
         fill(faces, level, downwards, 2 >> level, 1, 0.5, 0.4);  // the shelf
@@ -57,7 +58,7 @@ TEST(Cones, GiveTheNumbersOfTheExampleAndOfSamples) {
         fill(faces, 0, 2 * axis + 1, 48, 16, radiance[axis], coverage[axis]);
 
     shared::FrameUniforms frame{};
-    frame.gridSide = grid;
+    frame.gridSide = gridSide;
     const shared::FaceRange range{1.0F, 1.0F, 0.0F, 0.0F};
     glm::vec4 found[3] = {};
     const gl::Buffer frameBlock("frame", GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STATIC_DRAW);

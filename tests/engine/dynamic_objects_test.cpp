@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "support/gl_spy.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
 #include "support/voxel_kinds.h"
@@ -101,6 +102,33 @@ TEST(DynamicObjects, ConesOfAFrameKeepToTheBudgetWhateverTheGrid) {
         EXPECT_GT(counts[VCT_COUNTER_IRRADIANCE_CONE], 8U * 1400U) << grid;
         EXPECT_LT(counts[VCT_COUNTER_IRRADIANCE_CONE], 8U * 2600U) << grid;
     }
+}
+
+// Counts arrive through a fence, and a later frame reads them before its first pass.
+TEST(DynamicObjects, NoFrameReadsBackBetweenItsPasses) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    PlayingScene stage(context, scene, mobileSettings());
+    for (const double seconds : {0.0, 1.0, 0.0})
+        stage.drawTwiceAt(seconds);
+    int reads = 0;
+    bool isInPasses = false;
+    const auto pass = [&](auto...) { isInPasses = true; };
+    const auto read = [&](auto...) {
+        ++reads;
+        EXPECT_FALSE(isInPasses);
+    };
+    const GlSpy<&gl::DrawArrays> arrays(pass);
+    const GlSpy<&gl::DrawElements> elements(pass);
+    const GlSpy<&gl::DispatchCompute> dispatches(pass);
+    const GlSpy<&gl::DispatchComputeIndirect> indirectDispatches(pass);
+    const GlSpy<&gl::MapBufferRange> maps(read);
+    const GlSpy<&gl::ReadPixels> pixels(read);
+    for (int frame = 0; frame < 12; ++frame) {
+        isInPasses = false;
+        stage.frameAt(0.02 * frame);
+    }
+    EXPECT_GT(reads, 0) << "no counts arrive";
 }
 
 TEST_P(DynamicObjectsOf, AnOverflowIsReportedAndLeavesNothingBehind) {
