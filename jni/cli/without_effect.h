@@ -11,7 +11,7 @@
 
 namespace vct::cli {
 
-// What a run renders, and the options on its command line.
+// The outputs of a run, and the options on its command line.
 struct Run {
     std::set<std::string> given;  // "--light-frames"
     std::vector<Output> modes;
