@@ -1,11 +1,13 @@
 // vct info: the driver, and whether it has all that the pipeline needs; or the size and the features of a
 // scene.
 #include <cstdio>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "core/error.h"
 #include "engine/grid_choice.h"
 #include "engine/voxelization.h"
@@ -132,7 +134,16 @@ void addInfo(CLI::App& app, int& exitCode) {
          {"--preset", "--grid", "--voxel-size", "--size", "--camera", "--light", "--print-camera"})
         command->get_option(sceneOption)->needs(scene);
     command->footer(infoFooter);
-    command->callback([options, &exitCode] {
+    command->callback([options, command, &exitCode] {
+        const auto note = [&](std::initializer_list<const char*> names, const char* reason) {
+            for (const char* name : names)
+                if (command->count(name) > 0) say(std::string("note: ") + name + " has no effect: " + reason);
+        };
+        note({"--light"}, "vct info shows no light");
+        if (options->printCamera)
+            note({"--grid", "--voxel-size", "--preset"}, "the camera does not depend on voxels");
+        else
+            note({"--camera", "--size"}, "it needs --print-camera");
         if (options->listDevices)
             printDevices();
         else if (options->printCamera)

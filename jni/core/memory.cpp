@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <system_error>
 #include <thread>
 
 #include "core/error.h"
+#include "core/memory_group.h"
 #include "core/number_text.h"
 #include "core/one_line.h"
 
@@ -45,18 +47,21 @@ std::size_t freeAddressSpace() {
     return limit.rlim_cur > used ? static_cast<std::size_t>(limit.rlim_cur) - used : 0;
 }
 
-// The tighter one of the two limits.
-struct Limit {
+struct MemoryLimit {
     std::size_t left;  // bytes
     const char* name;  // as in "5 MB are left of NAME"
     const char* remedy;
 };
 
-Limit tightestLimit() {
-    const std::size_t memory = freeMemory(), addresses = freeAddressSpace();
-    if (addresses < memory)
-        return {addresses, "the address space that `ulimit -v` allows", "raise the limit of `ulimit -v`"};
-    return {memory, "the main memory", "free memory"};
+MemoryLimit tightestLimit() {
+    const MemoryLimit limits[] = {
+        {freeMemory(), "the main memory", "free memory"},
+        {freeAddressSpace(), "the address space that `ulimit -v` allows", "raise the limit of `ulimit -v`"},
+        {freeGroupMemory("/proc/self/cgroup", "/sys/fs/cgroup"),
+         "the memory that the control group (of a container, for example) allows",
+         "raise the limit of the group"}};
+    return *std::min_element(std::begin(limits), std::end(limits),
+                             [](const MemoryLimit& a, const MemoryLimit& b) { return a.left < b.left; });
 }
 
 // Address space that a driver takes before it draws: the libraries, and for each thread a stack and a heap.
@@ -67,7 +72,7 @@ std::size_t driverAddressSpace() {
     return (std::size_t{400} + 128 * threads) << 20;
 }
 
-std::string leftOf(const Limit& limit) {
+std::string leftOf(const MemoryLimit& limit) {
     return megabytesText(limit.left) + " are left of " + limit.name;
 }
 
@@ -99,7 +104,7 @@ void requireDriver() {
 }
 
 void requireMemory(std::size_t bytes, const std::string& what) {
-    const Limit limit = tightestLimit();
+    const MemoryLimit limit = tightestLimit();
     if (bytes + driverReserve <= limit.left) return;
     throw Error("not enough memory for " + what + ": " +
                 (bytes == 0 ? "it needs " : "it needs " + megabytesText(bytes) + " and ") +
@@ -108,7 +113,7 @@ void requireMemory(std::size_t bytes, const std::string& what) {
 }
 
 void requireMainMemory(std::size_t bytes, const std::string& what, const std::string& remedy) {
-    const Limit limit = tightestLimit();
+    const MemoryLimit limit = tightestLimit();
     if (bytes > limit.left)
         throw Error("not enough memory for " + what + ": it needs " + megabytesText(bytes) + ", and " +
                     leftOf(limit) + "; " + remedy + ", or " + limit.remedy);

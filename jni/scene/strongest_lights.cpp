@@ -27,7 +27,7 @@ std::vector<Bounds> instanceBoxes(const Scene& scene) {
     return boxes;
 }
 
-double distanceTo(const Bounds& box, const glm::dvec3& p) {
+double distanceToBox(const Bounds& box, const glm::dvec3& p) {
     return glm::length(glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0)));
 }
 
@@ -47,7 +47,7 @@ std::vector<std::string> keepStrongestLights(Scene& scene, std::size_t most) {
         }
         double distance = HUGE_VAL;
         for (const Bounds& box : boxes)
-            distance = std::min(distance, distanceTo(box, glm::dvec3(light.worldFromLight[3])));
+            distance = std::min(distance, distanceToBox(box, glm::dvec3(light.worldFromLight[3])));
         const double used = std::max(distance, nearest);
         lux.push_back(distance < light.range ? light.intensity / (used * used) : 0.0);
     }

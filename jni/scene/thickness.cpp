@@ -12,15 +12,15 @@ namespace {
 
 constexpr double cellsPerSide = 32.0;
 
-struct WallTriangle {
+struct WorldTriangle {
     glm::dvec3 corner, edge1, edge2;
     glm::dvec3 areaNormal;  // towards the front; its length is twice the area
     std::size_t instance;   // index into Scene::instances
 };
 
 // The triangles, relative to the corner of the scene's bounds.
-std::vector<WallTriangle> trianglesOf(const Scene& scene) {
-    std::vector<WallTriangle> triangles;
+std::vector<WorldTriangle> trianglesOf(const Scene& scene) {
+    std::vector<WorldTriangle> triangles;
     for (std::size_t index = 0; index < scene.instances.size(); ++index) {
         const Instance& instance = scene.instances[index];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -42,10 +42,10 @@ std::vector<WallTriangle> trianglesOf(const Scene& scene) {
 // Triangles by the cells of a uniform grid that their boxes touch.
 class Cells {
   public:
-    Cells(const std::vector<WallTriangle>& triangles, double size) : triangles_(triangles), size_(size) {
+    Cells(const std::vector<WorldTriangle>& triangles, double size) : triangles_(triangles), size_(size) {
         std::size_t entries = 0;
         for (std::uint32_t i = 0; i < triangles.size() && entries <= maxEntries; ++i) {
-            const WallTriangle& t = triangles[i];
+            const WorldTriangle& t = triangles[i];
             Bounds box{t.corner, t.corner};
             box.include(t.corner + t.edge1);
             box.include(t.corner + t.edge2);
@@ -102,8 +102,8 @@ class Cells {
                     visit(static_cast<std::uint32_t>((z << 16) | (y << 8) | x));
     }
 
-    // Möller and Trumbore 1997, "Fast, Minimum Storage Ray/WallTriangle Intersection".
-    static std::optional<double> hit(const WallTriangle& t, const glm::dvec3& from,
+    // Möller and Trumbore 1997, "Fast, Minimum Storage Ray/WorldTriangle Intersection".
+    static std::optional<double> hit(const WorldTriangle& t, const glm::dvec3& from,
                                      const glm::dvec3& direction) {
         const glm::dvec3 p = glm::cross(direction, t.edge2);
         const double determinant = glm::dot(t.edge1, p);
@@ -116,7 +116,7 @@ class Cells {
         return glm::dot(t.edge2, q) / determinant;
     }
 
-    const std::vector<WallTriangle>& triangles_;
+    const std::vector<WorldTriangle>& triangles_;
     double size_;
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> cells_;
     bool isComplete_ = true;
@@ -153,16 +153,16 @@ LocalSize sizeAt(Cells& cells, std::size_t instance, const glm::dvec3& point, co
 }  // namespace
 
 std::vector<LocalSize> localSizes(const Scene& scene, std::size_t count, double longest) {
-    const std::vector<WallTriangle> triangles = trianglesOf(scene);
+    const std::vector<WorldTriangle> triangles = trianglesOf(scene);
     double area = 0.0;
-    for (const WallTriangle& triangle : triangles)
+    for (const WorldTriangle& triangle : triangles)
         area += glm::length(triangle.areaNormal);
     const glm::dvec3 sides = scene.boundsWorld.max - scene.boundsWorld.min;
     Cells cells(triangles, std::max(longest, std::max({sides.x, sides.y, sides.z}) / cellsPerSide));
     if (!cells.isComplete()) return {};
     std::vector<LocalSize> sizes;
     double passed = 0.0;  // area of the triangles before this one
-    for (const WallTriangle& triangle : triangles) {
+    for (const WorldTriangle& triangle : triangles) {
         passed += glm::length(triangle.areaNormal);
         while (sizes.size() < count &&
                (static_cast<double>(sizes.size()) + 0.5) * area < passed * static_cast<double>(count)) {

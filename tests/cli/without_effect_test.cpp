@@ -48,6 +48,16 @@ TEST(WithoutEffect, NothingIsSaidOfOptionsThatHaveOne) {
     expectMentions(program.err, {"note: --animation has no effect: the scene is shown at rest"});
 }
 
+TEST(WithoutEffect, OptionsOfInfoAreNamedToo) {
+    ProgramRun program;
+    program.expectSuccess(std::string("info ") + ProgramRun::cornell +
+                          " --print-camera --size 9x9 --grid 64");
+    EXPECT_EQ(program.err, "note: --grid has no effect: the camera does not depend on voxels\n");
+    program.expectSuccess(std::string("info ") + ProgramRun::cornell + " --light intensity=1 --size 9x9");
+    expectMentions(program.err,
+                   {"note: --light has no effect", "note: --size has no effect: it needs --print-camera"});
+}
+
 TEST(WithoutEffect, OptionsOfLightsDependOnTheScene) {
     ProgramRun program;
     program.expectSuccess(std::string("render ") + ProgramRun::cornell + tinyOutput +

@@ -14,7 +14,7 @@ struct Lamp {
     double range = 0.0;  // 0: none
 };
 
-Scene sceneWith(const std::vector<Lamp>& lamps) {
+Scene sceneLitBy(const std::vector<Lamp>& lamps) {
     GltfBuilder b;
     b.triangle();
     json& lights = b.document["extensions"]["KHR_lights_punctual"]["lights"];
@@ -36,7 +36,7 @@ std::vector<Lamp> sixteen() {
 std::string leftOut(const Lamp& lamp, const std::vector<Lamp>& others = sixteen()) {
     std::vector<Lamp> lamps = others;
     lamps.insert(lamps.begin() + 3, lamp);
-    const Scene scene = sceneWith(lamps);
+    const Scene scene = sceneLitBy(lamps);
     EXPECT_EQ(scene.punctualLights.size(), 16U);
     std::string said;
     for (const std::string& warning : scene.warnings)
@@ -45,7 +45,7 @@ std::string leftOut(const Lamp& lamp, const std::vector<Lamp>& others = sixteen(
 }
 
 TEST(StrongestLights, AreKeptAndTheOthersAreNamedWithTheFile) {
-    EXPECT_EQ(sceneWith(sixteen()).warnings, std::vector<std::string>{});
+    EXPECT_EQ(sceneLitBy(sixteen()).warnings, std::vector<std::string>{});
     expectMentions(leftOut({"dim", 1.0, 9.0}),
                    {"test.glb has 17 lights besides the sun", "the limit is 16", "left out: \"dim\""});
     expectMentions(leftOut({"", 1.0, 9.0}), {"left out: number 4"});
