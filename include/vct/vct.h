@@ -39,8 +39,8 @@ struct Matrix {
 struct MaterialDescription {
     std::array<float, 3> baseColor{1, 1, 1};  // 0 to 1
     std::array<float, 3> emission{0, 0, 0};   // radiance, not negative
-    // Metallic-roughness as in glTF 2.0, both 0 to 1. With the presets mobile and quality a surface with a
-    // roughness below 1 is glossy.
+    // Metallic-roughness as in glTF 2.0, both 0 to 1. With the presets mobile and quality a metal, or another
+    // surface with a roughness below 1, is glossy.
     float metallic = 0.0F;
     float roughness = 1.0F;
     // False: the triangles are invisible from behind, but cast shadows from both sides.

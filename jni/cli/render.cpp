@@ -242,7 +242,8 @@ void render(const RenderOptions& options) {
             numberText(scene.animation.durationS) + " s, --frames N --fps F renders a sequence");
 
     if (settings.specular == Specular::none && featuresOf(scene).glossy)
-        say("warning: glossy materials (roughness below 1) are rendered without reflections; use --preset "
+        say("warning: glossy materials (metals, and others with a roughness below 1) are rendered without "
+            "reflections; use --preset "
             "mobile or quality with --specular cone");
 
     const Context context = options.scene.backend.open();
@@ -349,7 +350,8 @@ void addRender(CLI::App& app, int&) {
         ->group(lightGroup);
     command
         ->add_option("--specular", options->specular,
-                     "Reflections of materials with a roughness below 1 in modes 4 and 5: none, or cone (the "
+                     "Reflections of metals, and of others with a roughness below 1, in modes 4 and 5: none, "
+                     "or cone (the "
                      "sun's highlight, and one cone in the mirror direction; not with the preset thesis) "
                      "(default: the preset's)")
         ->group(lightGroup);

@@ -46,7 +46,7 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
         {"--shadow-map", !hasSun, noSun},
         {"--specular", !reflections, "it needs the mode gi or gi-cone-shadow"},
         {"--specular", !featuresOf(run.scene).glossy,
-         "the scene has no glossy materials (roughness below 1)"},
+         "the scene has no glossy materials (metals, and others with a roughness below 1)"},
         {"--emission", !run.hasEmitters, "no surface of the scene emits light"},
         {"--grid", !voxels, noVoxels},
         {"--voxel-size", !voxels, noVoxels},

@@ -44,8 +44,8 @@ std::size_t freeGroupMemory(const std::string& membership, const std::string& ro
         if (!isMemory && !controllers.empty()) continue;
         // In a container the path may be the one outside, of which only the root is visible.
         for (;; path.erase(path.find_last_of('/'))) {
-            free = std::min(free, isMemory ? freeIn(root + "/memory" + path, version1)
-                                           : freeIn(root + path, version2));
+            free = std::min(
+                free, isMemory ? freeIn(root + "/memory" + path, version1) : freeIn(root + path, version2));
             if (path.find('/') == std::string::npos) break;
         }
     }

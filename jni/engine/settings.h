@@ -21,7 +21,7 @@ const char* shadowName(Shadow shadow);  // "cone", "soft-map"
 // Throws vct::Error that lists the names if `text` is none of them.
 Shadow shadowFromText(const std::string& text);
 
-// The specular light of glossy materials (roughness below 1).
+// The specular light of glossy materials: metals, and others with a roughness below 1.
 enum class Specular {
     none,  // every surface is Lambertian, with its base colour as albedo
     cone,  // the sun's highlight, and one cone along the mirror direction (shaders/passes/glossy.glsl)

@@ -11,7 +11,7 @@ constexpr std::size_t maxSources = 8;  // more would cost time, and a view needs
 constexpr int pointResolution = 32, sunResolution = 96;
 constexpr double tolerance = 0.05;  // of a view's width or of the distance, because samples are coarse
 
-Bounds boundsOf(const Scene& scene, const Instance& instance) {
+Bounds instanceBounds(const Scene& scene, const Instance& instance) {
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     Bounds bounds = noBounds;
     for (const Vertex& vertex : mesh.vertices)
@@ -46,7 +46,7 @@ LitSurfaces::LitSurfaces(const Scene& scene, bool emitters) : emits_(scene.insta
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
         emits_[i] = scene.materials[static_cast<std::size_t>(mesh.material)].emissive != glm::vec3(0.0F);
         if (!emits_[i] || !emitters || sources_.size() == maxSources) continue;
-        const Bounds bounds = boundsOf(scene, scene.instances[i]);
+        const Bounds bounds = instanceBounds(scene, scene.instances[i]);
         addAround(0.5 * (bounds.min + bounds.max));
     }
     std::vector<FirstSurfaces> views;

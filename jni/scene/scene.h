@@ -53,6 +53,9 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;
     float alphaCutoff = 0.5F;
     bool doubleSided = false;
+
+    // The material reflects specularly. Others are Lambertian.
+    bool isGlossy() const { return roughness < 1.0F || metallic > 0.0F || glossTexture >= 0; }
 };
 
 // Triangles of one material. A triangle is counter-clockwise seen from its front.

@@ -49,7 +49,7 @@ SceneFeatures featuresOf(const Scene& scene) {
         const Material& material = scene.materials[index];
         const unsigned features = materialFeatures(material);
         combinations.insert(features | sharedFeatures(scene));
-        found.glossy |= material.roughness < 1.0F || material.glossTexture >= 0;
+        found.glossy |= material.isGlossy();
         if (features & featureBaseColorTexture) found.textures[material.baseColorTexture] = true;
         if (features & featureEmissiveTexture) found.textures[material.emissiveTexture] = true;
         if (features & featureGlossTexture) found.dataTextures[material.glossTexture] = true;

@@ -30,7 +30,7 @@ unsigned sharedFeatures(const Scene& scene);
 
 struct SceneFeatures {
     std::vector<unsigned> materialFeatures;  // the combinations that occur, each once, ascending
-    bool glossy = false;                     // a material has a roughness below 1 or a gloss texture
+    bool glossy = false;                     // a material is glossy
     std::vector<bool> textures;              // per texture of Scene::textures: a material reads it as colour
     std::vector<bool> dataTextures;          // per texture: read as numbers (gloss, normal map)
     int materials = 0;                       // number of materials that occur

@@ -12,14 +12,23 @@ const float roughTo = 0.9;
 
 // The material of a pixel.
 struct Brdf {
-    mediump vec3 diffuse;     // diffuse albedo
-    mediump vec3 f0;          // Schlick's term at normal incidence
-    mediump float roughness;  // from 1 on, there is no specular reflection
-    vec3 toEye;               // unit length
+    mediump vec3 diffuse;  // diffuse albedo
+    mediump vec3 f0;       // Schlick's term at normal incidence
+    mediump float f90;     // Schlick's term at grazing incidence; 0: the surface is Lambertian
+    mediump float roughness;
+    vec3 toEye;  // unit length
 };
 
-vec3 schlick(vec3 f0, float cosine) {
-    return f0 + (1.0 - f0) * pow(1.0 - cosine, 5.0);
+// Metals reflect specularly up to the roughness 1. The reflection of other materials fades out from .9 on, so
+// that those of roughness 1, which are most, are Lambertian and need no gloss in the G-buffer.
+Brdf brdfOf(mediump vec3 albedo, mediump float metallic, mediump float roughness, vec3 toEye) {
+    mediump float fade = clamp((1.0 - roughness) * 10.0, 0.0, 1.0);
+    return Brdf(albedo * (1.0 - metallic), mix(vec3(0.04 * fade), albedo, metallic), mix(fade, 1.0, metallic),
+                roughness, toEye);
+}
+
+vec3 schlick(Brdf brdf, float cosine) {
+    return brdf.f0 + (brdf.f90 - brdf.f0) * pow(1.0 - cosine, 5.0);
 }
 
 // Pi times the radiance towards the eye, without shadow, by a punctual light that gives a surface that faces
@@ -27,7 +36,7 @@ vec3 schlick(vec3 f0, float cosine) {
 vec3 evaluateBrdf(Brdf brdf, vec3 normal, vec3 toLight) {
     float cosLight = dot(normal, toLight);
     if (cosLight <= 0.0) return vec3(0.0);
-    if (brdf.roughness >= 1.0) return brdf.diffuse * cosLight;
+    if (brdf.f90 == 0.0) return brdf.diffuse * cosLight;
     float cosEye = max(dot(normal, brdf.toEye), 1e-3);
     vec3 halfway = normalize(toLight + brdf.toEye);
     float cosHalf = max(dot(normal, halfway), 0.0);
@@ -35,30 +44,29 @@ vec3 evaluateBrdf(Brdf brdf, vec3 normal, vec3 toLight) {
     float d = cosHalf * cosHalf * (alpha2 - 1.0) + 1.0;
     float visibility = 1.0 / ((cosLight + sqrt(alpha2 + (1.0 - alpha2) * cosLight * cosLight)) *
                               (cosEye + sqrt(alpha2 + (1.0 - alpha2) * cosEye * cosEye)));
-    vec3 fresnel = schlick(brdf.f0, clamp(dot(brdf.toEye, halfway), 0.0, 1.0));
+    vec3 fresnel = schlick(brdf, clamp(dot(brdf.toEye, halfway), 0.0, 1.0));
     return min((brdf.diffuse * (1.0 - fresnel) + fresnel * (alpha2 / (d * d) * visibility)) * cosLight, 6e4);
 }
 
 // Factor on the diffuse albedo for light from all directions: the light that is not reflected specularly. For
-// f0 = 0 the mean of Schlick's term, weighted by the cosine, is 0.028 (1 - cosEye)^3 with an error below
-// 0.001.
+// f0 = 0 and f90 = 1 the mean of Schlick's term, weighted by the cosine, is 0.028 (1 - cosEye)^3 with an
+// error below 0.001.
 mediump vec3 diffuseAlbedoScale(Brdf brdf, vec3 normal) {
-    if (brdf.roughness >= 1.0) return vec3(1.0);
     mediump float grazing = 1.0 - clamp(dot(normal, brdf.toEye), 0.0, 1.0);
-    return (1.0 - brdf.f0) * (1.0 - 0.028 * grazing * grazing * grazing);
+    return (1.0 - brdf.f0) * (1.0 - 0.028 * brdf.f90 * grazing * grazing * grazing);
 }
 
 // The directional albedo of the specular reflection: the integral of the BRDF of appendix B, fitted by least
 // squares. `white` is the fit for f0 = 1 with an error below 0.04, `grazing` for f0 = 0 with an error below
 // 0.016, for cosines above 0.1.
-vec3 specularShare(vec3 f0, float roughness, float cosEye) {
+vec3 specularShare(Brdf brdf, float cosEye) {
     const mat3 lost = mat3(2.5237, -5.1001, 3.0084, -6.6343, 18.2343, -11.2633, 3.246, -9.7958, 6.4822);
     const mat4x2 grows = mat4x2(0.1251, -0.7847, -0.7077, 10.4161, -14.331, 5.7419, 8.9506, -10.0871);
-    vec3 r = vec3(1.0, roughness, roughness * roughness);
+    vec3 r = vec3(1.0, brdf.roughness, brdf.roughness * brdf.roughness);
     vec3 c = vec3(1.0, cosEye, cosEye * cosEye);
     float white = 1.0 - r.z * dot(r, lost * c);
-    float grazing = pow(1.0 - cosEye, 5.0) * exp2(dot(c.xy, grows * vec4(r, r.y * r.z)));
-    return f0 * (white - grazing) + grazing;
+    float grazing = brdf.f90 * pow(1.0 - cosEye, 5.0) * exp2(dot(c.xy, grows * vec4(r, r.y * r.z)));
+    return brdf.f0 * (white - grazing) + grazing;
 }
 
 // The compact emitters that a cone meets, merged into one at their mean distance. Their light is not in the
@@ -146,8 +154,8 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
 // median angle between the normals of the surface and its microfacets (Walter et al. 2007, eq. 35 at one
 // half).
 mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
-    if (brdf.roughness >= 1.0) return vec3(0.0);
-    mediump vec3 share = specularShare(brdf.f0, brdf.roughness, clamp(dot(normal, brdf.toEye), 0.0, 1.0));
+    if (brdf.f90 == 0.0) return vec3(0.0);
+    mediump vec3 share = specularShare(brdf, clamp(dot(normal, brdf.toEye), 0.0, 1.0));
     if (brdf.roughness >= roughTo) return share * gathered;
     mediump float rough = smoothstep(roughFrom, roughTo, brdf.roughness);
     vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;

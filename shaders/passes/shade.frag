@@ -82,9 +82,7 @@ mediump float directLight(vec3 position, SurfaceNormals normals) {
 layout(binding = VCT_TEX_G_GLOSS) uniform mediump sampler2D glossTarget;  // metallic, roughness
 Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
     mediump vec2 gloss = texelFetch(glossTarget, pixel, 0).rg;
-    if (gloss.y >= 1.0) return Brdf(albedo, vec3(0.0), gloss.y, vec3(0.0));
-    vec3 toEye = normalize(frame.eye.xyz - position);
-    return Brdf(albedo * (1.0 - gloss.x), mix(vec3(0.04), albedo, gloss.x), gloss.y, toEye);
+    return brdfOf(albedo, gloss.x, gloss.y, normalize(frame.eye.xyz - position));
 }
 #else
 struct Brdf {

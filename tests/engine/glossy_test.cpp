@@ -163,7 +163,8 @@ Reflecting reflecting(const Material& material) {
 
 TEST(Glossy, TheSunIsReflectedAsGltfSays) {
     const Context context = openContext(Backend::egl);
-    for (const Material& material : {metal(0.25F), metal(0.5F), metal(0.8F), varnish(0.3F), varnish(0.6F)}) {
+    for (const Material& material :
+         {metal(0.25F), metal(0.5F), metal(0.8F), metal(1.0F), varnish(0.3F), varnish(0.6F)}) {
         Scene scene = lonePlane(0.0);
         scene.materials[0] = material;
         const DirectionalLight light = lightFrom(glm::normalize(glm::dvec3(0.3, 1, -1.4)));
@@ -190,7 +191,7 @@ TEST(Glossy, TheSunIsReflectedAsGltfSays) {
 TEST(Glossy, UnderAnEvenSkyASurfaceHasItsBrdfsAlbedo) {
     const Context context = openContext(Backend::egl);
     for (const Material& material :
-         {metal(0.2F), metal(0.5F), metal(0.8F), varnish(0.2F), varnish(0.5F), varnish(0.8F)})
+         {metal(0.2F), metal(0.5F), metal(0.8F), metal(1.0F), varnish(0.2F), varnish(0.5F), varnish(0.8F)})
         for (const double cosEye : {0.25, 0.5, 0.95}) {
             SCOPED_TRACE(testing::Message() << "metallic " << material.metallic << ", roughness "
                                             << material.roughness << ", cosine " << cosEye);
@@ -208,6 +209,28 @@ TEST(Glossy, UnderAnEvenSkyASurfaceHasItsBrdfsAlbedo) {
         }
 }
 
+// A roughness of 254/255 in a texture must not look like another material than 255/255.
+TEST(Glossy, RoughnessNearOneMakesNoJump) {
+    const Context context = openContext(Backend::egl);
+    for (const Material& material : {metal(1.0F), varnish(1.0F)}) {
+        glm::dvec3 before(0.0);
+        for (int step = 0; step <= 10; ++step) {
+            Scene scene = lonePlane(0.0);
+            scene.materials[0] = material;
+            scene.materials[0].roughness = 0.95F + 0.005F * static_cast<float>(step);
+            Settings settings = glossyAt({16, 16});
+            settings.skyRadiance = glm::vec3(0.3F);
+            FrameInspector frame(context, scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, -1.4))),
+                                 settings, lookAt(glm::dvec3(0.1, 0.7, 1.9), {0, 0, 0}, 10));
+            const glm::dvec3 seen(frame.view(Output::gi).pixels[8 * 16 + 8]);
+            for (int c = 0; c < 3 && step > 0; ++c)
+                EXPECT_NEAR(seen[c], before[c], 0.05 * before[c])
+                    << "metallic " << material.metallic << ", step " << step;
+            before = seen;
+        }
+    }
+}
+
 Image pictureOf(const Context& context, const Scene& scene, Settings settings, Specular specular) {
     settings.specular = specular;
     Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
@@ -219,7 +242,7 @@ Image pictureOf(const Context& context, const Scene& scene, Settings settings, S
 // A floor and a wall on it.
 Scene corner() {
     Scene scene = emptyScene();
-    scene.materials.push_back(metal(1.0F));
+    scene.materials.push_back(varnish(1.0F));
     addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 1);
     addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 1, 0});
     return finished(scene);

@@ -9,7 +9,7 @@ namespace vct::test {
 Scene emptyScene() {
     Scene scene;
     scene.path = "test";
-    scene.materials.emplace_back();
+    scene.materials.emplace_back().metallic = 0.0F;
     return scene;
 }
 

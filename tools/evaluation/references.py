@@ -14,7 +14,7 @@ direct      emission of the seen surface + albedo E/pi n.l where nothing lies be
             first directional light (as a point), and all other lights of KHR_lights_punctual
 indirect    albedo x the cosine-weighted mean over the hemisphere of the `direct` of the surfaces seen there: one bounce. It
             includes the emission of other surfaces, and excludes that of the seen surface
-full        all bounces, ended by Russian roulette from the fourth on. A surface of roughness below 1 is glossy where the
+full        all bounces, ended by Russian roulette from the fourth on. A metal, or a surface of roughness below 1, is glossy where the
             camera sees it, and a Lambert surface for all other light: light that metal reflects from a point sun onto walls
             is noise to a path tracer, and the renderer under test has no such light
 glossy      the part of `full` that glossy surfaces reflect specularly, without the sun and the other lights that have no

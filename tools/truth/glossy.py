@@ -1,8 +1,9 @@
 """Glossy surfaces: glTF 2.0's metallic-roughness BRDF (appendix B.2 and B.3).
 
-A surface of roughness r below 1, base colour b and metallic m has F0 = mix(0.04, b, m), Schlick's
-F = F0 + (1 - F0) (1 - v.h)^5, and the BRDF (1 - F) (1 - m) b / pi + F D G / (4 n.l n.v), with GGX of alpha = r^2 and
-separable masking. At roughness 1 a surface is a Lambert surface of its base colour, metallic or not.
+A surface of roughness r, base colour b and metallic m has F0 = mix(0.04 f, b, m), F90 = mix(f, 1, m), Schlick's
+F = F0 + (F90 - F0) (1 - v.h)^5, and the BRDF (1 - F) (1 - m) b / pi + F D G / (4 n.l n.v), with GGX of alpha = r^2 and
+separable masking. Here f is 1 up to the roughness 0.9 and falls to 0 at 1, where a material that is no metal is a Lambert
+surface. glTF has f = 1.
 """
 import math
 
@@ -18,16 +19,18 @@ class Brdf:
 
     def __init__(self, normal, base, metallic, roughness, seen):
         self.normal, self.seen = mi.Vector3f(normal), seen
-        self.glossy = roughness < 1
-        self.f0 = dr.select(self.glossy, 0.04 + (base - 0.04) * metallic, 0)
-        self.diffuse = dr.select(self.glossy, base * (1 - metallic), base)
+        fade = dr.clip((1 - roughness) * 10, 0, 1)
+        self.glossy = (roughness < 1) | (metallic > 0)
+        self.f0 = 0.04 * fade * (1 - metallic) + base * metallic
+        self.f90 = fade * (1 - metallic) + metallic
+        self.diffuse = base * (1 - metallic)
         self.alpha = dr.maximum(roughness * roughness, SMALLEST_ALPHA)
         self.cos_seen = dr.maximum(dr.dot(normal, seen), 1e-4)
         # The probability that `sample` takes a specular direction.
         self.specular_chance = dr.select(self.glossy, 0.5 + 0.5 * metallic, 0)
 
     def _fresnel(self, cosine):
-        return dr.select(self.glossy, self.f0 + (1 - self.f0) * (1 - dr.clip(cosine, 0, 1)) ** 5, 0)
+        return self.f0 + (self.f90 - self.f0) * (1 - dr.clip(cosine, 0, 1)) ** 5
 
     def _masking(self, cosine):
         a2 = dr.square(self.alpha)

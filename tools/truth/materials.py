@@ -28,7 +28,7 @@ class TextureUse:
 class Material:
     base_color: np.ndarray  # linear RGBA
     metallic: float
-    roughness: float  # below 1: glossy
+    roughness: float
     emissive: np.ndarray  # radiance, strength included
     cutoff: float  # holes where alpha is below; -1: none
     double_sided: bool
@@ -38,7 +38,7 @@ class Material:
 
     @property
     def glossy(self) -> bool:
-        return self.roughness < 1 or "gloss" in self.textures
+        return self.roughness < 1 or self.metallic > 0 or "gloss" in self.textures
 
 
 @dataclasses.dataclass

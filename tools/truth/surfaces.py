@@ -37,7 +37,7 @@ class Surface:
     # Only in scenes with glossy materials:
     seen_from: object = None  # Vector3f, unit
     metallic: object = None  # Float
-    roughness: object = None  # Float; 1: a Lambert surface
+    roughness: object = None  # Float
 
 
 def corner_arrays(values: np.ndarray, kind: type) -> list:
@@ -230,6 +230,7 @@ class Surfaces:
                 surface.roughness *= texel.y
                 surface.metallic *= texel.z
             surface.roughness = dr.select(seen, surface.roughness, 1)
+            surface.metallic = dr.select(seen, surface.metallic, 0)
         return surface
 
     def _mapped(self, hit, material, normal):
