@@ -202,7 +202,7 @@ void render(const RenderOptions& options) {
     const Camera camera = options.scene.cameraOf(scene);
     options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
-    options.sky.lightScene(scene, options.scene.light, light, settings);
+    options.sky.lightScene(scene, camera, aspectOf(settings.size), options.scene.light, light, settings);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
     if (!scene.animation.channels.empty() && moments.empty())
@@ -233,13 +233,16 @@ void render(const RenderOptions& options) {
         const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
         renderer.render(
             {{modes.back()}, moments.empty() ? camera : placed.moveTo(moments.front()), LightSteps::all});
-        pictures.chooseExposure(renderer.radiance(), whiteRadiance(light, settings));
+        Image image = renderer.radiance();
+        if (settings.background)
+            image = withSky(std::move(image), *settings.background, settings.skyRadiance);
+        pictures.chooseExposure(image, whiteRadiance(light, settings));
     }
+    const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
     for (const Output mode : modes)
         renderMode(placed, mode, moments, pictures, report);
     pictures.writeContactSheet();
     report.resources = renderer.resources();
-    const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
     if (options.lightParts)
         for (const DebugView& part : lightParts(renderer, seen))
             pictures.write(part.name, part.image, part.isShare);
