@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/empty_picture.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/pictures.h"
@@ -131,16 +132,19 @@ float whiteRadiance(const DirectionalLight& light, const Settings& settings) {
 }
 
 // Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
-// in a sequence each frame is one sample. Reading back and writing are not timed.
-void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
-                PictureWriter& pictures, TimingsReport& report) {
+// in a sequence each frame is one sample. Reading back and writing are not timed. Returns the first picture.
+Image renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
+                 PictureWriter& pictures, TimingsReport& report) {
     const RenderOptions& options = placed.options;
     Renderer& renderer = placed.renderer;
     const std::string name = outputName(mode);
     const Camera camera = moments.empty() ? placed.camera : placed.moveTo(moments.front());
+    Image first;
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
-        pictures.write(file, meanOfSamples(renderer, mode, camera, options.samples));
+        const Image image = meanOfSamples(renderer, mode, camera, options.samples);
+        pictures.write(file, image);
+        if (first.pixels.empty()) first = image;
     };
     {
         const Settings& settings = renderer.settings();
@@ -169,6 +173,7 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
         write(name + suffix);
     }
     if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+    return first;
 }
 
 void render(const RenderOptions& options) {
@@ -239,8 +244,14 @@ void render(const RenderOptions& options) {
         pictures.chooseExposure(image, whiteRadiance(light, settings));
     }
     const Camera seen = moments.empty() ? camera : posed(camera, poseAt(scene.animation, moments.front()));
-    for (const Output mode : modes)
-        renderMode(placed, mode, moments, pictures, report);
+    for (const Output mode : modes) {
+        const Image first = renderMode(placed, mode, moments, pictures, report);
+        // The last mode has the most complete light.
+        if (mode != modes.back()) continue;
+        const std::string warning =
+            emptyPictureWarning(first, scene, seen, options.scene.camera, light, settings);
+        if (!warning.empty()) say(warning);
+    }
     pictures.writeContactSheet();
     report.resources = renderer.resources();
     if (options.lightParts)

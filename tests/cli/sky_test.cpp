@@ -182,5 +182,29 @@ TEST(Background, OfPointLightsAloneIsDimAndTheNoteHasTheOtherChoice) {
     EXPECT_EQ(program.err.find("note: the lights"), std::string::npos) << program.err;
 }
 
+TEST(EmptyPicture, SaysWhy) {
+    ProgramRun program;
+    rendered(program, triangleOf(0.5F));
+    EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,2,target=0.3,0.3,9");
+    expectMentions(program.err, {"warning: the picture is empty", "nothing of the scene", "--camera eye="});
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,-2,target=0.3,0.3,0");
+    expectMentions(program.err, {"warning: the picture is empty", "only the backs of single-sided surfaces"});
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,1e7,target=0.3,0.3,0");
+    expectMentions(program.err, {"warning: the picture is empty", "larger than a pixel", "1 x 1 x 0 m"});
+    rendered(program, triangleOf(0.5F), "--light intensity=0 --exposure 1");
+    expectMentions(program.err,
+                   {"warning: the picture is black", "there is no light", "--light intensity=3"});
+    rendered(program, triangleOf(0.0F), "--sky 0,0,0 --light intensity=3");
+    expectMentions(program.err, {"warning: the picture is black", "or they are black"});
+    GltfBuilder scene = triangleOf(0.5F);
+    scene.document["extensionsUsed"].push_back("KHR_lights_punctual");
+    scene.document["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+        {{"type", "directional"}, {"intensity", 0}});
+    scene.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    rendered(program, scene);
+    expectMentions(program.err, {"warning: the picture is black", "intensity of 0", "--light intensity=3"});
+}
+
 }  // namespace
 }  // namespace vct::test
