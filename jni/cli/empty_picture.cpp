@@ -56,7 +56,7 @@ std::string emptyPictureWarning(const Image& image, const Scene& scene, const Ca
     views.front().findsBacks = true;
     drawFirstSurfaces(scene, views);
     const std::vector<FirstSurfaces::Sample>& samples = views.front().samples;
-    const auto count = [&](double FirstSurfaces::Sample::*depth) {
+    const auto count = [&](double FirstSurfaces::Sample::* depth) {
         return std::count_if(samples.begin(), samples.end(),
                              [&](const FirstSurfaces::Sample& sample) { return sample.*depth > 0.0; });
     };
@@ -68,29 +68,31 @@ std::string emptyPictureWarning(const Image& image, const Scene& scene, const Ca
             return "warning: the picture is black, because no light reaches the surfaces in it, or they are "
                    "black; choose another --camera, or light with --light and --sky";
         return std::string("warning: the picture is black, because ") +
-               (scene.lights.empty() && scene.punctualLights.empty() ? "there is no light"
-                                                                      : "all lights of the file have an intensity of 0") +
+               (scene.lights.empty() && scene.punctualLights.empty()
+                    ? "there is no light"
+                    : "all lights of the file have an intensity of 0") +
                "; give light with --light intensity=3 --sky 0.2,0.25,0.35";
     }
     // A camera that was chosen by vct shows the whole scene already.
     const bool isAutomatic = scene.cameras.empty() && cameraText.empty();
-    const std::string remedy =
-        isAutomatic ? "choose a view with --camera"
-                    : "a view of the scene is --camera " +
-                          cameraOption(frameScene(scene, aspect), scene.boundsWorld);
+    const std::string remedy = isAutomatic ? "choose a view with --camera"
+                                           : "a view of the scene is --camera " +
+                                                 cameraOption(frameScene(scene, aspect), scene.boundsWorld);
     if (seen == 0 && count(&FirstSurfaces::Sample::backDepth) > 0)
-        return "warning: the picture is empty, because only the backs of single-sided surfaces are in front of "
+        return "warning: the picture is empty, because only the backs of single-sided surfaces are in front "
+               "of "
                "the camera, and these are invisible; " +
                remedy;
     if (seen == 0 && !isInPicture(scene.boundsWorld, camera, aspect))
         return "warning: the picture is empty, because the camera sees nothing of the scene; " + remedy;
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
     char text[320];
-    std::snprintf(text, sizeof text,
-                  "warning: the picture is empty, because nothing in it is larger than a pixel or differs from the "
-                  "background; the scene has %.3g x %.3g x %.3g m, so perhaps one of its objects is far from the "
-                  "others; choose a --camera near an object",
-                  size.x, size.y, size.z);
+    std::snprintf(
+        text, sizeof text,
+        "warning: the picture is empty, because nothing in it is larger than a pixel or differs from the "
+        "background; the scene has %.3g x %.3g x %.3g m, so perhaps one of its objects is far from the "
+        "others; choose a --camera near an object",
+        size.x, size.y, size.z);
     return text;
 }
 
