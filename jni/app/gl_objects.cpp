@@ -45,7 +45,8 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
         settings.grid != renderer_->settings().grid ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
-        settings.environment != renderer_->settings().environment) {
+        settings.environment != renderer_->settings().environment ||
+        settings.background != renderer_->settings().background) {
         // The old renderer is freed first, because a phone may not have memory for the voxels of both.
         renderer_.reset();
         if (const std::string note = voxelizationNote(settings.voxels, capabilities_); !note.empty())

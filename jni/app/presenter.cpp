@@ -29,8 +29,12 @@ glm::ivec4 rectangleFor(glm::ivec2 frame, glm::ivec2 window) {
 }  // namespace
 
 void Exposure::follow(const Renderer& renderer) {
-    if (frames_ == 0 || frames_ == renderer.settings().lightFrames)
-        value_ = automaticExposure(renderer.radiance());
+    const Settings& settings = renderer.settings();
+    if (frames_ == 0 || frames_ == settings.lightFrames) {
+        const Image image = renderer.radiance();
+        value_ = automaticExposure(
+            settings.background ? withSky(image, *settings.background, settings.skyRadiance) : image);
+    }
     ++frames_;
 }
 

@@ -171,7 +171,10 @@ void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point
 Settings Viewer::settingsOf(glm::ivec2 window) const {
     Settings settings = settingsFor(choices_, window, scale_.divisor());
     settings.skyRadiance = skyRadianceFor(choices_, defaults_.skyRadiance, light());
-    if (choices_.sky == Sky::scene) settings.environment = defaults_.environment;
+    if (choices_.sky == Sky::scene) {
+        settings.environment = defaults_.environment;
+        settings.background = defaults_.background;
+    }
     return settings;
 }
 

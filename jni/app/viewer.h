@@ -29,8 +29,9 @@ struct ViewDefaults {
     // The scene's own sky. The user may replace it by a dark or a plain one.
     glm::vec3 skyRadiance{0.0F};
     std::shared_ptr<const Environment> environment;
-    std::optional<float> exposure;  // empty: chosen by the picture
-    std::optional<int> grid;        // empty: as in Choices
+    std::optional<glm::vec3> background;  // of the scene's own sky; see Settings
+    std::optional<float> exposure;        // empty: chosen by the picture
+    std::optional<int> grid;              // empty: as in Choices
 };
 
 // Services of the platform that the viewer runs on.

@@ -48,7 +48,7 @@ void bench(BenchOptions& options) {
     DirectionalLight light = lightFromText(given.light, *scene);
     Settings sky;
     options.sky.applyTo(sky);
-    options.sky.lightScene(*scene, given.light, light, sky);
+    options.sky.lightScene(*scene, camera, aspectOf(given.size), given.light, light, sky);
     const Context context = given.backend.open();
     if (given.grid || given.voxelSize) {
         Settings settings = given.settings(request.presets.front());

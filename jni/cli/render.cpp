@@ -5,6 +5,7 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/empty_picture.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/pictures.h"
@@ -158,16 +159,19 @@ void requireRoom(const RenderOptions& options, const std::vector<Output>& modes,
 }
 
 // Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
-// in a sequence each frame is one sample. Reading back and writing are not timed.
-void renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
-                PictureWriter& pictures, TimingsReport& report) {
+// in a sequence each frame is one sample. Reading back and writing are not timed. Returns the first picture.
+Image renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
+                 PictureWriter& pictures, TimingsReport& report) {
     const RenderOptions& options = placed.options;
     Renderer& renderer = placed.renderer;
     const std::string name = outputName(mode);
     const Camera camera = moments.empty() ? placed.atRest() : placed.moveTo(moments.front());
+    Image first;
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
-        pictures.write(file, meanOfSamples(renderer, mode, camera, options.samples));
+        const Image image = meanOfSamples(renderer, mode, camera, options.samples);
+        pictures.write(file, image);
+        if (first.pixels.empty()) first = image;
     };
     {
         const Settings& settings = renderer.settings();
@@ -195,6 +199,7 @@ void renderMode(const Placed& placed, Output mode, const std::vector<double>& mo
         write(frameName(mode, static_cast<int>(frame)));
     }
     if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+    return first;
 }
 
 void render(const RenderOptions& options) {
@@ -230,7 +235,7 @@ void render(const RenderOptions& options) {
     const Camera camera = options.scene.cameraOf(scene);
     options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
-    options.sky.lightScene(scene, options.scene.light, light, settings);
+    options.sky.lightScene(scene, camera, aspectOf(settings.size), options.scene.light, light, settings);
     for (const std::string& sentence :
          optionsWithoutEffect({options.given, modes, options.lightParts || options.debugViews, settings,
                                scene, light, hasEmitters}))
@@ -269,10 +274,19 @@ void render(const RenderOptions& options) {
         // If all modes are rendered, the last one has the most complete light.
         const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
         renderer.render({{modes.back()}, first, LightSteps::all});
-        pictures.chooseExposure(renderer.radiance(), whiteRadiance(light, settings));
+        Image image = renderer.radiance();
+        if (settings.background)
+            image = withSky(std::move(image), *settings.background, settings.skyRadiance);
+        pictures.chooseExposure(image, whiteRadiance(light, settings));
     }
-    for (const Output mode : modes)
-        renderMode(placed, mode, moments, pictures, report);
+    for (const Output mode : modes) {
+        const Image picture = renderMode(placed, mode, moments, pictures, report);
+        // The last mode has the most complete light.
+        if (mode != modes.back()) continue;
+        const std::string warning =
+            emptyPictureWarning(picture, scene, first, options.scene.camera, light, settings);
+        if (!warning.empty()) say(warning);
+    }
     pictures.writeContactSheet();
     report.resources = renderer.resources();
     if (options.lightParts)

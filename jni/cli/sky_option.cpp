@@ -11,12 +11,36 @@
 
 namespace vct::cli {
 
+namespace {
+
+std::string radianceText(const glm::vec3& value) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", double{value.r}, double{value.g}, double{value.b});
+    return text;
+}
+
+std::string sunText(const DirectionalLight& sun) {
+    const glm::dvec3 direction = -sun.directionToLight / sun.directionToLight.y;
+    char text[160];
+    std::snprintf(text, sizeof text, "--light direction=%g,%g,%g,intensity=%.9g", direction.x, direction.y,
+                  direction.z, double{sun.intensity});
+    return text;
+}
+
+}  // namespace
+
 void SkyOption::addTo(CLI::App& command) {
     CLI::Option* sky = command.add_option("--sky", radiance,
                                           "Sky of one colour: radiance R,G,B from all directions outside the "
                                           "scene (default: black, or a plain sky if neither the scene nor an "
                                           "option has a light, which vct then prints)");
     sky->group(lightGroup);
+    CLI::Option* behind = command.add_option(
+        "--background", background,
+        "Radiance R,G,B behind the scene, without effect on its light (default: the sky, or a part of it if "
+        "vct chose the sky and surfaces would vanish in front of it, or a dim sky for a scene with point "
+        "lights and no sky)");
+    behind->group(lightGroup);
     command
         .add_option(
             "--environment", environment,
@@ -24,11 +48,13 @@ void SkyOption::addTo(CLI::App& command) {
             "as high) of linear radiance. Its centre is towards +X, its top towards +Y, and +Z is "
             "right of the centre. Give a sun of a few pixels as --light instead")
         ->excludes(sky)
+        ->excludes(behind)
         ->group(lightGroup);
 }
 
 void SkyOption::applyTo(Settings& settings) const {
     if (radiance) settings.skyRadiance = colorFromText("--sky", *radiance);
+    if (background) settings.background = colorFromText("--background", *background);
     if (!environment.empty())
         settings.environment =
             std::make_shared<const Environment>(readEnvironment(environment), "'" + environment + "'");
@@ -42,24 +68,33 @@ void SkyOption::addRoomLight(Scene& scene, const Camera& camera, const std::stri
     say(roomLightNote(*light) + ". --light or --sky lights the scene from outside instead");
 }
 
-void SkyOption::lightScene(const Scene& scene, const std::string& lightText, DirectionalLight& light,
-                           Settings& settings) const {
-    if (!scene.lights.empty() || !scene.punctualLights.empty() || !lightText.empty()) return;
+void SkyOption::lightScene(const Scene& scene, const Camera& camera, double aspect,
+                           const std::string& lightText, DirectionalLight& light, Settings& settings) const {
+    if (!scene.lights.empty() || !lightText.empty()) return;
     if (given()) {
-        light.intensity = 0.0F;
+        if (scene.punctualLights.empty()) light.intensity = 0.0F;
+        return;
+    }
+    if (!scene.punctualLights.empty()) {
+        if (isLitByRoomLight(scene)) return;
+        DirectionalLight sun = defaultLight();
+        if (light.intensity > 0.0F) sun.intensity = light.intensity;
+        if (!background) settings.background = dimSky(sun);
+        say("note: the lights of the file are the scene's only light, without a sun and a sky, as with --sky "
+            "0,0,0 --background " +
+            radianceText(*settings.background) + "; " + sunText(sun) + " --sky " +
+            radianceText(plainSky(sun)) + " adds both");
         return;
     }
     const glm::vec3 sky = chooseSky(scene);
     if (sky == glm::vec3(0.0F)) return;
     settings.skyRadiance = sky;
-    const glm::dvec3 direction = -light.directionToLight / light.directionToLight.y;
-    char text[320];
-    std::snprintf(text, sizeof text,
-                  "note: the scene has no light of its own; vct adds a sun and a sky, as with --light "
-                  "direction=%g,%g,%g,intensity=%.9g --sky %g,%g,%g",
-                  direction.x, direction.y, direction.z, double{light.intensity}, double{sky.r},
-                  double{sky.g}, double{sky.b});
-    say(text);
+    if (!background) settings.background = chooseBackground(scene, camera, aspect, sky);
+    const bool contrasts = !background && settings.background != sky;
+    say(std::string("note: the scene has no light of its own; vct adds a sun and a sky, ") +
+        (contrasts ? "and a background against which white surfaces show, " : "") + "as with " +
+        sunText(light) + " --sky " + radianceText(sky) +
+        (contrasts ? " --background " + radianceText(*settings.background) : ""));
 }
 
 }  // namespace vct::cli

@@ -1,4 +1,4 @@
-// The options --sky and --environment.
+// The options --sky, --environment and --background, and the light of scenes that lack some.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,20 +11,24 @@
 namespace vct::cli {
 
 struct SkyOption {
-    std::optional<std::string> radiance;  // "R,G,B"
-    std::string environment;              // path of a picture
+    std::optional<std::string> radiance;    // "R,G,B"
+    std::optional<std::string> background;  // "R,G,B"
+    std::string environment;                // path of a picture
 
     bool given() const { return radiance || !environment.empty(); }
     void addTo(CLI::App& command);
-    // Sets the sky that was given. Throws vct::Error if its text or its file is not valid.
+    // Sets the sky and the background that were given. Throws vct::Error if their text or file is not valid.
     void applyTo(Settings& settings) const;
     // Adds a light to a closed room without a light, unless the user gave a light or a sky, and prints it.
     void addRoomLight(Scene& scene, const Camera& camera, const std::string& lightText) const;
-    // Chooses the light of a scene that has none, if the user gave no light either (`lightText` is empty):
-    // only the given sky, or only the scene's emitters, or else a sun and a sky of one colour, which it
-    // prints.
-    void lightScene(const Scene& scene, const std::string& lightText, DirectionalLight& light,
-                    Settings& settings) const;
+    // Chooses what the scene's file and the options leave open, and prints the choice with the options for
+    // it:
+    // - For a scene without a light, if the user gave none either (`lightText` is empty): only the given sky,
+    //   or only the scene's emitters, or else a sun and a sky of one colour, with a background that
+    //   contrasts.
+    // - For a scene with point lights and no sun: no sky, with a dim background.
+    void lightScene(const Scene& scene, const Camera& camera, double aspect, const std::string& lightText,
+                    DirectionalLight& light, Settings& settings) const;
 };
 
 }  // namespace vct::cli

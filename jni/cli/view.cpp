@@ -99,6 +99,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
         line += " --environment '" + options.sky.environment + "'";
     else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F))
         line += " --sky " + threeText(settings.skyRadiance);
+    if (settings.background) line += " --background " + threeText(*settings.background);
     char time[32];
     std::snprintf(time, sizeof time, " --time %.9g", seen.timeS.value_or(0.0));
     if (seen.timeS) line += time;
@@ -168,8 +169,10 @@ bool view(const ViewOptions& options) {
         }
         Settings settings = sky;
         look.light = lightFromText(light, scene);
-        options.sky.lightScene(scene, light, look.light, settings);
+        options.sky.lightScene(scene, look.camera.value_or(chooseCamera(scene, "", aspect)), aspect, light,
+                               look.light, settings);
         look.skyRadiance = settings.skyRadiance;
+        look.background = settings.background;
         look.environment = settings.environment;
         if (options.exposure != "auto") look.exposure = std::stof(options.exposure);
         if (named && (options.scene.grid || options.scene.voxelSize)) {

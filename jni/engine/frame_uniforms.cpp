@@ -68,7 +68,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
     // Radiance is stored in half floats, whose largest value is 65504. An infinite value would turn into NaN
     // on a black surface.
-    frame.skyRadiance = glm::vec4(glm::min(settings.skyRadiance / radianceUnit(light), 6e4F), 0.0F);
+    const auto relative = [&](const glm::vec3& radiance) {
+        return glm::vec4(glm::min(radiance / radianceUnit(light), 6e4F), 0.0F);
+    };
+    frame.skyRadiance = relative(settings.skyRadiance);
+    frame.background = relative(settings.background.value_or(settings.skyRadiance));
     const float sky =
         settings.environment
             ? settings.environment->largestIrradiance()

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,8 @@ struct Settings {
     glm::vec3 skyRadiance{0.0F};         // light from outside of the volume; the scene's radiance unit
     // A sky that depends on direction, in the scene's radiance unit. It replaces skyRadiance.
     std::shared_ptr<const Environment> environment;
+    // Radiance behind the scene, without effect on its light; empty: the sky's. For skies of one colour.
+    std::optional<glm::vec3> background;
     bool revoxelize = false;             // rebuild shadow maps and voxels in every frame, to measure that
     bool countInvocations = false;       // count shader invocations (shaders/shared/counters.glsl); slow
     std::uint32_t activeVoxelLimit = 0;  // capacity of the base level's active-voxel list; 0: by the grid

@@ -53,4 +53,11 @@ float automaticExposure(const Image& image) {
     return std::strtof(text, nullptr);
 }
 
+Image withSky(Image image, const glm::vec3& background, const glm::vec3& sky) {
+    constexpr float rounding = 2e-3F;  // of the half floats that pictures are rendered in
+    for (glm::vec3& pixel : image.pixels)
+        if (glm::all(glm::lessThanEqual(glm::abs(pixel - background), rounding * background))) pixel = sky;
+    return image;
+}
+
 }  // namespace vct

@@ -23,4 +23,8 @@ Image toneMapped(Image image, ToneMap toneMap, float exposure);
 // result has two significant digits, so that the printed number reproduces it. It is 1 for a black picture.
 float automaticExposure(const Image& image);
 
+// Returns the picture with the sky in place of the background, so that a background does not change the
+// exposure.
+Image withSky(Image image, const glm::vec3& background, const glm::vec3& sky);
+
 }  // namespace vct

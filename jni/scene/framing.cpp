@@ -35,6 +35,9 @@ constexpr double unlitWeight = 0.1;  // weight of surfaces that no light of the 
 // A view from outside with a smaller share of lit surface than this is dark.
 constexpr double darkShare = 0.2;
 
+// A closed room with a smaller share of lit surface than this is dark; samples may seem lit by mistake.
+constexpr double minLitInside = 0.05;
+
 struct View {
     glm::dvec3 eye;
     glm::dvec3 target;
@@ -334,7 +337,7 @@ Camera frameScene(const Scene& scene, double aspect) {
     const bool closed = isRoom(scene, outside, closedShare);
     if (closed || lit < darkShare) {
         const std::optional<View> inside = viewInside(scene, aspect, light, closed ? 0.0 : openShare);
-        if (inside && inside->litShare > (closed ? 0.0 : lit))
+        if (inside && inside->litShare > (closed ? minLitInside : lit))
             return lookAtRounded(inside->eye, inside->target, inside->fovDeg, diagonalOf(scene));
     }
     const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);

@@ -16,6 +16,7 @@ constexpr double pi = 3.14159265358979323846;
 // not count.
 constexpr double sealedShare = 0.99;
 constexpr int roomResolution = 16;
+constexpr const char* roomLightName = "room light of vct";
 
 // The space that is visible from a point.
 struct Space {
@@ -60,16 +61,78 @@ Space spaceAround(const Scene& scene, const glm::dvec3& point) {
     return space;
 }
 
-// A point in the closed room that a camera shows. Light does not pass the back of a wall that
-// the camera looks through.
+// A point in the closed room that a camera is in, or whose inside it shows through the back of a wall. Such a
+// back is invisible, but stops light.
 std::optional<glm::dvec3> pointInRoom(const Scene& scene, const Camera& camera) {
     const glm::dvec3 eye(camera.worldFromCamera[3]);
     std::vector<FirstSurfaces> ahead{{eye, glm::dmat3(camera.worldFromCamera), 1e-3, 1e-3, 1}};
     drawFirstSurfaces(scene, ahead);
     const glm::dvec3 way = ahead.front().samples.front().depth * ahead.front().direction(0);
-    for (const double share : {0.0, 0.95, 0.75, 0.5, 0.25})
+    for (const double share : {0.0, 0.95})
         if (spaceAround(scene, eye + share * way).isRoom()) return eye + share * way;
     return {};
+}
+
+// Shares of the sky's radiance that a background may have, the best one first.
+constexpr float backgroundShares[] = {1.0F, 0.1F, 0.3F};
+constexpr float dimShare = 0.2F;
+constexpr double minOpenEdge = 0.7;  // share of a picture's edge
+// A surface in the shade shows this part of the sky's radiance, times its albedo.
+constexpr float leastShade = 0.5F, mostShade = 1.8F;
+
+float luminanceOf(const glm::vec3& color) {
+    return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));  // IEC 61966-2-1
+}
+
+// Luminance of a material's mean albedo.
+float albedoOf(const Scene& scene, const Material& material) {
+    const float factor = luminanceOf(glm::vec3(material.baseColor));
+    if (material.baseColorTexture < 0) return factor;
+    const Texture& texture = scene.textures[static_cast<std::size_t>(material.baseColorTexture)];
+    double sum = 0.0;
+    std::size_t count = 0;
+    const std::size_t step = 4 * std::max<std::size_t>(texture.rgba.size() / 4 / 1024, 1);
+    for (std::size_t i = 0; i + 2 < texture.rgba.size(); i += step, ++count)
+        sum += luminanceOf(
+            glm::pow(glm::vec3(texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]) / 255.0F,
+                     glm::vec3(2.2F)));  // about sRGB
+    return count > 0 ? factor * static_cast<float>(sum / static_cast<double>(count)) : factor;
+}
+
+// The albedos of the surfaces that border on the background in a picture, one per sample there. None if
+// little of the picture's edge shows the background: the sky that a yard or a window shows is the scene's.
+std::vector<float> albedosAtBackground(const Scene& scene, const Camera& camera, double aspect) {
+    constexpr int resolution = 96;
+    const double tanHalf = std::tan(0.5 * camera.verticalFovRad);
+    std::vector<FirstSurfaces> views{{glm::dvec3(camera.worldFromCamera[3]),
+                                      glm::dmat3(camera.worldFromCamera), aspect * tanHalf, tanHalf,
+                                      resolution}};
+    drawFirstSurfaces(scene, views);
+    std::vector<float> perMaterial;
+    for (const Material& material : scene.materials)
+        perMaterial.push_back(albedoOf(scene, material));
+    std::vector<float> albedos;
+    const auto instanceAt = [&](int x, int y) {
+        return views.front().samples[static_cast<std::size_t>(y) * resolution + x].instance;
+    };
+    int open = 0;  // samples of the edge
+    for (int i = 0; i < resolution; ++i)
+        for (const int instance : {instanceAt(i, 0), instanceAt(i, resolution - 1), instanceAt(0, i),
+                                   instanceAt(resolution - 1, i)})
+            open += instance < 0;
+    if (open < minOpenEdge * 4 * resolution) return {};
+    for (int y = 1; y + 1 < resolution; ++y) {
+        for (int x = 1; x + 1 < resolution; ++x) {
+            const int instance = instanceAt(x, y);
+            if (instance < 0 || std::min({instanceAt(x - 1, y), instanceAt(x + 1, y), instanceAt(x, y - 1),
+                                          instanceAt(x, y + 1)}) >= 0)
+                continue;
+            const int mesh = scene.instances[static_cast<std::size_t>(instance)].mesh;
+            const int material = scene.meshes[static_cast<std::size_t>(mesh)].material;
+            albedos.push_back(perMaterial[static_cast<std::size_t>(material)]);
+        }
+    }
+    return albedos;
 }
 
 }  // namespace
@@ -122,10 +185,14 @@ std::optional<PunctualLight> chooseRoomLight(const Scene& scene, const Camera& c
     moveTo(place + glm::dvec3(0.0, 0.6 * space.ceiling, 0.0));
     const double radius = std::cbrt(space.volume / (4.0 / 3.0 * pi));
     PunctualLight light;
-    light.name = "light";
+    light.name = roomLightName;
     light.worldFromLight[3] = glm::dvec4(place, 1.0);
     light.intensity = static_cast<float>(std::clamp(pi * radius * radius, 1e-30, 1e30));
     return light;
+}
+
+bool isLitByRoomLight(const Scene& scene) {
+    return scene.punctualLights.size() == 1 && scene.punctualLights.front().name == roomLightName;
 }
 
 std::string roomLightNote(const PunctualLight& light) {
@@ -154,6 +221,27 @@ glm::vec3 chooseSky(const Scene& scene) {
 glm::vec3 plainSky(const DirectionalLight& light) {
     const float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
     return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
+}
+
+glm::vec3 chooseBackground(const Scene& scene, const Camera& camera, double aspect, const glm::vec3& sky) {
+    const std::vector<float> albedos = albedosAtBackground(scene, camera, aspect);
+    float best = backgroundShares[0];
+    auto least = static_cast<std::ptrdiff_t>(albedos.size()) + 1;
+    for (const float share : backgroundShares) {
+        const auto vanishing = std::count_if(albedos.begin(), albedos.end(), [&](float albedo) {
+            return share > leastShade * albedo && share < mostShade * albedo;
+        });
+        // A twentieth of the outline may vanish.
+        if (20 * vanishing <= static_cast<std::ptrdiff_t>(albedos.size())) return share * sky;
+        if (vanishing >= least) continue;
+        least = vanishing;
+        best = share;
+    }
+    return best * sky;
+}
+
+glm::vec3 dimSky(const DirectionalLight& light) {
+    return dimShare * plainSky(light);
 }
 
 }  // namespace vct

@@ -22,6 +22,8 @@ DirectionalLight chooseLight(const Scene& scene);
 // neither sun nor sky would reach; none for other scenes. It gives surfaces in the room about the illuminance
 // of the default sun.
 std::optional<PunctualLight> chooseRoomLight(const Scene& scene, const Camera& camera);
+// True if the scene's only light is one that was added by chooseRoomLight().
+bool isLitByRoomLight(const Scene& scene);
 // A note for the user about that light, one line.
 std::string roomLightNote(const PunctualLight& light);
 // A sun from the upper front right with an illuminance of pi.
@@ -32,5 +34,12 @@ glm::vec3 chooseSky(const Scene& scene);
 // The radiance of a light blue sky that gives a floor a quarter of the illuminance of `light`, or of the
 // default light if `light` is off.
 glm::vec3 plainSky(const DirectionalLight& light);
+
+// Returns the radiance to show behind a scene under a plain sky of this radiance: the sky's, or a part of it
+// if surfaces in the sky's light would be as bright where they border on it, as white ones are.
+glm::vec3 chooseBackground(const Scene& scene, const Camera& camera, double aspect, const glm::vec3& sky);
+// The background of a scene without a sun and a sky, such as one with lights in a room: a dim sky, so that
+// its windows are not black. `light` is that of chooseLight().
+glm::vec3 dimSky(const DirectionalLight& light);
 
 }  // namespace vct

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t maxSources = 8;  // more would cost time, and a view needs to show only some light
 constexpr int pointResolution = 32, sunResolution = 96;
-constexpr double tolerance = 0.05;  // of a view's width or of the distance, because samples are coarse
+constexpr double tolerance = 0.02;  // of a view's width or of the distance, because samples are coarse
 
 Bounds instanceBounds(const Scene& scene, const Instance& instance) {
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];

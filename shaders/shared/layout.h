@@ -234,6 +234,7 @@ struct FrameUniforms {
     vec4 directionToLight;     // xyz: unit length
     vec4 lightColor;           // rgb: largest component 1
     vec4 skyRadiance;          // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
+    vec4 background;           // rgb: as skyRadiance, for pixels without a surface
     vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
     float shadowConeSine;      // sine of half the cone's angle
     float aoDistance;          // in sides of the volume

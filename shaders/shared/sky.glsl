@@ -24,6 +24,6 @@ mediump vec3 sampleSky(vec3 direction, float solidAngle) {
     return frame.skyRadiance.rgb;
 }
 mediump vec3 skyBehind(vec2 window) {
-    return frame.skyRadiance.rgb;
+    return frame.background.rgb;
 }
 #endif

@@ -1,4 +1,4 @@
-// The option --environment, and the light of scenes that have none.
+// The options --environment and --background, and the light of scenes that have none.
 #include <gtest/gtest.h>
 
 #include "cli/program_run.h"
@@ -112,6 +112,98 @@ TEST(SkyOption, AnExposureThatOnlyShowsLeaksIsWarnedAbout) {
     program.expectSuccess(std::string(renderRoom) + "--light intensity=3.14 --sky 0.2,0.25,0.35");
     EXPECT_EQ(program.err.find("adds a point light"), std::string::npos) << program.err;
     expectMentions(program.err, {"warning: little of the scene's light reaches the picture", "--camera"});
+}
+
+// A triangle from (0,0,0) to (1,1,0) that faces +Z, of this colour.
+GltfBuilder triangleOf(float grey) {
+    GltfBuilder builder;
+    builder.triangle();
+    const int material = builder.add(
+        "materials",
+        {{"pbrMetallicRoughness", {{"baseColorFactor", {grey, grey, grey, 1}}, {"metallicFactor", 0}}}});
+    builder.document["meshes"][0]["primitives"][0]["material"] = material;
+    return builder;
+}
+
+void addPointLight(GltfBuilder& builder, float candela) {
+    builder.document["extensionsUsed"].push_back("KHR_lights_punctual");
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+        {{"type", "point"}, {"intensity", candela}});
+    builder.node({{"translation", {0.3, 0.3, 1}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+}
+
+Image rendered(ProgramRun& program, const GltfBuilder& scene, const std::string& options = "") {
+    writeBytes(program.folder.file("scene.glb"), scene.glb());
+    program.expectSuccess(
+        "render scene.glb --out out --mode gi --preset mobile --grid 64 --light-frames 2 "
+        "--size 32x32 " +
+        options);
+    return readImage(program.folder.file("out/gi.exr"));
+}
+
+TEST(Background, ContrastsWithWhiteUnlessASkyIsGiven) {
+    ProgramRun program;
+    const glm::vec3 sky(0.2F, 0.25F, 0.35F);
+    const Image white = rendered(program, triangleOf(1.0F));
+    expectMentions(program.err, {"--sky 0.2,0.25,0.35 --background 0.02,0.025,0.035"});
+    EXPECT_LT(white.at(0, 0).b, 0.15F * sky.b);
+    const Image dark = rendered(program, triangleOf(0.1F));
+    EXPECT_EQ(program.err.find("--background"), std::string::npos) << program.err;
+    EXPECT_NEAR(dark.at(0, 0).b, sky.b, 1e-3F);
+    EXPECT_NEAR(rendered(program, triangleOf(1.0F), "--sky 0.2,0.25,0.35").at(0, 0).b, sky.b, 1e-3F);
+}
+
+TEST(Background, ChangesNoSurface) {
+    ProgramRun program;
+    const Image plain = rendered(program, triangleOf(0.5F), "--sky 0.2,0.25,0.35");
+    const Image red = rendered(program, triangleOf(0.5F), "--sky 0.2,0.25,0.35 --background 1,0,0");
+    EXPECT_EQ(red.at(0, 0), glm::vec3(1, 0, 0));
+    int surfaces = 0;
+    for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+        if (red.pixels[i] == glm::vec3(1, 0, 0)) continue;
+        ++surfaces;
+        EXPECT_EQ(red.pixels[i], plain.pixels[i]);
+    }
+    EXPECT_GT(surfaces, 50);
+    EXPECT_NE(program.run("render scene.glb --out out --background 1,0,0 --environment " + patio + ".hdr"),
+              0);
+    expectMentions(program.err, {"--background", "--environment"});
+}
+
+TEST(Background, OfPointLightsAloneIsDimAndTheNoteHasTheOtherChoice) {
+    ProgramRun program;
+    GltfBuilder scene = triangleOf(0.5F);
+    addPointLight(scene, 5.0F);
+    const Image lit = rendered(program, scene);
+    expectMentions(program.err, {"note: the lights of the file are the scene's only light",
+                                 "--light direction=", "--sky ", "adds both"});
+    EXPECT_GT(lit.at(0, 0).b, 0.0F);
+    EXPECT_EQ(rendered(program, scene, "--sky 0,0,0").at(0, 0), glm::vec3(0.0F));
+    EXPECT_EQ(program.err.find("note: the lights"), std::string::npos) << program.err;
+}
+
+TEST(EmptyPicture, SaysWhy) {
+    ProgramRun program;
+    rendered(program, triangleOf(0.5F));
+    EXPECT_EQ(program.err.find("warning"), std::string::npos) << program.err;
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,2,target=0.3,0.3,9");
+    expectMentions(program.err, {"warning: the picture is empty", "nothing of the scene", "--camera eye="});
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,-2,target=0.3,0.3,0");
+    expectMentions(program.err, {"warning: the picture is empty", "only the backs of single-sided surfaces"});
+    rendered(program, triangleOf(0.5F), "--camera eye=0.3,0.3,1e7,target=0.3,0.3,0");
+    expectMentions(program.err, {"warning: the picture is empty", "larger than a pixel", "1 x 1 x 0 m"});
+    rendered(program, triangleOf(0.5F), "--light intensity=0 --exposure 1");
+    expectMentions(program.err,
+                   {"warning: the picture is black", "there is no light", "--light intensity=3"});
+    rendered(program, triangleOf(0.0F), "--sky 0,0,0 --light intensity=3");
+    expectMentions(program.err, {"warning: the picture is black", "or they are black"});
+    GltfBuilder scene = triangleOf(0.5F);
+    scene.document["extensionsUsed"].push_back("KHR_lights_punctual");
+    scene.document["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+        {{"type", "directional"}, {"intensity", 0}});
+    scene.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    rendered(program, scene);
+    expectMentions(program.err, {"warning: the picture is black", "intensity of 0", "--light intensity=3"});
 }
 
 }  // namespace

@@ -228,6 +228,9 @@ TEST(FrameRoom, ALampThatLightsTheOutsideIsSeenFromOutside) {
     room.punctualLights.clear();
     room.lights.push_back(lightFrom({0, 0, -1}));
     EXPECT_LT(frameScene(room, 1.0).worldFromCamera[3].z, -2.0);
+    Scene closed = roomOfSlabs(0.2, false);
+    closed.lights.push_back(lightFrom(glm::normalize(glm::dvec3(0, 0.866, 0.5))));
+    EXPECT_FALSE(isInside(closed, frameScene(closed, 1.0))) << "the sun does not reach the inside";
 }
 
 TEST(FrameRoom, TheEyeIsNeverInAWall) {

@@ -8,6 +8,7 @@
 #include "app/android/assets.h"
 #include "app/log.h"
 #include "gl/debug.h"
+#include "scene/camera.h"
 #include "scene/light_choice.h"
 
 namespace vct::app {
@@ -31,10 +32,15 @@ ViewerHost hostFor(android_app& glue) {
         ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
     };
-    android.defaultsFor = [](const Scene& scene, double) {
+    android.defaultsFor = [](const Scene& scene, double aspect) {
         ViewDefaults look;
         look.light = chooseLight(scene);
         look.skyRadiance = chooseSky(scene);
+        if (look.skyRadiance != glm::vec3(0.0F))
+            look.background =
+                chooseBackground(scene, chooseCamera(scene, "", aspect), aspect, look.skyRadiance);
+        else if (scene.lights.empty() && !scene.punctualLights.empty())
+            look.background = dimSky(look.light);
         return look;
     };
     return android;
