@@ -131,12 +131,13 @@ struct GBufferTextures {
 struct Pictures {
     // The complete light, in units of radianceUnit().
     unsigned radiance = 0;
-    // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, relative to the
-    // sun's illuminance. With the presets mobile and quality, a surface that neither is glossy nor emits has
-    // the radiance, in units of radianceUnit(),
-    //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun.color + irradiance),
-    // with `normal` and `directionToSun` at unit length and sunVisibility from the picture of that name. With
-    // the preset thesis this does not hold.
+    // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, divided by
+    // pi * radianceUnit(). With the presets mobile and quality, a surface that neither is glossy nor emits
+    // has the radiance, in units of radianceUnit(),
+    //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun + irradiance),
+    // with `normal` and `directionToSun` at unit length, sunVisibility from the picture of that name, and
+    // sun = sun.color * sun.illuminance / (pi * radianceUnit()), which usually is sun.color. With the preset
+    // thesis this does not hold.
     unsigned irradiance = 0;
     // These have the same value in r, g and b:
     unsigned ambientVisibility = 0;  // 1 - ambient occlusion; not a part of radiance with mobile and quality
@@ -192,8 +193,9 @@ class GlobalIllumination {
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
 
-    // The radiance that is 1 in Pictures::radiance: the sun's illuminance / pi, which is the radiance of a
-    // white surface that faces the sun; 1 if the sun is off.
+    // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white
+    // surface that faces the sun, or 1 if the sun is off. It is more if something is so bright that half
+    // floats could not store it, and less if the sun is off and all light is weak.
     double radianceUnit() const;
 
   private:

@@ -18,6 +18,7 @@
 #include "engine/directional/gather_schedule.h"
 #include "engine/environment.h"
 #include "engine/frame_uniforms.h"
+#include "engine/radiance_unit.h"
 #include "engine/renderer.h"
 #include "lab/debug_view.h"
 #include "lab/options.h"
@@ -132,7 +133,7 @@ void requirePictureMemory(glm::ivec2 size) {
 // Radiance of a white surface in the strongest of the scene's lights: sun, lamps or sky; 0 without these.
 float whiteRadiance(const DirectionalLight& light, const Settings& settings) {
     const glm::vec3& sky = settings.skyRadiance;
-    const float white = std::max({light.intensity > 0.0F ? radianceUnit(light) : 0.0F, sky.r, sky.g, sky.b});
+    const float white = std::max({sunlitRadiance(light), sky.r, sky.g, sky.b});
     return settings.environment ? std::max(white, settings.environment->largestIrradiance()) : white;
 }
 

@@ -207,8 +207,14 @@ float Environment::largestIrradiance() const {
     return 4.0F * largestComponent(sum / static_cast<float>(cubeFaces));
 }
 
+float Environment::largestRadiance() const {
+    float largest = 0.0F;
+    for (const glm::vec3& texel : levels_.front())
+        largest = std::max(largest, largestComponent(texel));
+    return largest;
+}
+
 gl::Texture Environment::texture(float radianceUnit) const {
-    constexpr float maxHalf = 6e4F;
     gl::Texture texture = gl::Texture::makeCube("environment", GL_RGBA16F, side(), levels());
     texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     texture.bind(gl::scratchTextureUnit);
@@ -218,8 +224,7 @@ gl::Texture Environment::texture(float radianceUnit) const {
         for (int face = 0; face < cubeFaces; ++face) {
             std::vector<glm::vec4> rgba;
             for (std::size_t i = 0; i < texelsOfFace; ++i)
-                rgba.emplace_back(glm::min(levels_[level][face * texelsOfFace + i] / radianceUnit, maxHalf),
-                                  1.0F);
+                rgba.emplace_back(levels_[level][face * texelsOfFace + i] / radianceUnit, 1.0F);
             gl::TexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, 0, 0,
                               side(level), side(level), GL_RGBA, GL_FLOAT, rgba.data());
         }

@@ -37,8 +37,10 @@ class Environment {
     // surface would receive this if all light came from the direction of its normal.
     float largestIrradiance() const;
 
-    // RGBA16F, relative to `radianceUnit`. Values beyond the range of half floats, perhaps the sun's in fine
-    // levels, are cut off, as skyRadiance is (frame_uniforms.cpp).
+    // The largest radiance of the finest level, in any channel.
+    float largestRadiance() const;
+
+    // RGBA16F, relative to `radianceUnit`.
     gl::Texture texture(float radianceUnit) const;
 
   private:

@@ -6,16 +6,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/environment.h"
+#include "engine/radiance_unit.h"
 #include "scene/camera.h"
 
 namespace vct {
 
 namespace {
 constexpr double pi = 3.14159265358979323846;
-}
-
-float radianceUnit(const DirectionalLight& light) {
-    return light.intensity > 0.0F ? light.intensity / static_cast<float>(pi) : 1.0F;
 }
 
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
@@ -44,7 +41,7 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
     return m;
 }
 
-shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light, float radianceUnit,
                                     const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
                                     const Bounds& visibleWorld) {
     const double aspect = aspectOf(settings.size);
@@ -65,19 +62,16 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     frame.shadowFromVolume = glm::mat4(shadowFromVolume);
     frame.eye = glm::vec4(eye);
     frame.directionToLight = glm::vec4(glm::vec3(light.directionToLight), 0.0F);
-    frame.lightColor = glm::vec4(light.intensity > 0.0F ? light.color : glm::vec3(0.0F), 0.0F);
-    // Radiance is stored in half floats, whose largest value is 65504. An infinite value would turn into NaN
-    // on a black surface.
-    const auto relative = [&](const glm::vec3& radiance) {
-        return glm::vec4(glm::min(radiance / radianceUnit(light), 6e4F), 0.0F);
-    };
+    const float sun = sunlitRadiance(light) / radianceUnit;
+    frame.lightColor = glm::vec4(sun * light.color, sun > 0.0F ? sun : 1.0F);
+    const auto relative = [&](const glm::vec3& radiance) { return glm::vec4(radiance / radianceUnit, 0.0F); };
     frame.skyRadiance = relative(settings.skyRadiance);
     frame.background = relative(settings.background.value_or(settings.skyRadiance));
     const float sky =
         settings.environment
             ? settings.environment->largestIrradiance()
             : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
-    frame.largestSky = std::min(sky / radianceUnit(light), 6e4F);
+    frame.largestSky = sky / radianceUnit;
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
     // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
     const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));

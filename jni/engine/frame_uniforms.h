@@ -8,24 +8,20 @@
 
 namespace vct {
 
-// The shaders' unit of radiance, in the scene's unit: E/pi, the radiance of a lit white surface that faces
-// the light, where E is the light's intensity (irradiance). 1 if the light is off, so that emission can still
-// be shown.
-float radianceUnit(const DirectionalLight& light);
-
 // Orthographic projection along the light, fitted to the bounds: x, y and depth in [0, 1]. The depth range is
 // the diagonal of the bounds for every direction, so that a bias in depth means the same for all of them.
 glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize);
 
-// `visibleWorld` bounds the drawn objects and sets the near and far planes (clipFromWorld()).
-shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
+// `radianceUnit`: radianceUnit() of the scene. `visibleWorld` bounds the drawn objects and sets the near and
+// far planes (clipFromWorld()).
+shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light, float radianceUnit,
                                     const Bounds& boundsWorld, const Volume& volume, const Settings& settings,
                                     const Bounds& visibleWorld);
 // The same if all objects are within `boundsWorld`.
 inline shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light,
-                                           const Bounds& boundsWorld, const Volume& volume,
-                                           const Settings& settings) {
-    return frameUniforms(camera, light, boundsWorld, volume, settings, boundsWorld);
+                                           float radianceUnit, const Bounds& boundsWorld,
+                                           const Volume& volume, const Settings& settings) {
+    return frameUniforms(camera, light, radianceUnit, boundsWorld, volume, settings, boundsWorld);
 }
 
 }  // namespace vct

@@ -11,6 +11,7 @@
 #include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/programs.h"
+#include "engine/radiance_unit.h"
 #include "gl/debug.h"
 #include "gl/read_back.h"
 
@@ -57,19 +58,20 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
       largestBounceShare_(largestBounceShare(scene)),
-      emissionRange_(largestEmission(scene) / radianceUnit(light)),
+      radianceUnit_(radianceUnit(scene, light, settings)),
+      emissionRange_(largestEmission(scene) / radianceUnit_),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
-      emitters_(compactEmitters(scene, volume_, settings, radianceUnit(light))),
+      emitters_(compactEmitters(scene, volume_, settings, radianceUnit_)),
       scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
-             radianceUnit(light), capabilities.uniformBufferOffsetAlignment, voxelization_),
+             radianceUnit_, capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
                      GL_DYNAMIC_DRAW),
       // A software driver has no GPU clock, and each query makes it draw an empty picture: 0.1 ms or more.
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
-    if (settings.environment) environment_ = settings.environment->texture(radianceUnit(light));
+    if (settings.environment) environment_ = settings.environment->texture(radianceUnit_);
     if (!scene.punctualLights.empty())
         punctualLights_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
-                                glm::pi<double>() * radianceUnit(light), lightSize(settings));
+                                glm::pi<double>() * radianceUnit_, lightSize(settings));
     shades_.emplace_back(shaders_, lightFeatures(), settings_);
     gl::checkErrors("setting up the renderer");
 }
@@ -93,8 +95,8 @@ void Renderer::setShadowConeAngle(float degrees) {
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
-    shared::FrameUniforms values =
-        frameUniforms(camera, light_, boundsWorld_, volume_, settings_, scene_.boundsWith(boundsWorld_));
+    shared::FrameUniforms values = frameUniforms(camera, light_, radianceUnit_, boundsWorld_, volume_,
+                                                 settings_, scene_.boundsWith(boundsWorld_));
     if (pictureShift_ != glm::vec2(0.0F)) {
         const glm::vec3 ndc(2.0F * pictureShift_ / glm::vec2(settings_.size), 0.0F);
         values.clipFromVolume = glm::translate(glm::mat4(1.0F), ndc) * values.clipFromVolume;
@@ -159,11 +161,11 @@ VoxelVolume& Renderer::voxels() {
 }
 
 float Renderer::radianceScale() const {
-    return radianceUnit(light_);
+    return radianceUnit_;
 }
 
 Image Renderer::radiance() const {
-    return readImage(output(), radianceUnit(light_));
+    return readImage(output(), radianceUnit_);
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {

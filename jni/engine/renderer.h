@@ -120,7 +120,7 @@ class Renderer {
     Bounds boundsWorld_;
     std::size_t triangles_;
     std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
-    float largestBounceShare_, emissionRange_;
+    float largestBounceShare_, radianceUnit_, emissionRange_;
     Volume volume_;
     std::optional<Emitters> emitters_;  // compact emitters; directional voxels only
     GpuScene scene_;

@@ -1,6 +1,7 @@
 // Chooses the ranges of a light step from what the last injection measured. Faces store radiance in 8 bits,
-// so the range is little more than the largest radiance. It is a power of 2^(1/4) and is kept while it fits,
-// so that noise does not change it and a static scene converges to one range.
+// so the range is little more than the largest radiance. It is a power of 2^(1/4) times the largest emission,
+// so that a picture scales with it, and is kept while it fits, so that noise does not change it and a static
+// scene converges to one range.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "shared/frame.glsl"
@@ -19,7 +20,8 @@ void main() {
     COUNT(VCT_COUNTER_CHOOSE_RANGE);
     float largest = uintBitsToFloat(largestRadiance);
     if (largest > 0.0) {
-        float fitting = exp2(ceil(4.0 * log2(headroom * max(largest, smallest))) / 4.0);
+        float steps = ceil(4.0 * log2(headroom * max(largest, smallest) / frame.emissionRange));
+        float fitting = frame.emissionRange * exp2(steps / 4.0);
         if (faceRange.radiance < fitting || faceRange.radiance > maxExcess * fitting)
             faceRange.radiance = fitting;
     } else if (faceRange.radiance == 0.0) {

@@ -163,7 +163,8 @@ mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float co
         return brdf.diffuse * (cosTheta * total * frame.lightColor.rgb + gather.radiance);  // eq. 4.10
     if (mode == VCT_MODE_PHONG) total = 1.0;
     mediump float phong = cosTheta + specularLight * phongSpecular(position, normal, cosTheta);
-    return brdf.diffuse * (ambientLight * gather.ambientVisibility + phong * total * frame.lightColor.rgb);
+    return brdf.diffuse * (ambientLight * frame.lightColor.a * gather.ambientVisibility +
+                           phong * total * frame.lightColor.rgb);
 }
 
 void main() {

@@ -224,17 +224,18 @@ using glm::vec4;
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
 #define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
-// Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to E/pi
-// (E: irradiance of a surface that faces the light), so that 8 bits serve any light.
+// Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to
+// radianceUnit() (jni/engine/radiance_unit.h), usually E/pi (E: irradiance of a surface that faces the
+// light), so that 8 bits serve any light.
 struct FrameUniforms {
     mat4 clipFromVolume;
-    mat4 volumeFromWindow;     // from pixels and the depth buffer's depth
-    mat4 shadowFromVolume;     // texture coordinates and depth, all in [0, 1]
-    vec4 eye;                  // xyz: volume space
-    vec4 directionToLight;     // xyz: unit length
-    vec4 lightColor;           // rgb: largest component 1
-    vec4 skyRadiance;          // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
-    vec4 background;           // rgb: as skyRadiance, for pixels without a surface
+    mat4 volumeFromWindow;  // from pixels and the depth buffer's depth
+    mat4 shadowFromVolume;  // texture coordinates and depth, all in [0, 1]
+    vec4 eye;               // xyz: volume space
+    vec4 directionToLight;  // xyz: unit length
+    vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
+    vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
+    vec4 background;   // rgb: as skyRadiance, for pixels without a surface
     vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
     float shadowConeSine;      // sine of half the cone's angle
     float aoDistance;          // in sides of the volume

@@ -147,8 +147,8 @@ std::vector<float> FrameInspector::softShadow() {
 const std::vector<SurfacePixel>& FrameInspector::pixels() {
     if (pixels_.empty()) {
         renderer_.render({{Output::phong}, camera_});
-        pixels_ = readSurface(
-            renderer_, frameUniforms(camera_, light_, scene_.boundsWorld, renderer_.volume(), settings_));
+        pixels_ = readSurface(renderer_, frameUniforms(camera_, light_, renderer_.radianceScale(),
+                                                       scene_.boundsWorld, renderer_.volume(), settings_));
     }
     return pixels_;
 }
