@@ -79,7 +79,7 @@ def badging(apk: Apk) -> Iterator[str]:
         "minSdk": f"sdkVersion:'{versions()['minSdk']}'\n",
         "targetSdk": f"targetSdkVersion:'{versions()['targetSdk']}'\n",
         "OpenGL ES 3.1": "uses-gl-es: '0x30001'\n",
-        "the Android Extension Pack": "uses-feature: name='android.hardware.opengles.aep'\n",
+        "the Android Extension Pack as optional": "uses-feature-not-required: name='android.hardware.opengles.aep'\n",
         "the activity to start": "launchable-activity: name='android.app.NativeActivity' ",
         "a label": "application-label:'Voxel cone tracing'\n",
     }
@@ -91,6 +91,8 @@ def badging(apk: Apk) -> Iterator[str]:
     for attribute in ("hasCode", "extractNativeLibs"):
         if not re.search(rf":{attribute}\(0x[0-9a-f]+\)=false$", tree, re.M):
             yield f"the manifest does not say {attribute}=false"
+    if not re.search(r":appCategory\(0x[0-9a-f]+\)=0$", tree, re.M):
+        yield "the manifest does not say appCategory=game"
 
 
 def alignment(apk: Apk) -> Iterator[str]:
