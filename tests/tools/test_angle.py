@@ -82,8 +82,8 @@ def test_pictures_without_geometry_shaders(program, angle, tmp_path, preset, sce
         assert unlike(reference, found) <= MAX_FRACTION_ON_EDGES
 
 
-# Mesa 22.3's lavapipe overruns its stack when ANGLE dispatches the gather of `mobile` and `quality`. Mesa's own OpenGL runs it on
-# lavapipe (zink, tests/engine/pictures_test.cpp).
+# Mesa 22.3's lavapipe overruns its stack when ANGLE dispatches the gather of `mobile` and `quality`, for an unknown reason. Mesa's
+# own OpenGL runs it on lavapipe (zink, tests/engine/pictures_test.cpp).
 @pytest.mark.parametrize("scene", EXPOSURES)
 def test_pictures_over_lavapipe(program, angle, tmp_path, scene):
     reference, _ = picture(program, tmp_path / "llvmpipe", scene, "thesis", os.environ)
