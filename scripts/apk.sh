@@ -34,7 +34,7 @@ if [[ -z "${ANDROID_NDK_HOME:-}" ]]; then
     [[ -n "$ANDROID_NDK_HOME" || -z "$sdk" ]] || ANDROID_NDK_HOME="$(newest "$sdk/ndk")"
 fi
 [[ -n "$ANDROID_NDK_HOME" ]] ||
-    missing "no Android NDK: set ANDROID_NDK_HOME to the folder of one, r22 or newer"
+    missing "no Android NDK: set ANDROID_NDK_HOME to the folder of one, r27 or newer"
 [[ -f "$ANDROID_NDK_HOME/build/cmake/android.toolchain.cmake" ]] ||
     fail "ANDROID_NDK_HOME is '$ANDROID_NDK_HOME', which is not an Android NDK"
 export ANDROID_NDK_HOME

@@ -116,7 +116,8 @@ bench() {
     done
     for argument in "$@"; do
         # The argument passes through two shells.
-        [[ "$argument" =~ ^[a-z-]+=[A-Za-z0-9._,:=+-]+$ ]] || fail "'$argument' is not KEY=VALUE of letters, digits and . _ , : = + -"
+        [[ "$argument" =~ ^[a-z-]+=[A-Za-z0-9._,:=+-][A-Za-z0-9._,:=+\ -]*$ ]] ||
+            fail "'$argument' is not KEY=VALUE of letters, digits, spaces and . _ , : = + -"
         arguments+=" $argument"
     done
     for argument in "${beside[@]}"; do

@@ -27,8 +27,10 @@ Viewer::Viewer(ViewerHost host, const ShowRequest& request)
       touch_(host_.pixelsPerDp),
       lastFrame_(std::chrono::steady_clock::now()) {
     if (!request.display) hud_.turnOff();
-    const int first = std::max(scenes_.find(request.scene.empty() ? firstScene : request.scene), 0);
-    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[first]);
+    const int first = scenes_.find(request.scene.empty() ? firstScene : request.scene);
+    if (first < 0 && !request.scene.empty())
+        fail("there is no scene '" + request.scene + "'; copy it into the folder " + host_.folder);
+    if (!scenes_.all().empty()) scenes_.load(scenes_.all()[std::max(first, 0)]);
 }
 
 Viewer::~Viewer() {
@@ -105,7 +107,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     gl_->hud().draw(hud_.drawData(), window);
     gl::checkErrors("panel");
 
-    if (scene != sceneBefore) scenes_.load(scenes_.all()[scene]);
+    if (scene != sceneBefore) choose(scene);
     if (actions.rescan) scenes_.rescan();
     if (actions.resetView) reset();
     if (actions.dismiss) message_.clear();
@@ -256,7 +258,6 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
             if (!note.empty()) log(note);
         }
         choices_.lightAnglesDeg.reset();
-        message_.clear();
     } catch (const std::exception& error) {
         return request_ ? endMeasuring(error.what()) : fail(error.what());
     }
@@ -285,8 +286,12 @@ void Viewer::turnLight(const glm::vec2& deg) {
 
 void Viewer::showOtherScene(int step) {
     const auto count = static_cast<int>(scenes_.all().size());
-    if (count > 0)
-        scenes_.load(scenes_.all()[(std::max(scenes_.find(scenePath()), 0) + step + count) % count]);
+    if (count > 0) choose((std::max(scenes_.find(scenePath()), 0) + step + count) % count);
+}
+
+void Viewer::choose(int scene) {
+    message_.clear();  // it is about the scene that the user leaves
+    scenes_.load(scenes_.all()[scene]);
 }
 
 void Viewer::walk(const glm::dvec3& shares) {

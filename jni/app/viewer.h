@@ -137,6 +137,7 @@ class Viewer {
     void endMeasuring(const std::string& failure);  // "": the measurement is complete
 
     std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
+    void choose(int scene);         // loads a scene of the list, as the user asked
     void takeLoadedScene(glm::ivec2 window);
     void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
 

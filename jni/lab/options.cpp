@@ -36,20 +36,30 @@ void setFromParts(const std::string& option, std::string text, const NamedSetter
 
 void setFromWords(const std::string& text, const NamedSetters& setters) {
     std::istringstream words(text);
-    std::string command, word;
-    words >> command;
-    while (words >> word) {
-        const std::size_t equals = word.find('=');
+    std::string command;
+    words >> command >> std::ws;
+    // A word without a name belongs to the value before it.
+    std::vector<std::string> settings;
+    for (std::string word; std::getline(words, word, ' ');) {
+        if (settings.empty() || word.find('=') != std::string::npos)
+            settings.push_back(word);
+        else
+            settings.back() += " " + word;
+    }
+    for (std::string& setting : settings) {
+        setting.erase(setting.find_last_not_of(' ') + 1);
+        const std::size_t equals = setting.find('=');
         const auto setter = std::find_if(setters.begin(), setters.end(), [&](const auto& candidate) {
-            return candidate.first == word.substr(0, equals);
+            return candidate.first == setting.substr(0, equals);
         });
         if (setter == setters.end() || equals == std::string::npos) {
             std::string names;
             for (const auto& [name, unused] : setters)
                 names += (names.empty() ? "" : ", ") + name;
-            throw Error(command + ": unknown '" + word + "'; use name=value with one of the names " + names);
+            throw Error(command + ": unknown '" + setting + "'; use name=value with one of the names " +
+                        names);
         }
-        setter->second(word.substr(equals + 1));
+        setter->second(setting.substr(equals + 1));
     }
 }
 

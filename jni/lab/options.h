@@ -11,8 +11,8 @@
 
 namespace vct {
 
-// Parses "command a=1 b=2": calls the function of each name with its value. Throws vct::Error listing the
-// names if one is unknown.
+// Parses "command a=1 b=two words": calls the function of each name with its value. Throws vct::Error listing
+// the names if one is unknown.
 using NamedSetters = std::vector<std::pair<std::string, std::function<void(const std::string& value)>>>;
 void setFromWords(const std::string& text, const NamedSetters& setters);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "lab/bench_run.h"
 
 namespace vct::app {
 namespace {
@@ -24,6 +25,15 @@ TEST(Choices, AGridInWordsStandsOverThePresets) {
     EXPECT_EQ(showRequestFromText("show preset=mobile grid=128").choices.grid, 128);
     EXPECT_EQ(showRequestFromText("show grid=128 preset=mobile").choices.grid, 128);
     EXPECT_THROW(showRequestFromText("show grid=100"), Error);
+}
+
+TEST(Choices, ValuesMayContainSpaces) {
+    const ShowRequest request = showRequestFromText("show scene=my new  room.glb  grid=64 ");
+    EXPECT_EQ(request.scene, "my new  room.glb");
+    EXPECT_EQ(request.choices.grid, 64);
+    EXPECT_EQ(benchRequestFromText("bench grid=64 scene=my room.glb").scene, "my room.glb");
+    EXPECT_THROW(showRequestFromText("show room grid=64"), Error);
+    EXPECT_THROW(showRequestFromText("show grid=64 room"), Error);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Touches on the panel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "app/hud.h"
@@ -172,6 +173,27 @@ TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
     EXPECT_GT(glm::length(android.screen.at(window.x / 2, window.y * 11 / 16)), 0.1F)
         << "the picture is gone";
+}
+
+// The pixels of the screen in the colour of messages, once the scene is shown.
+int messagePixels(const std::string& intentExtra) {
+    StandIn android;
+    android.intentExtra = intentExtra;
+    android.startUntilSceneShown(window.x, window.y);
+    android.then([&] { android.capture = true; });
+    android.frames(3);
+    android.run();
+    const glm::vec3 color(1.0F, 0.75F, 0.3F);
+    return static_cast<int>(
+        std::count_if(android.screen.pixels.begin(), android.screen.pixels.end(),
+                      [&](const glm::vec3& pixel) { return glm::length(pixel - color) < 0.05F; }));
+}
+
+TEST(Hud, TheMessageOfAWrongCommandStaysWhenTheSceneHasLoaded) {
+    const std::string small = "show grid=64 mode=ao pixels=4";
+    EXPECT_LT(messagePixels(small), 20);
+    EXPECT_GT(messagePixels("show mode=none"), 100);
+    EXPECT_GT(messagePixels(small + " scene=none.glb"), 100);
 }
 
 TEST(Hud, ASceneThatCannotBeLoadedIsReported) {

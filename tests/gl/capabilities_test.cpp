@@ -82,6 +82,14 @@ TEST(Requirements, EachExtensionAndLimitIsNamedAlone) {
     }
 }
 
+TEST(Requirements, TheAndroidExtensionPackIsNotRequired) {
+    const auto withoutPack = [](MadeUpDriver& driver) {
+        driver.extensions = {"GL_OES_shader_image_atomic", "GL_EXT_color_buffer_half_float"};
+    };
+    EXPECT_EQ(errorAfter(withoutPack), "");
+    EXPECT_EQ(unmetAfter(withoutPack), (std::vector<std::string>{"GL_EXT_geometry_shader", "GL_KHR_debug"}));
+}
+
 TEST(Requirements, FloatTargetsMayReplaceHalfFloatOnes) {
     EXPECT_EQ(errorAfter([](MadeUpDriver& d) { d.extensions[2] = "GL_EXT_color_buffer_float"; }), "");
 }

@@ -112,7 +112,7 @@ def test_a_segment_aligned_to_4_kib_fails(copy, ndk):
     data = bytearray(copy.entries[OURS][1])
     struct.pack_into("<Q", data, segment_offsets(data)[0] + 48, 4096)
     copy.entries[OURS][1] = bytes(data)
-    only(copy.found(ndk), "libraries", "is aligned to 4096")
+    only(copy.found(ndk), "pages of 16 KiB", "is aligned to 4096")
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [
@@ -124,6 +124,58 @@ def test_a_segment_aligned_to_4_kib_fails(copy, ndk):
 def test_wrong_names_in_our_library_fail(copy, ndk, old, new, words):
     copy.replace(OURS, old, new)
     assert words in only(copy.found(ndk), "libraries")
+
+
+def elf_file(alignment=16384, undefined=(), text=b""):
+    """A shared library with one loaded segment, the names that it needs of others, and `text` among its data."""
+    strings = b"\0" + b"".join(name.encode() + b"\0" for name in undefined)
+    symbols = bytes(24)
+    for name in undefined:
+        symbols += struct.pack("<IBBHQQ", strings.index(b"\0" + name.encode() + b"\0") + 1, 0x12, 0, elf.SHN_UNDEF, 0, 0)
+    names = b"\0.dynsym\0.dynstr\0.shstrtab\0"
+    contents = [(b"", 0, 0), (symbols, elf.SHT_DYNSYM, 2), (strings, 3, 0), (names, 3, 0)]
+    data = bytes(64) + struct.pack("<IIQQQQQQ", elf.PT_LOAD, 5, 0, 0, 0, 4096, 4096, alignment)
+    headers = b""
+    for name, (content, kind, link) in zip((0, 1, 9, 17), contents, strict=True):
+        headers += struct.pack("<IIQQQQIIQQ", name, kind, 0, 0, len(data), len(content), link, 0, 1, 0)
+        data += content
+    data += text
+    start = b"\x7fELF\x02\x01\x01" + bytes(9)
+    header = start + struct.pack("<HHIQQQIHHHHHH", 3, elf.MACHINES["arm64-v8a"], 1, 0, 64, len(data), 0, 64, 56, 1, 64, 4, 3)
+    return header + data[64:] + headers
+
+
+def apk_with(folder, **libraries):
+    path = folder / "made.apk"
+    with zipfile.ZipFile(path, "w") as apk:
+        for name, data in libraries.items():
+            pack.add_stored(apk, f"lib/arm64-v8a/{name}.so", data)
+    return check.Apk(path)
+
+
+def test_every_library_must_be_aligned_for_pages_of_16_kib(tmp_path):
+    assert not list(check.segments(apk_with(tmp_path, libvct=elf_file(), cxx=elf_file(65536))))
+    text = "".join(check.segments(apk_with(tmp_path, **{"libvct": elf_file(), "libc++_shared": elf_file(4096)})))
+    assert "lib/arm64-v8a/libc++_shared.so: a segment at 0x0 is aligned to 4096, not to 16384" in text and "libvct" not in text
+
+
+LLVM = elf_file(undefined=["dl_iterate_phdr", "abort"], text=b"\0libunwind: %s - %s\0")
+GCC = elf_file(undefined=["dl_iterate_phdr", "abort"])
+NO_UNWINDER = elf_file(undefined=["abort", "_Unwind_Resume"])
+
+
+@pytest.mark.parametrize(("ours", "cxx"), [(LLVM, LLVM), (GCC, GCC), (NO_UNWINDER, LLVM), (NO_UNWINDER, GCC)])
+def test_unwinders_of_one_kind_are_right(tmp_path, ours, cxx):
+    assert not list(check.unwinders(apk_with(tmp_path, **{"libvct": ours, "libc++_shared": cxx})))
+
+
+@pytest.mark.parametrize(("ours", "cxx", "words"), [
+    (GCC, LLVM, "libc++_shared.so has libunwind and lib/arm64-v8a/libvct.so has libgcc"),
+    (LLVM, GCC, "libc++_shared.so has libgcc and lib/arm64-v8a/libvct.so has libunwind"),
+])
+def test_different_unwinders_fail(tmp_path, ours, cxx, words):
+    text = "".join(check.unwinders(apk_with(tmp_path, **{"libvct": ours, "libc++_shared": cxx})))
+    assert words in text and "same NDK" in text
 
 
 def test_packing_aligns_libraries_and_compresses_assets(tmp_path):

@@ -25,8 +25,6 @@ PACKAGE = "vct.app"
 PAGE = 16384
 MAX_BYTES = 12_000_000
 TRIPLES = {"arm64-v8a": "aarch64-linux-android", "x86_64": "x86_64-linux-android"}
-# The first NDK whose own libc++_shared.so is aligned to 16 KiB.
-ALIGNED_NDK = 27
 
 
 def versions() -> dict[str, str]:
@@ -40,7 +38,6 @@ def run(*command: str | pathlib.Path) -> tuple[int, str]:
 
 class Ndk:
     def __init__(self, folder: pathlib.Path):
-        self.major = int(re.search(r"Pkg\.Revision = (\d+)", (folder / "source.properties").read_text())[1])
         self.sysroot = next(folder.glob("toolchains/llvm/prebuilt/*/sysroot"))
 
     def libraries(self, abi: str, api: str) -> dict[str, elf.Library]:
@@ -82,7 +79,7 @@ def badging(apk: Apk) -> Iterator[str]:
         "minSdk": f"sdkVersion:'{versions()['minSdk']}'\n",
         "targetSdk": f"targetSdkVersion:'{versions()['targetSdk']}'\n",
         "OpenGL ES 3.1": "uses-gl-es: '0x30001'\n",
-        "the Android Extension Pack": "uses-feature: name='android.hardware.opengles.aep'\n",
+        "the Android Extension Pack as optional": "uses-feature-not-required: name='android.hardware.opengles.aep'\n",
         "the activity to start": "launchable-activity: name='android.app.NativeActivity' ",
         "a label": "application-label:'Voxel cone tracing'\n",
     }
@@ -94,6 +91,8 @@ def badging(apk: Apk) -> Iterator[str]:
     for attribute in ("hasCode", "extractNativeLibs"):
         if not re.search(rf":{attribute}\(0x[0-9a-f]+\)=false$", tree, re.M):
             yield f"the manifest does not say {attribute}=false"
+    if not re.search(r":appCategory\(0x[0-9a-f]+\)=0$", tree, re.M):
+        yield "the manifest does not say appCategory=game"
 
 
 def alignment(apk: Apk) -> Iterator[str]:
@@ -124,7 +123,37 @@ def assets(apk: Apk) -> Iterator[str]:
             yield f"{name} differs from {expected[name].relative_to(ROOT)}"
 
 
-def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library], ndk: Ndk) -> Iterator[str]:
+def segments(apk: Apk) -> Iterator[str]:
+    """Linkers of old NDKs, and their libc++_shared.so, align for pages of 4 KiB, and then the app does not start on newer phones."""
+    for info in apk.libraries:
+        for segment in elf.read(apk.zip.read(info)).segments:
+            if segment.alignment % PAGE or (segment.address - segment.offset) % PAGE:
+                yield (f"{info.filename}: a segment at {segment.address:#x} is aligned to {segment.alignment}, not to {PAGE}: "
+                       "use NDK r27 or newer")
+                break
+
+
+def unwinder(data: bytes) -> str:
+    """The library that a shared library has a copy of to unwind the stack for exceptions, or "" where it has none.
+
+    Both find the tables of all libraries by dl_iterate_phdr. Only LLVM's libunwind has messages, which begin with its name.
+    """
+    if b"libunwind: " in data:
+        return "libunwind"
+    return "libgcc" if "dl_iterate_phdr" in elf.read(data).undefined else ""
+
+
+def unwinders(apk: Apk) -> Iterator[str]:
+    """An exception that begins in the copy of one library must not continue in that of another: the app would be killed."""
+    for abi in apk.abis:
+        found = {name: kind for info in apk.libraries if info.filename.split("/")[1] == abi
+                 for name, kind in [(info.filename, unwinder(apk.zip.read(info)))] if kind}
+        if len(set(found.values())) > 1:
+            held = " and ".join(f"{name} has {kind}" for name, kind in sorted(found.items()))
+            yield f"{held} for exceptions, and one that passes both kills the app: take both libraries from the same NDK"
+
+
+def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library]) -> Iterator[str]:
     _, abi, name = info.filename.split("/")
     data = apk.zip.read(info)
     try:
@@ -134,13 +163,6 @@ def library(apk: Apk, info: zipfile.ZipInfo, android: dict[str, elf.Library], nd
         return
     if found.machine != elf.MACHINES[abi]:
         yield f"{info.filename} is for ELF machine {found.machine}, not {abi}"
-    # A library that the NDK brings cannot be linked again here.
-    old_ndk = name == "libc++_shared.so" and ndk.major < ALIGNED_NDK
-    for segment in found.segments:
-        if old_ndk:
-            break
-        if segment.alignment % PAGE or (segment.address - segment.offset) % PAGE:
-            yield f"{info.filename}: a segment at {segment.address:#x} is aligned to {segment.alignment}, not to {PAGE}"
     own = {other.filename.split("/")[2]: other for other in apk.libraries if other.filename.split("/")[1] == abi}
     exported: set[str] = set()
     for needed in found.needed:
@@ -171,7 +193,7 @@ def libraries(apk: Apk, ndk: Ndk) -> Iterator[str]:
         android = ndk.libraries(abi, versions()["minSdk"])
         for info in apk.libraries:
             if info.filename.split("/")[1] == abi:
-                yield from library(apk, info, android, ndk)
+                yield from library(apk, info, android)
 
 
 def problems(path: pathlib.Path, ndk: Ndk) -> dict[str, list[str]]:
@@ -183,6 +205,7 @@ def problems(path: pathlib.Path, ndk: Ndk) -> dict[str, list[str]]:
     checks = {
         "signature": signature(apk), "manifest": badging(apk), "alignment in the file": alignment(apk),
         "size": size(apk), "assets": assets(apk), "libraries": libraries(apk, ndk),
+        "pages of 16 KiB": segments(apk), "one kind of unwinder": unwinders(apk),
     }
     return {name: list(found) for name, found in checks.items()}
 
@@ -204,9 +227,6 @@ def main() -> int:
             print(f"    {message}")
     held = Apk(arguments.apk)
     print(f"{arguments.apk}: {arguments.apk.stat().st_size} bytes, {', '.join(held.abis)}")
-    if ndk.major < ALIGNED_NDK and any(info.filename.endswith("libc++_shared.so") for info in held.libraries):
-        print(f"note: libc++_shared.so of this NDK (r{ndk.major}) is aligned to 4 KiB: the app does not start on phones "
-              f"with pages of 16 KiB. NDK r{ALIGNED_NDK} or newer brings one that does.")
     return 1 if any(found.values()) else 0
 
 
