@@ -148,6 +148,25 @@ TEST_P(ConvexBodies, DoNotShadowThemselves) {
     }
 }
 
+TEST(ConvexMirror, DoesNotReflectItself) {
+    Scene scene = emptyScene();
+    addTurned(scene, halfCircles(16, 0.0), 32);
+    scene.materials[0].metallic = 1.0F;
+    scene.materials[0].roughness = 0.0F;
+    Settings settings = presetSettings("mobile");
+    settings.size = glm::ivec2(96);
+    const Context context = openContext(Backend::egl);
+    FrameInspector frame(context, finished(std::move(scene)), lightFrom({0, 0, 1}), settings,
+                         lookAt({0, 0.3, 4.0}, {0, 0, 0}, 34.0));
+    for (const glm::dvec3& sun :
+         {glm::dvec3(0, 0, 1), glm::dvec3(1, 0.4, 0.3), glm::dvec3(-0.8, 0.6, -0.5)}) {
+        frame.setLight(sun);
+        const Spread seen = frame.spreadOf(Output::specularLight);
+        EXPECT_GT(seen.count, 3000);
+        EXPECT_LT(seen.max, 0.02) << sun.x << " " << sun.y << " " << sun.z;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Bodies, ConvexBodies,
                          testing::Values(Body{"sphere of 4", 4, 4, 0.0}, Body{"sphere of 8", 8, 6, 0.0},
                                          Body{"sphere of 16", 16, 8, 0.0}, Body{"sphere of 64", 64, 32, 0.0},

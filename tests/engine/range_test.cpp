@@ -12,7 +12,7 @@
 namespace vct::test {
 namespace {
 
-constexpr double strengths[] = {1.0, 1e-4, 1e2, 1e4, 1e6, 1e8};
+constexpr double strengths[] = {1e-4, 1e2, 1e5, 1e8};
 
 double meanOf(const Context& context, const Scene& scene, const DirectionalLight& light,
               const Settings& settings) {
@@ -60,7 +60,8 @@ TEST_F(Range, APictureIsProportionalToTheSky) {
 TEST_F(Range, APictureIsProportionalToALamp) {
     expectProportional([&](double strength) {
         Scene scene = closedBox(0.0);
-        scene.punctualLights.push_back(punctualLightAt(PunctualLight::Type::point, {0.2, 0.5, 0.1}, {0, 0, 0}));
+        scene.punctualLights.push_back(
+            punctualLightAt(PunctualLight::Type::point, {0.2, 0.5, 0.1}, {0, 0, 0}));
         scene.punctualLights.back().intensity = static_cast<float>(strength);
         return meanOf(context_, scene, noLight(), settings_);
     });
@@ -74,7 +75,8 @@ TEST_F(Range, AStrongEmitterLeavesTheSunlightAsItIs) {
         scene.materials.push_back(scene.materials[0]);
         scene.materials.back().emissive = glm::vec3(static_cast<float>(strength));
         addQuad(scene, {-0.1, -0.5, -0.1}, {0.2, 0, 0}, {0, 0, 0.2}, 1);  // below the floor, facing down
-        Renderer renderer = makeRenderer(context_, finished(std::move(scene)), lightFrom({0.1, 1, 0.2}), settings_);
+        Renderer renderer =
+            makeRenderer(context_, finished(std::move(scene)), lightFrom({0.1, 1, 0.2}), settings_);
         renderer.render({{Output::gi}, lookAt({0, 1, 0.5}, {0, 0, 0}, 30.0), LightSteps::all});
         const double seen = renderer.radiance().at(16, 16).x;
         EXPECT_GT(seen, 0.5);
