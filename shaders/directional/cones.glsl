@@ -131,10 +131,13 @@ float levelAt(float height, float spread) {
     return max(floor(log2(VCT_GATHER_HEIGHT * spread * height)), 0.0);
 }
 
-// Traces one cone of a gather up to the distance `reach`. `spread` scales its width.
-ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float reach, float spread) {
+// Traces one cone of a gather from its sample at the distance `begin` up to `reach`. `spread` scales its
+// width.
+ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, float begin, float reach,
+                     float spread) {
     Cone cone = coneFrom(start, normal, ownBelow, direction, VCT_GATHER_FADES);
     ConeResult result = coneBegin;
+    result.distance = begin;
     float level = levelAt(heightAt(cone, result.distance), spread);
     if (!VCT_GATHER_FADES) {
         // The cone ends where it leaves the volume.

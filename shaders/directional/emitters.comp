@@ -5,6 +5,9 @@
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/face_irradiance.glsl"
+#define VCT_COUNTER_CONTACT_VOXEL VCT_COUNTER_EMITTERS_VOXEL
+#define VCT_COUNTER_CONTACT_FACE VCT_COUNTER_EMITTERS_OTHER_FACE
+#include "directional/contact.glsl"
 #include "shared/emitters.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -31,12 +34,12 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
 }
 
 // Irradiance by all emitters, relative to E.
-vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
+vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
     float grid = float(frame.gridSide);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        vec3 offset = part.position.xyz - start / grid;
+        vec3 offset = part.position.xyz - start.position / grid;
         float distance = max(length(offset), 1e-6);
         vec3 towards = offset / distance;
         float area = projectedArea(part, towards);
@@ -45,11 +48,13 @@ vec3 lightOfEmitters(vec3 start, SurfacePlane plane, vec3 ownBelow) {
         float share = max(dot(towards, plane.normal), 0.0) * area / (3.1415927 * distance * distance + area);
         vec3 light = part.radiance.rgb * share;
         if (max(light.r, max(light.g, light.b)) < minStoredLight) continue;
+        float toOpposite = distanceToOpposite(start, towards);
+        if (toOpposite >= 0.0 && toOpposite < (distance - part.radiance.w) * grid) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
         // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
         float reach = (distance - part.radiance.w / rising) * grid;
-        Cone cone = coneFrom(start, plane.normal, ownBelow, towards, false);
+        Cone cone = coneFrom(start.position, plane.normal, ownBelow, towards, false);
         sum += light * transmittanceTo(cone, reach, coneWidth * part.position.w / distance);
     }
     return sum;
@@ -71,7 +76,7 @@ void main() {
         COUNT(VCT_COUNTER_EMITTERS_FACE);
         FaceSurface surface = faceSurface(id);
         SurfacePlane plane = surface.plane;
-        vec3 start = vec3(listed.voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
+        ConeStart start = coneStartOf(listed.voxel, listed.face, plane);
         storeEmitterIrradiance(id, lightOfEmitters(start, plane, ownFaces(plane.normal, surface.hasBack)));
     }
 }

@@ -3,6 +3,9 @@
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/irradiance.glsl"
+#define VCT_COUNTER_CONTACT_VOXEL VCT_COUNTER_IRRADIANCE_VOXEL
+#define VCT_COUNTER_CONTACT_FACE VCT_COUNTER_IRRADIANCE_OTHER_FACE
+#include "directional/contact.glsl"
 #include "directional/gather_turns.glsl"
 #include "directional/sky_light.glsl"
 
@@ -28,19 +31,29 @@ vec3 gatherDirection(int i) {
     return vec3(sqrt(u) * cos(azimuth), sqrt(1.0 - u), sqrt(u) * sin(azimuth));
 }
 
+// The radiance of a face, relative to E/pi, of the surface that covers it.
+mediump vec3 radianceOf(ivec3 voxel, int face) {
+    mediump vec4 stored = texelFetch(faces, faceTexel(voxel, face >> 1, face & 1, frame.gridSide), 0);
+    return stored.rgb * (faceRange.radiance / max(stored.a, 1e-2));
+}
+
 // Traces `cones` cones of a face, along consecutive directions of the set from `firstDirection` on. From one
 // direction to the next the azimuth turns by about the golden angle, so that any few consecutive ones are
 // spread over the hemisphere. Neighbouring faces begin at different directions: a block has 4^3 voxels, one
 // layer of it has 4 x 4 faces, and these begin at 16 consecutive directions. `ownBelow`: the result of
 // ownFaces(), which keeps the cones from meeting the face's own surface.
-Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
+Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint firstDirection, int cones) {
     // Odd, so that its multiples modulo the number of directions, a power of two, reach every direction.
     const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
-    vec3 start = vec3(voxel) + 0.5 + plane.normal * (plane.offset + VCT_GATHER_START);
-    int place = indexInBlock(voxel, axis);
+    ConeStart start = coneStartOf(voxel, face, plane);
+    mediump vec3 oppositeLight =
+        start.opposite == vec3(0.0) ? vec3(0.0) : radianceOf(start.voxel, start.face);
+    int place = indexInBlock(voxel, face >> 1);
     int first = int(firstDirection) + place;
     // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
+    const float behindVoxel =
+        0.8;  // from the voxel's border to the middle of the next one's faces, and a bit more
     Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);
@@ -51,7 +64,17 @@ Gathered gather(ivec3 voxel, int axis, SurfacePlane plane, vec3 ownBelow, uint f
         // that a direction has the same cone in each round.
         int noise = (i & (VCT_GATHER_DIRECTIONS - 1)) * 49471 + 4096 * place;
         float spread = exp2(float(noise & 65535) / 65536.0 - 0.5);
-        ConeResult cone = traceCone(start, plane.normal, ownBelow, direction, reach, spread);
+        float toOpposite = distanceToOpposite(start, direction);
+        if (toOpposite >= 0.0) {
+            gathered.light += oppositeLight;
+            gathered.nearness += 1.0 / max(toOpposite, VCT_GATHER_FIRST_SAMPLE);
+            continue;
+        }
+        // The content of the opposite voxel has been compared with its plane.
+        float begin = VCT_GATHER_FIRST_SAMPLE;
+        if (start.opposite != vec3(0.0))
+            begin = max(begin, distanceOutOfVoxel(start, direction) + behindVoxel);
+        ConeResult cone = traceCone(start.position, plane.normal, ownBelow, direction, begin, reach, spread);
         gathered.light += cone.radiance;
         // The solid angle that one direction of the set stands for: pi / (N cos), by the density above.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
@@ -122,7 +145,7 @@ void main() {
         // A face without a history traces more cones, unless its coverage is so tiny that it hardly counts.
         bool isNew = known == 0.0 && surface.coverage > 0.02;
         vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
-        Gathered now = gather(listed.voxel, listed.face >> 1, plane, ownBelow, direction,
+        Gathered now = gather(listed.voxel, listed.face, plane, ownBelow, direction,
                               int(isNew ? lightStep.initialCones : cones));
         // For occlusion there is no VCT_ENVIRONMENT, so `sky` is the share of the hemisphere that is open.
         vec3 light = occlusion ? vec3(now.sky) : now.light + skyLight(now.sky);

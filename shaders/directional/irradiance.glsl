@@ -51,14 +51,14 @@ vec3 cornerOffset(uint i) {
 // surface on the border of two blocks into the other block: the first eight tries use the bricks of the
 // blocks at most half a voxel away. A surface so thin that the voxels missed it takes the mean of its
 // block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
-// faces, the blocks around it follow. All tries share the fetch in the loop, because a second fetch would
-// cost registers in every pixel.
+// faces, the blocks around it follow, at twice the distance each time. All tries share the fetch in the loop,
+// because a second fetch would cost registers in every pixel.
 mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
     const mediump float minCoverage = 0.03;
-    const uint borderTries = 8u, tries = borderTries + 9u * 48u;
+    const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
     vec3 position = positionVolume * float(frame.gridSide);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
@@ -86,9 +86,9 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         int axis = onBorder ? size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2 : int(face >> 1);
         float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
-        float aside = onBorder ? 1.0 : around == 0u ? 0.0 : 4.0;
+        float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
         ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around)) >> VCT_BRICK_LEVEL,
+        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
                       ivec3(0), last);
         inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;

@@ -131,6 +131,45 @@ TEST(Gather, AFloorBesideABlackWallSeesTheRestOfTheSky) {
     EXPECT_LE(error.rms, 0.04);
 }
 
+// A ball without light of its own, which touches a floor at the origin: of the sphere's hemisphere above a
+// point at the distance x the ball fills R^3 / (x^2 + R^2)^1.5. The cones of the faces around the contact
+// would start inside the ball and look out of it.
+TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
+    const Context context = openContext(Backend::egl);
+    constexpr double radius = 0.25;
+    Scene scene = emptyScene();
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].baseColor = glm::vec4(0, 0, 0, 1);
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    addBall(scene, radius, {0, radius, 0}, 1);
+    scene = finished(std::move(scene));
+    for (const int grid : {64, 128}) {
+        Settings settings = mobileAt(4 * pictureSide);
+        settings.grid = grid;
+        settings.skyRadiance = glm::vec3(1.0F);
+        FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0.2, 2}, {0, 0, 0}, 14));
+        const auto nearContact = [&](double from, double to) {
+            return deviationOf(frame, [&](const glm::dvec3& p) {
+                const double x = glm::length(glm::dvec2(p.x, p.z));
+                if (p.y > 1e-4 || x < from || x > to) return -1.0;
+                return 1.0 - std::pow(radius / std::hypot(x, radius), 3.0);
+            });
+        };
+        EXPECT_LE(nearContact(0.04, 0.16).rms, 0.45) << grid;
+        EXPECT_LE(nearContact(0.16, 0.3).rms, 0.15) << grid;
+    }
+}
+
+// A closed room of rectangles under a bright sky. The face of a crease begins its cones outside if the middle
+// of its voxel is beyond the other wall.
+TEST(Gather, NoSkyShinesIntoTheCreasesOfAClosedRoom) {
+    const Context context = openContext(Backend::egl);
+    Settings settings = mobileAt(pictureSide);
+    settings.skyRadiance = glm::vec3(1.0F);
+    FrameInspector frame(context, closedBox(0.0), noLight(), settings, lookAt({0, 0, 0}, {-1, -1, -1}, 80));
+    EXPECT_LE(frame.spreadOf(Output::indirectLight).max, 0.16);
+}
+
 // A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in
 // the dark below the floor.
 TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {

@@ -45,6 +45,29 @@ void addBox(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre, int
     scene.meshes.push_back(std::move(mesh));
 }
 
+void addBall(Scene& scene, double radius, const glm::dvec3& centre, int material) {
+    constexpr std::uint32_t segments = 64, rings = 32;
+    Mesh mesh;
+    mesh.material = material;
+    mesh.centre = centre;
+    for (std::uint32_t ring = 0; ring <= rings; ++ring)
+        for (std::uint32_t i = 0; i <= segments; ++i) {
+            const double polar = pi * ring / rings, azimuth = 2.0 * pi * i / segments;
+            const glm::dvec3 normal(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                                    std::sin(polar) * std::cos(azimuth));
+            mesh.vertices.push_back(
+                {glm::vec3(radius * normal), glm::vec3(normal), glm::vec2(0.0F), glm::vec2(0.0F)});
+        }
+    for (std::uint32_t ring = 0; ring < rings; ++ring)
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const std::uint32_t a = ring * (segments + 1) + i, b = a + segments + 1;
+            for (const std::uint32_t corner : {a, b, b + 1, a, b + 1, a + 1})
+                mesh.indices.push_back(corner);
+        }
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
+    scene.meshes.push_back(std::move(mesh));
+}
+
 glm::dmat4 turnScene(Scene& scene, double angleDeg) {
     const glm::dmat4 rotation =
         glm::rotate(glm::dmat4(1.0), glm::radians(angleDeg), glm::normalize(glm::dvec3(1, 2, 3)));

@@ -20,6 +20,9 @@ void addQuad(Scene& scene, const glm::dvec3& corner, const glm::dvec3& u, const 
 void addBox(Scene& scene, const glm::dvec3& sides, const glm::dvec3& centre = glm::dvec3(0.0),
             int material = 0);
 
+// Adds a ball of 64 x 32 rectangles, smooth.
+void addBall(Scene& scene, double radius, const glm::dvec3& centre, int material = 0);
+
 // Turns everything around (1, 2, 3) through the origin, and returns the rotation.
 glm::dmat4 turnScene(Scene& scene, double angleDeg);
 

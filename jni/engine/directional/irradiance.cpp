@@ -130,6 +130,8 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     const gl::DebugGroup group("gather");
     bind(voxels);
     chooseFaces(voxels, surface);
+    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     if (emitters_ && emitterSteps_ > 0) {
         --emitterSteps_;
         emitters_->use();
