@@ -200,8 +200,8 @@ std::string roomLightNote(const PunctualLight& light) {
     char text[200];
     std::snprintf(
         text, sizeof text,
-        "note: the picture shows a closed room without a light; vct adds a point light of %.3g cd at "
-        "%.4g,%.4g,%.4g",
+        "note: the picture shows a closed room without a light; vct adds a point light of %.6g cd at "
+        "%.6g,%.6g,%.6g",
         double{light.intensity}, place.x, place.y, place.z);
     return text;
 }
