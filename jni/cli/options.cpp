@@ -102,7 +102,7 @@ CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
         "--camera", camera,
         "Camera as eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z, in metres and degrees, of which only eye is "
         "required (target: 0,0,0, fov: 45); or the name or index of one of the scene's cameras. Default: the "
-        "scene's first camera; if it has none, a view of the whole scene or of the inside of a closed room, "
+        "scene's first camera; if it has none, a view of the whole scene or of the inside of a room, "
         "and vct prints the --camera that reproduces it");
     command
         .add_option("--light", light,

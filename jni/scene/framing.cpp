@@ -28,6 +28,11 @@ constexpr int outsideResolution = 96, aroundResolution = 12;
 constexpr double closedShare = 0.96;
 // The same share for a room that is open at a side. A field under the sky has half.
 constexpr double openShare = 0.6;
+// A room whose walls hide its inside is closed in these shares of all directions, on average over several
+// places: it has a window or a door, but no open side.
+constexpr double windowedShares[] = {0.9, 0.998};
+constexpr double minRoomSize = 1.9;     // metres: smaller ones are containers
+constexpr double windowedVolume = 0.5;  // smallest visible volume inside such a room, in shares of the bounds
 constexpr double roomShare = 0.1;    // smallest visible volume inside a room, in shares of the bounds' volume
 constexpr double muchMore = 1.5;     // another side must show so many times the surface seen from the front
 constexpr double fromBelow = 0.67;   // weight of views from below, because objects rarely stand on glass
@@ -250,14 +255,16 @@ std::vector<Around> placesAround(const Scene& scene, const std::vector<glm::dvec
     return places;
 }
 
+// Several points are tested, because the centre may be inside a column, and a column in front of an opening
+// may make one point look enclosed.
+const std::vector<glm::dvec3> roomPoints{
+    {0.5, 0.5, 0.5}, {0.25, 0.5, 0.25}, {0.75, 0.5, 0.25}, {0.25, 0.5, 0.75}, {0.75, 0.5, 0.75}};
+
 // True if the scene is a room: it is closed in at least this share of all directions, and either its surfaces
 // seen from outside do not hide the inside, or more objects are visible from inside than from outside.
 bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, double minClosed) {
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
-    // Several points are tested, because the centre may be inside a column, and a column in front of an
-    // opening may make one point look enclosed.
-    const std::vector<Around> places = placesAround(
-        scene, {{0.5, 0.5, 0.5}, {0.25, 0.5, 0.25}, {0.75, 0.5, 0.25}, {0.25, 0.5, 0.75}, {0.75, 0.5, 0.75}});
+    const std::vector<Around> places = placesAround(scene, roomPoints);
     const Around* widest = nullptr;
     double most = roomShare * size.x * size.y * size.z;
     for (const Around& around : places) {
@@ -270,6 +277,24 @@ bool isRoom(const Scene& scene, const std::vector<FirstSurfaces>& outside, doubl
     }
     if (widest == nullptr) return false;
     return !hidesItsInside(outside.front(), widest->front().eye) || thingsSeen(*widest) > thingsSeen(outside);
+}
+
+// True if the scene is a room with windows or a door whose walls hide its inside.
+bool isWindowedRoom(const Scene& scene, const FirstSurfaces& outside) {
+    const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
+    if (std::min({size.x, size.y, size.z}) < minRoomSize) return false;
+    double closed = 0.0, most = 0.0;
+    int free = 0;
+    for (const Around& around : placesAround(scene, roomPoints)) {
+        const Enclosure enclosure = enclosureOf(around);
+        if (enclosure.isInsideAnObject()) continue;
+        closed += enclosure.closed;
+        most = std::max(most, enclosure.volume);
+        ++free;
+    }
+    return closed > windowedShares[0] * free && closed < windowedShares[1] * free &&
+           most > windowedVolume * size.x * size.y * size.z &&
+           hidesItsInside(outside, 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max));
 }
 
 // The surfaces in a view from inside.
@@ -334,7 +359,8 @@ Camera frameScene(const Scene& scene, double aspect) {
     const FirstSurfaces& best = bestFromOutside(outside, light);
     // A lamp behind walls with a window does not light their outside.
     const double lit = litShare(best, light);
-    const bool closed = isRoom(scene, outside, closedShare);
+    const bool closed =
+        isRoom(scene, outside, closedShare) || (!light.exists() && isWindowedRoom(scene, best));
     if (closed || lit < darkShare) {
         const std::optional<View> inside = viewInside(scene, aspect, light, closed ? 0.0 : openShare);
         if (inside && inside->litShare > (closed ? minLitInside : lit))

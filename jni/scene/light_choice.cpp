@@ -76,7 +76,9 @@ std::optional<glm::dvec3> pointInRoom(const Scene& scene, const Camera& camera) 
 // Shares of the sky's radiance that a background may have, the best one first.
 constexpr float backgroundShares[] = {1.0F, 0.1F, 0.3F};
 constexpr float dimShare = 0.2F;
-constexpr double minOpenEdge = 0.7;  // share of a picture's edge
+// Shares of a picture's edge that show the background, for a camera among the scene's objects and for one
+// outside, which may be near an object.
+constexpr double minOpenEdgeInside = 0.7, minOpenEdgeOutside = 0.05;
 // A surface in the shade shows this part of the sky's radiance, times its albedo.
 constexpr float leastShade = 0.5F, mostShade = 1.8F;
 
@@ -120,7 +122,10 @@ std::vector<float> albedosAtBackground(const Scene& scene, const Camera& camera,
         for (const int instance : {instanceAt(i, 0), instanceAt(i, resolution - 1), instanceAt(0, i),
                                    instanceAt(resolution - 1, i)})
             open += instance < 0;
-    if (open < minOpenEdge * 4 * resolution) return {};
+    const glm::dvec3& eye = views.front().eye;
+    const bool isInside = glm::all(glm::lessThan(scene.boundsWorld.min, eye)) &&
+                          glm::all(glm::lessThan(eye, scene.boundsWorld.max));
+    if (open < (isInside ? minOpenEdgeInside : minOpenEdgeOutside) * 4 * resolution) return {};
     for (int y = 1; y + 1 < resolution; ++y) {
         for (int x = 1; x + 1 < resolution; ++x) {
             const int instance = instanceAt(x, y);
@@ -200,8 +205,8 @@ std::string roomLightNote(const PunctualLight& light) {
     char text[200];
     std::snprintf(
         text, sizeof text,
-        "note: the picture shows a closed room without a light; vct adds a point light of %.3g cd at "
-        "%.4g,%.4g,%.4g",
+        "note: the picture shows a closed room without a light; vct adds a point light of %.6g cd at "
+        "%.6g,%.6g,%.6g",
         double{light.intensity}, place.x, place.y, place.z);
     return text;
 }

@@ -153,6 +153,15 @@ TEST(Background, ContrastsWithWhiteUnlessASkyIsGiven) {
     EXPECT_NEAR(rendered(program, triangleOf(1.0F), "--sky 0.2,0.25,0.35").at(0, 0).b, sky.b, 1e-3F);
 }
 
+TEST(Background, ContrastsWithAnObjectThatNearlyFillsThePicture) {
+    ProgramRun program;
+    rendered(program, triangleOf(1.0F), "--camera eye=0.25,0.3,0.8,target=0.25,0.3,0,fov=40");
+    expectMentions(program.err, {"--background 0.02,0.025,0.035"});
+    // An edge that shows surfaces only is that of a room, whose windows show the sky.
+    rendered(program, triangleOf(1.0F), "--camera eye=0.25,0.3,0.8,target=0.25,0.3,0,fov=10");
+    EXPECT_EQ(program.err.find("--background"), std::string::npos) << program.err;
+}
+
 TEST(Background, ChangesNoSurface) {
     ProgramRun program;
     const Image plain = rendered(program, triangleOf(0.5F), "--sky 0.2,0.25,0.35");

@@ -93,17 +93,6 @@ std::vector<Truth> truthOf(const Mesh& mesh, const std::vector<SurfacePixel>& pi
     return truths;
 }
 
-// The share of the sun that each pixel sees in mode 2, which removes 0.9 of all light but a constant 0.05.
-std::vector<float> hardShadowOf(FrameInspector& frame) {
-    const Image lit = frame.view(Output::phong), shadowed = frame.view(Output::shadowMap);
-    std::vector<float> shares;
-    for (std::size_t i = 0; i < lit.pixels.size(); ++i) {
-        const float all = lit.pixels[i].x - 0.05F;
-        shares.push_back(all > 1e-3F ? 1.0F - (lit.pixels[i].x - shadowed.pixels[i].x) / (0.9F * all) : 0.0F);
-    }
-    return shares;
-}
-
 class ConvexBodies : public testing::TestWithParam<Body> {};
 
 TEST_P(ConvexBodies, DoNotShadowThemselves) {
@@ -128,7 +117,7 @@ TEST_P(ConvexBodies, DoNotShadowThemselves) {
         const glm::dvec3 direction =
             glm::normalize(glm::dvec3(normal(random), std::abs(normal(random)) + 0.1, normal(random)));
         frame.setLight(direction);
-        const std::vector<float> shares[2] = {hardShadowOf(frame), frame.softShadow()};
+        const std::vector<float> shares[2] = {frame.mode2Shadow(), frame.softShadow()};
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             if (!pixels[i].surface || pixels[i].positionWorld.y < -2.4) continue;
             const double face = glm::dot(truths[i].face, direction);

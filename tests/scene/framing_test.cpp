@@ -213,9 +213,20 @@ PunctualLight lampAt(const glm::dvec3& position) {
 TEST(FrameRoom, ALampBehindAWindowIsSeenFromInside) {
     for (const double thickness : {0.02, 0.2}) {
         Scene room = roomOfSlabs(thickness, true);
+        room.lights.push_back(lightFrom({0, 1, 0}));
         EXPECT_FALSE(isInside(room, frameScene(room, 1.0))) << thickness;
+        room.lights.clear();
         room.punctualLights.push_back(lampAt({0, 2.2, 0}));
         EXPECT_TRUE(isInside(room, frameScene(room, 1.0))) << thickness;
+    }
+}
+
+TEST(FrameRoom, ARoomWithAWindowAndWithoutALightIsSeenFromInside) {
+    for (const double thickness : {0.02, 0.2}) {
+        const Scene room = roomOfSlabs(thickness, true);
+        EXPECT_TRUE(isInside(room, frameScene(room, 1.0))) << thickness;
+        const Scene box = moved(room, glm::scale(glm::dmat4(1.0), glm::dvec3(0.1)));
+        EXPECT_FALSE(isInside(box, frameScene(box, 1.0))) << thickness;
     }
 }
 

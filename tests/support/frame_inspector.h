@@ -48,8 +48,9 @@ class FrameInspector {
     Image view(Output output, bool allBounces);
     // A converged output at the pixels that show a surface.
     std::vector<SeenSurface> seen(Output output);
-    // Share of the sun that each pixel sees, row by row from the top, by the compared map of mode 4 (0 where
-    // the surface faces away) or by the soft shadow of mode 5.
+    // Share of the sun that each pixel sees, row by row from the top, by mode 2, by the compared map of mode
+    // 4 (both 0 where the surface faces away) or by the soft shadow of mode 5.
+    std::vector<float> mode2Shadow();
     std::vector<float> hardShadow();
     std::vector<float> softShadow();
     // Row by row from the top, as in an Image.

@@ -157,6 +157,17 @@ def test_emission_is_scaled_on_both_sides(program, maker, tmp_path):
         assert 3 * 2.0 < read_exr(tmp_path / name).max() < 3 * 4.0, name  # the camera sees the emitter, of radiance 2
 
 
+def test_a_closed_room_has_the_same_lamp_on_both_sides(program, maker, tmp_path):
+    grey, x, y, z = maker.grey(0.6), (4, 0, 0), (0, 2, 0), (0, 0, 3)
+    for corner, u, v in (((0, 0, 0), z, x), ((0, 2, 0), x, z), ((0, 0, 0), x, y), ((4, 0, 3), (-4, 0, 0), y),
+                         ((0, 0, 3), (0, 0, -3), y), ((4, 0, 0), z, y)):
+        maker.quad(corner, u, v, grey)
+    maker.path.write_bytes(maker.glb.to_bytes())
+    assert "adds a point light" in judge(maker.path, tmp_path).stdout
+    assert read_exr(tmp_path / REFERENCE / "full.exr").mean() > 0.2
+    assert abs(errors(tmp_path)["bias"]) < 0.1 and errors(tmp_path)["relmse"] < 0.05
+
+
 def test_options_are_checked_before_path_tracing(usual, room, tmp_path):
     occupied = tmp_path / "file"
     occupied.write_text("mine")

@@ -46,12 +46,15 @@ def trace(asked: argparse.Namespace, view: dict[str, Any], folder: Path) -> Resu
     import numpy as np
 
     from metrics import noise_of_halves
-    from truth.asked import lit_by, seen_by
+    from truth.asked import lit_by, lit_by_room_light, numbers, seen_by
     from truth.drawing import draw, make_world
     from truth.exr import write_exr
     from truth.scene import load_scene
     scene = lit_by(seen_by(load_scene(asked.scene, asked.size), view), asked.light, asked.sky, asked.environment,
                    asked.emission)
+    if asked.room_light:
+        candela, place = asked.room_light
+        scene = lit_by_room_light(scene, float(candela), numbers(place))
     world = make_world(scene)
     coverage = draw(world, scene, "coverage", asked.size, COVERAGE_SAMPLES, 0).image
     if not coverage.any():
@@ -72,9 +75,8 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
                               "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
                               "--emission", asked.emission, *given)
     chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
-    if "adds a point light" in said:
-        raise Failed("the scene is a closed room without a light, and the path tracer does not know the light that vct "
-                     "adds to it; give --light or --sky, or put a light into the file")
+    room_light = re.search(r"adds a point light of (\S+) cd at (\S+)\. ", said)
+    asked.room_light = room_light and room_light.groups()
     if chosen and not given:
         asked.light, asked.sky = chosen.groups()
         given += ["--light", asked.light, "--sky", asked.sky]
@@ -90,7 +92,8 @@ def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], give
 
     from .measures import measured
     shared = {"scene": scene_sha256(asked.scene), "size": asked.size, "spp": asked.spp, "camera": view["option"],
-              "light": asked.light, "sky": asked.sky, "emission": asked.emission, "path_tracer": path_tracer_sha256(),
+              "light": asked.light, "sky": asked.sky, "room_light": asked.room_light, "emission": asked.emission,
+              "path_tracer": path_tracer_sha256(),
               "environment": asked.environment and file_sha256(asked.environment), "kinds": ["coverage", "full"]}
     flags = ["--camera", view["option"], "--emission", str(asked.emission), *given,
              *(["--grid", asked.grid] if asked.grid else [])]

@@ -1,5 +1,6 @@
 """A scene with another camera, light, sky or emission than its own, given as the options of `vct render` are."""
 import dataclasses
+import math
 import pathlib
 import re
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from .gltf_file import GltfFile
 from .hdr import read_sky
-from .scene import Scene, Sun, unit
+from .scene import PunctualLight, Scene, Sun, unit
 
 
 def numbers(text: str) -> np.ndarray:
@@ -39,3 +40,10 @@ def lit_by(scene: Scene, light: str | None, sky: str | None, environment: pathli
     if environment is not None:
         return dataclasses.replace(scene, sky=read_sky(environment))
     return dataclasses.replace(scene, sky=None if sky is None else np.tile(numbers(sky), (2, 4, 1)))
+
+
+def lit_by_room_light(scene: Scene, candela: float, place_world: np.ndarray) -> Scene:
+    """The scene with the point light that `vct` adds to a closed room, in place of the default sun."""
+    light = PunctualLight((place_world - scene.centre_world) / scene.side_world, np.array([0.0, 1.0, 0.0]),
+                          np.full(3, candela / scene.side_world ** 2), math.inf, 0.0, 1.0)
+    return dataclasses.replace(scene, sun=Sun(scene.sun.towards, np.zeros(3)), punctual=[light])
