@@ -19,6 +19,7 @@
 #include "app/touch.h"
 #include "lab/bench_run.h"
 #include "lab/self_test.h"
+#include "scene/scene_features.h"
 
 namespace vct::app {
 
@@ -117,7 +118,7 @@ class Viewer {
     };
 
     void drawMessage(glm::ivec2 window, const glm::ivec4& free);
-    void drawScene(glm::ivec2 window);
+    bool drawScene(glm::ivec2 window);  // returns true if it rendered a frame
     void drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS);
     // Runs a part of a frame. Returns why it failed, or "". Throws gl::ContextLost if the context was lost,
     // even if the driver reported another error first.
@@ -144,6 +145,7 @@ class Viewer {
     ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
+    SceneFeatures features_;  // of scene_
     ViewDefaults defaults_;
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // aspect ratio of the last picture
@@ -155,12 +157,14 @@ class Viewer {
     ViewDefaults goodDefaults_;     // the look of that frame
     std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
     Exposure exposure_;             // used if the look has none
+    std::size_t unlinked_ = 0;      // programs that the next frame of the scene waits for
     std::string message_;           // shown in the panel
 
-    std::optional<SelfTest> selfTest_;
-    std::unique_ptr<ResultsFolder> results_;  // set during a measurement
-    std::optional<BenchRequest> request_;     // set during a measurement, from before its scene is loaded
-    std::unique_ptr<BenchRun> bench_;         // holds GL objects, as gl_ does
+    std::unique_ptr<SelfTest> selfTest_;        // while it runs; holds GL objects
+    std::optional<SelfTestResult> testResult_;  // empty until the self-test is complete
+    std::unique_ptr<ResultsFolder> results_;    // set during a measurement
+    std::optional<BenchRequest> request_;       // set during a measurement, from before its scene is loaded
+    std::unique_ptr<BenchRun> bench_;           // holds GL objects, as gl_ does
     int shownFrames_ = 0;
 
     Hud hud_;

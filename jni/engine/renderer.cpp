@@ -49,11 +49,12 @@ std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
-                   const gl::Capabilities& capabilities, gl::ReadShader readShader)
+                   const gl::Capabilities& capabilities, gl::ReadShader readShader,
+                   std::shared_ptr<gl::ProgramCache> programs)
     : settings_(validated(settings, capabilities)),
       voxelization_(voxelizationFor(settings.voxels, capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
-      shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
+      shaders_(shaderLibrary(settings, capabilities, std::move(readShader), std::move(programs))),
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),

@@ -44,9 +44,11 @@ struct RenderRequest {
 class Renderer {
   public:
     // Throws vct::Error if a setting is out of range, or if the driver lacks a feature or memory. Passes are
-    // created when an output first needs them.
+    // created when an output first needs them. `programs`: null if the renderer shares its programs with no
+    // other.
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
-             const gl::Capabilities& capabilities, gl::ReadShader readShader);
+             const gl::Capabilities& capabilities, gl::ReadShader readShader,
+             std::shared_ptr<gl::ProgramCache> programs = {});
 
     // Renders one frame. Shadow maps and voxels are rebuilt only if a light or the pose has changed, or if
     // Settings::revoxelize asks for it. Throws vct::Error on any GL error; the next frame then rebuilds

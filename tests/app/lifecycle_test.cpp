@@ -147,7 +147,7 @@ TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
     android.command(APP_CMD_LOW_MEMORY);
     android.then([&] { EXPECT_LT(liveGlObjects("Textures"), before); });
     android.command(APP_CMD_RESUME);
-    android.frames(3);
+    android.frames(60);  // each links a program
     android.then([&] { EXPECT_EQ(liveGlObjects("Textures"), before); });
     android.run();
     expectClean(android);
