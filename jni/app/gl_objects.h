@@ -43,6 +43,8 @@ class GlObjects {
         return renderer_ && scene == scene_ ? &*renderer_ : nullptr;
     }
     void dropRenderer() { renderer_.reset(); }
+    // Frees what can be made again and frames of this mode do not need.
+    void dropCaches(Output mode);
 
   private:
     gl::ReadShader shaders_;

@@ -64,7 +64,10 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
         if (renderer != nullptr) gl_->presenter().draw(*renderer, exposure(), window);
         drawHud(window, free, passedS);
     }
-    if (isRendered && scaleFollowsTime(choices_)) followTime(window, now);
+    if (isRendered && scaleFollowsTime(choices_)) {
+        followTime(window, now);
+        followHeat(window);
+    }
 }
 
 // Draws the message of a driver that lacks something the renderer needs.
@@ -91,6 +94,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = sizeIn(window);
     if (scaleFollowsTime(choices_)) content.divisor = scale_.divisor();
+    content.isLimitedByHeat = scale_.isLimitedByHeat();
     content.possibleGrids = [&] {
         return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()));
     };
@@ -179,9 +183,20 @@ glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
 void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start) {
     gl::Finish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (!scale_.follow(took.count())) return;
+    if (scale_.follow(took.count())) logSize("time", window);
+}
+
+void Viewer::followHeat(glm::ivec2 window) {
+    if (lastFrame_ < nextHeatCheck_) return;
+    nextHeatCheck_ = lastFrame_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                      std::chrono::duration<double>(ResolutionScale::heatPeriodS));
+    const std::optional<float> headroom = host_.thermalHeadroom();
+    if (headroom && scale_.followHeat(*headroom)) logSize("heat", window);
+}
+
+void Viewer::logSize(const std::string& limit, glm::ivec2 window) const {
     const glm::ivec2 size = sizeIn(window);
-    log(LogLevel::detail, "pixels as the time allows: " + std::to_string(size.x) + "x" +
+    log(LogLevel::detail, "pixels as the " + limit + " allows: " + std::to_string(size.x) + "x" +
                               std::to_string(size.y) + " of " + std::to_string(window.x) + "x" +
                               std::to_string(window.y));
 }
@@ -236,6 +251,10 @@ void Viewer::halt(const std::string& why) {
 
 void Viewer::dropRenderer() {
     if (gl_) gl_->dropRenderer();
+}
+
+void Viewer::dropCaches() {
+    if (gl_) gl_->dropCaches(choices_.mode);
 }
 
 // Goes back to the last choices and scene that could be rendered.

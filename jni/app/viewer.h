@@ -44,6 +44,8 @@ struct ViewerHost {
     FindScenes findScenes;
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
+    // Returns how near the device is to severe throttling, which is at 1; empty if it does not tell.
+    std::function<std::optional<float>()> thermalHeadroom = [] { return std::nullopt; };
     // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
@@ -67,6 +69,7 @@ class Viewer {
     void halt(const std::string& why);
     bool hasObjects() const { return gl_ != nullptr; }
     void dropRenderer();  // frees its memory; the next frame rebuilds it
+    void dropCaches();    // frees what the picture does not need; another mode makes it again
     void resume() {
         lastFrame_ = std::chrono::steady_clock::now();
     }  // a pause does not advance the animation
@@ -128,6 +131,8 @@ class Viewer {
     glm::ivec2 sizeIn(glm::ivec2 window) const;    // size of the rendered picture
     Settings settingsOf(glm::ivec2 window) const;  // settings of the renderer
     void followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start);
+    void followHeat(glm::ivec2 window);
+    void logSize(const std::string& limit, glm::ivec2 window) const;
     DirectionalLight light() const;  // the sun in the scene's rest pose, turned as chosen
     double sceneTimeS() const;
     float exposure() const;
@@ -152,6 +157,7 @@ class Viewer {
 
     Choices choices_;
     ResolutionScale scale_;
+    std::chrono::steady_clock::time_point nextHeatCheck_;
     double animationS_ = 0.0;       // playing time so far, of all scenes together
     std::optional<Wanted> good_;    // the last frame that could be rendered
     ViewDefaults goodDefaults_;     // the look of that frame

@@ -87,6 +87,14 @@ void Renderer::resize(glm::ivec2 size) {
         shade.resize(size);
 }
 
+void Renderer::dropUnread(Output output) {
+    if (!reads(output).shadowMap()) shadowMap_.reset();
+    if (!reads(output).voxels)
+        voxels_.reset();
+    else if (voxels_)
+        voxels_->dropUnread(output);
+}
+
 void Renderer::setShadowConeAngle(float degrees) {
     Settings changed = settings_;
     changed.shadowConeAngleDeg = degrees;

@@ -59,6 +59,10 @@ class Renderer {
     // vct::Error if the size is out of range.
     void resize(glm::ivec2 size);
 
+    // Frees what frames of this output do not read: voxels, their light, shadow maps. Another output makes
+    // them again.
+    void dropUnread(Output output);
+
     // Shifts the picture by fractions of a pixel, to the right and up. The mean of frames with shifts within
     // one pixel is anti-aliased. Shadow maps, voxels and their light are kept.
     void setPictureShift(const glm::vec2& pixels) { pictureShift_ = pixels; }
