@@ -4,7 +4,9 @@
 
 #include "app/log.h"
 #include "core/memory.h"
+#include "engine/programs.h"
 #include "gl/debug.h"
+#include "lab/program_list.h"
 
 namespace vct::app {
 
@@ -32,6 +34,15 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     gl::checkErrors("setting up the panel");
 }
 
+std::size_t GlObjects::linkNext(const SceneFeatures& features, const Settings& settings, Output mode) {
+    const gl::ShaderLibrary library = shaderLibrary(settings, capabilities_, shaders_, programs_);
+    std::vector<gl::ProgramDescription> missing;
+    for (const FrameProgram& use : framePrograms(settings, mode, features, capabilities_))
+        if (!programs_->contains(library, use.program)) missing.push_back(use.program);
+    if (!missing.empty()) gl::Program(library, missing.front());  // the cache keeps it
+    return missing.size();
+}
+
 std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {
     std::size_t bytes = availableMemory();
     if (renderer_)
@@ -51,7 +62,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         renderer_.reset();
         if (const std::string note = voxelizationNote(settings.voxels, capabilities_); !note.empty())
             log(note);
-        renderer_.emplace(*scene, light, settings, capabilities_, shaders_);
+        renderer_.emplace(*scene, light, settings, capabilities_, shaders_, programs_);
         scene_ = scene;
         preset_ = choices.preset;
     }
@@ -61,6 +72,13 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
     for (std::size_t i = 0; i < scene->punctualLights.size(); ++i)
         renderer_->setLightOn(i, !choices.lightsOff.test(i));
     return *renderer_;
+}
+
+void GlObjects::dropCaches(Output mode) {
+    if (!missing_.empty()) return;
+    if (renderer_) renderer_->dropUnread(mode);
+    programs_->removeUnused();
+    gl::ReleaseShaderCompiler();
 }
 
 }  // namespace vct::app

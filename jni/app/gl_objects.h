@@ -24,6 +24,12 @@ class GlObjects {
     const HudRenderer& hud() const { return *hud_; }
     const Presenter& presenter() const { return *presenter_; }
 
+    // The programs of all renderers, and of the self-test.
+    const std::shared_ptr<gl::ProgramCache>& programs() const { return programs_; }
+    // Links one program that a frame needs and that has not been linked, so that the renderer does not link
+    // all of them in one frame. Returns how many there were; 0: the frame can be drawn. Throws vct::Error.
+    std::size_t linkNext(const SceneFeatures& features, const Settings& settings, Output mode);
+
     // Returns the grids that the driver and the free memory allow. Counts the memory of the current renderer
     // as free, because it is destroyed before a new one is made.
     std::vector<int> possibleGrids(const Settings& settings) const;
@@ -32,12 +38,19 @@ class GlObjects {
     Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
                           const Settings& settings, const Choices& choices);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
+    // The renderer of this scene, or null.
+    const Renderer* rendererOf(const std::shared_ptr<const Scene>& scene) const {
+        return renderer_ && scene == scene_ ? &*renderer_ : nullptr;
+    }
     void dropRenderer() { renderer_.reset(); }
+    // Frees what can be made again and frames of this mode do not need.
+    void dropCaches(Output mode);
 
   private:
     gl::ReadShader shaders_;
     gl::Capabilities capabilities_;
     std::string missing_;
+    std::shared_ptr<gl::ProgramCache> programs_ = std::make_shared<gl::ProgramCache>();
     std::optional<HudRenderer> hud_;
     std::optional<Presenter> presenter_;
     std::optional<Renderer> renderer_;

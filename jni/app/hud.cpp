@@ -184,8 +184,10 @@ void Hud::buildMessage(const std::string& title, const std::string& text, glm::i
 void Hud::buildTimes(const HudContent& content) const {
     ImGui::Text("%d x %d pixels", content.renderSize.x, content.renderSize.y);
     if (content.divisor)
-        ImGui::TextWrapped("Automatic: 1/%g of the window's sides, for at most %g ms a frame (lowest: 1/%g)",
-                           *content.divisor, ResolutionScale::maxMs, ResolutionScale::maxDivisor);
+        ImGui::TextWrapped(
+            "Automatic: 1/%g of the window's sides, for at most %g ms a frame%s (lowest: 1/%g)",
+            *content.divisor, ResolutionScale::maxMs, content.isLimitedByHeat ? " and a cooler device" : "",
+            ResolutionScale::maxDivisor);
     if (content.stepMs == nullptr) return;
     double total = 0.0;
     if (!ImGui::BeginTable("times", 3)) return;

@@ -28,6 +28,7 @@ struct HudContent {
     const std::array<double, stepCount>* stepMs = nullptr;  // time of each step; null: not timed
     glm::ivec2 renderSize{0};                               // pixels
     std::optional<double> divisor;  // divisor of the window's sides, if the size follows the time
+    bool isLimitedByHeat = false;   // the size would be larger if the device were cooler
     std::function<std::vector<int>()> possibleGrids;  // grids that driver and free memory allow now
     bool animated = false;                            // the scene has an animation
     std::vector<std::string> lights;                  // names of the scene's lights besides the sun

@@ -42,9 +42,21 @@ bool ResolutionScale::follow(double frameMs) {
         if (wanted == level_) wanted = std::min(level_, finest);
         timesMs_.erase(timesMs_.begin());
     }
-    wanted = std::min(wanted, divisors.size() - 1);
-    if (wanted == level_) return false;
-    level_ = wanted;
+    return setLevel(std::max(wanted, finestByHeat_));
+}
+
+bool ResolutionScale::followHeat(float headroom) {
+    if (headroom > maxHeadroom)
+        finestByHeat_ = std::min(level_ + 1, divisors.size() - 1);
+    else if (headroom < coolHeadroom && finestByHeat_ > 0)
+        --finestByHeat_;
+    return setLevel(std::max(level_, finestByHeat_));
+}
+
+bool ResolutionScale::setLevel(std::size_t level) {
+    level = std::min(level, divisors.size() - 1);
+    if (level == level_) return false;
+    level_ = level;
     timesMs_.clear();
     return true;
 }

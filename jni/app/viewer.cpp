@@ -7,7 +7,6 @@
 #include "gl/debug.h"
 #include "scene/camera.h"
 #include "scene/near_plane.h"
-#include "scene/scene_features.h"
 
 namespace vct::app {
 
@@ -36,6 +35,7 @@ Viewer::Viewer(ViewerHost host, const ShowRequest& request)
 Viewer::~Viewer() {
     scenes_.cancel();
     bench_.reset();
+    selfTest_.reset();
     gl_.reset();
 }
 
@@ -50,18 +50,24 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     if (!gl_->missing().empty()) return drawMessage(window, free);
 
     testDriver();
-    const bool measuring = request_ && !scenes_.loading() && selfTest_;
+    const bool measuring = request_ && !scenes_.loading() && testResult_;
+    bool isRendered = false;
     if (measuring)
         measure();
-    else
-        drawScene(window);
-    const Renderer* const renderer = bench_ ? bench_->renderer() : measuring ? nullptr : gl_->renderer();
+    else if (testResult_)
+        isRendered = drawScene(window);
+    const Renderer* const renderer = bench_      ? bench_->renderer()
+                                     : measuring ? nullptr
+                                                 : gl_->rendererOf(scene_);
     {
         const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
         if (renderer != nullptr) gl_->presenter().draw(*renderer, exposure(), window);
         drawHud(window, free, passedS);
     }
-    if (renderer != nullptr && !measuring && scaleFollowsTime(choices_)) followTime(window, now);
+    if (isRendered && scaleFollowsTime(choices_)) {
+        followTime(window, now);
+        followHeat(window);
+    }
 }
 
 // Draws the message of a driver that lacks something the renderer needs.
@@ -88,6 +94,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
     content.renderSize = sizeIn(window);
     if (scaleFollowsTime(choices_)) content.divisor = scale_.divisor();
+    content.isLimitedByHeat = scale_.isLimitedByHeat();
     content.possibleGrids = [&] {
         return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()));
     };
@@ -96,10 +103,12 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
         for (const PunctualLight& light : scene_->punctualLights)
             content.lights.push_back(light.name);
     content.measuring = request_.has_value();
-    if (scenes_.loading())
+    if (!testResult_)
+        content.status = "testing the driver" + (selfTest_ ? ": " + selfTest_->progress() : "");
+    else if (scenes_.loading())
         content.status = "loading " + scenes_.loaded().name;
-    else if (!selfTest_)
-        content.status = "testing the driver";
+    else if (unlinked_ > 0)
+        content.status = "preparing the scene: " + std::to_string(unlinked_) + " programs to compile";
     else if (bench_)
         content.status = "measuring " + bench_->progress();
     content.message = message_;
@@ -117,11 +126,15 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
         startMeasuring("bench preset=" + choices_.preset);
 }
 
-void Viewer::drawScene(glm::ivec2 window) {
+bool Viewer::drawScene(glm::ivec2 window) {
     const Wanted wanted{choices_, scene_, window};
-    if (!scene_ || (failed_ && *failed_ == wanted)) return;
+    unlinked_ = 0;
+    if (!scene_ || (failed_ && *failed_ == wanted)) return false;
+    const bool mayNeedPrograms = !good_ || *good_ != wanted || gl_->renderer() == nullptr;
     const std::string failure = failureOf([&] {
         const Settings settings = settingsOf(window);
+        if (mayNeedPrograms) unlinked_ = gl_->linkNext(features_, settings, choices_.mode);
+        if (unlinked_ > 0) return;
         aspect_ = aspectOf(settings.size);
         Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_);
         std::optional<Pose> pose;
@@ -147,10 +160,17 @@ void Viewer::drawScene(glm::ivec2 window) {
                 (*stepMs_)[i] = times.stepMs[i].back();
         }
     });
-    if (!failure.empty()) return revert(failure, window);
+    if (!failure.empty()) {
+        revert(failure, window);
+        return false;
+    }
+    if (unlinked_ > 0) return false;
+    if (!good_ || good_->scene != scene_)
+        log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");
     good_ = wanted;
     goodDefaults_ = defaults_;
     failed_.reset();
+    return true;
 }
 
 glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
@@ -163,9 +183,20 @@ glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
 void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start) {
     gl::Finish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (!scale_.follow(took.count())) return;
+    if (scale_.follow(took.count())) logSize("time", window);
+}
+
+void Viewer::followHeat(glm::ivec2 window) {
+    if (lastFrame_ < nextHeatCheck_) return;
+    nextHeatCheck_ = lastFrame_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                      std::chrono::duration<double>(ResolutionScale::heatPeriodS));
+    const std::optional<float> headroom = host_.thermalHeadroom();
+    if (headroom && scale_.followHeat(*headroom)) logSize("heat", window);
+}
+
+void Viewer::logSize(const std::string& limit, glm::ivec2 window) const {
     const glm::ivec2 size = sizeIn(window);
-    log(LogLevel::detail, "pixels as the time allows: " + std::to_string(size.x) + "x" +
+    log(LogLevel::detail, "pixels as the " + limit + " allows: " + std::to_string(size.x) + "x" +
                               std::to_string(size.y) + " of " + std::to_string(window.x) + "x" +
                               std::to_string(window.y));
 }
@@ -207,17 +238,23 @@ std::string Viewer::failureOf(const std::function<void()>& part) {
 
 void Viewer::loseContext() {
     if (bench_) endMeasuring("the GL context was lost");
+    selfTest_.reset();
     gl_.reset();
     failed_.reset();
 }
 
 void Viewer::halt(const std::string& why) {
     if (request_) endMeasuring(why);
+    selfTest_.reset();
     gl_.reset();
 }
 
 void Viewer::dropRenderer() {
     if (gl_) gl_->dropRenderer();
+}
+
+void Viewer::dropCaches() {
+    if (gl_) gl_->dropCaches(choices_.mode);
 }
 
 // Goes back to the last choices and scene that could be rendered.
@@ -247,7 +284,6 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         if (!loaded) return;
         for (const std::string& warning : loaded->warnings)
             log(LogLevel::warning, warning);
-        log(loaded->path + ": " + std::to_string(loaded->triangleCount()) + " triangles");
         const double aspect = aspectOf(sizeIn(window));
         const ViewDefaults look = host_.defaultsFor(*loaded, aspect);
         if (scene_) choices_.lightsOff.reset();  // the first scene keeps the lights of the ShowRequest
@@ -265,6 +301,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
 
 void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window) {
     scene_ = std::move(scene);
+    features_ = featuresOf(*scene_);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     exposure_ = {};

@@ -19,6 +19,7 @@
 #include "app/touch.h"
 #include "lab/bench_run.h"
 #include "lab/self_test.h"
+#include "scene/scene_features.h"
 
 namespace vct::app {
 
@@ -43,6 +44,8 @@ struct ViewerHost {
     FindScenes findScenes;
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
+    // Returns how near the device is to severe throttling, which is at 1; empty if it does not tell.
+    std::function<std::optional<float>()> thermalHeadroom = [] { return std::nullopt; };
     // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
@@ -66,6 +69,7 @@ class Viewer {
     void halt(const std::string& why);
     bool hasObjects() const { return gl_ != nullptr; }
     void dropRenderer();  // frees its memory; the next frame rebuilds it
+    void dropCaches();    // frees what the picture does not need; another mode makes it again
     void resume() {
         lastFrame_ = std::chrono::steady_clock::now();
     }  // a pause does not advance the animation
@@ -117,7 +121,7 @@ class Viewer {
     };
 
     void drawMessage(glm::ivec2 window, const glm::ivec4& free);
-    void drawScene(glm::ivec2 window);
+    bool drawScene(glm::ivec2 window);  // returns true if it rendered a frame
     void drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS);
     // Runs a part of a frame. Returns why it failed, or "". Throws gl::ContextLost if the context was lost,
     // even if the driver reported another error first.
@@ -127,6 +131,8 @@ class Viewer {
     glm::ivec2 sizeIn(glm::ivec2 window) const;    // size of the rendered picture
     Settings settingsOf(glm::ivec2 window) const;  // settings of the renderer
     void followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start);
+    void followHeat(glm::ivec2 window);
+    void logSize(const std::string& limit, glm::ivec2 window) const;
     DirectionalLight light() const;  // the sun in the scene's rest pose, turned as chosen
     double sceneTimeS() const;
     float exposure() const;
@@ -144,23 +150,27 @@ class Viewer {
     ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
+    SceneFeatures features_;  // of scene_
     ViewDefaults defaults_;
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // aspect ratio of the last picture
 
     Choices choices_;
     ResolutionScale scale_;
+    std::chrono::steady_clock::time_point nextHeatCheck_;
     double animationS_ = 0.0;       // playing time so far, of all scenes together
     std::optional<Wanted> good_;    // the last frame that could be rendered
     ViewDefaults goodDefaults_;     // the look of that frame
     std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
     Exposure exposure_;             // used if the look has none
+    std::size_t unlinked_ = 0;      // programs that the next frame of the scene waits for
     std::string message_;           // shown in the panel
 
-    std::optional<SelfTest> selfTest_;
-    std::unique_ptr<ResultsFolder> results_;  // set during a measurement
-    std::optional<BenchRequest> request_;     // set during a measurement, from before its scene is loaded
-    std::unique_ptr<BenchRun> bench_;         // holds GL objects, as gl_ does
+    std::unique_ptr<SelfTest> selfTest_;        // while it runs; holds GL objects
+    std::optional<SelfTestResult> testResult_;  // empty until the self-test is complete
+    std::unique_ptr<ResultsFolder> results_;    // set during a measurement
+    std::optional<BenchRequest> request_;       // set during a measurement, from before its scene is loaded
+    std::unique_ptr<BenchRun> bench_;           // holds GL objects, as gl_ does
     int shownFrames_ = 0;
 
     Hud hud_;

@@ -9,13 +9,17 @@
 
 namespace vct::app {
 
-// Runs the self-test once, after the first frame was shown, because it takes a moment.
+// Runs a part of the self-test in each frame, after the first frame was shown, until there is a result.
 void Viewer::testDriver() {
-    if (selfTest_ || shownFrames_ == 0) return;
-    selfTest_ = runSelfTest(gl_->capabilities(), host_.shaders);
+    if (testResult_ || shownFrames_ == 0) return;
+    if (!selfTest_)
+        selfTest_ = std::make_unique<SelfTest>(gl_->capabilities(), host_.shaders, gl_->programs());
+    if (selfTest_->advance()) return;
+    testResult_ = selfTest_->result();
+    selfTest_.reset();
     const std::string text =
-        (selfTest_->passed ? "self-test passed: " : "self-test FAILED: ") + selfTest_->text;
-    if (selfTest_->passed)
+        (testResult_->passed ? "self-test passed: " : "self-test FAILED: ") + testResult_->text;
+    if (testResult_->passed)
         log(LogLevel::detail, text);
     else
         fail(text);
@@ -51,7 +55,7 @@ void Viewer::measure() {
             if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
-                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*selfTest_),
+                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*testResult_),
                                 [](const std::string& line) { log(line); }},
                 results_->path());
         }
@@ -71,7 +75,7 @@ void Viewer::endMeasuring(const std::string& failure) {
         fail("measuring failed: " + failure);
     }
     try {
-        if (results_ && failure.empty()) results_->done(selfTest_->text);
+        if (results_ && failure.empty()) results_->done(testResult_->text);
         if (results_ && !failure.empty()) results_->failed(failure);
     } catch (const Error& error) {
         fail(error.what());

@@ -60,10 +60,10 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
                     if (emissive || !(features & featureEmissive))
                         possible.materialFeatures.push_back(features);
                 possible.glossy = glossy;
-                for (const FrameProgram& use : framePrograms(settings, mode, possible))
+                for (const FrameProgram& use : framePrograms(settings, mode, possible, {}))
                     add(use);
             }
-        for (const FrameProgram& use : framePrograms(settings, mode, ofScene))
+        for (const FrameProgram& use : framePrograms(settings, mode, ofScene, {}))
             add(use).modes.emplace_back(outputName(mode));
     }
     return found;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/memory_grant.h"
 #include "core/memory_group.h"
 #include "core/number_text.h"
 #include "core/one_line.h"
@@ -24,18 +25,6 @@ constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
 // Memory for the driver and its shader compiler besides the textures. They end the process if an allocation
 // fails.
 constexpr std::size_t driverReserve = std::size_t{384} << 20;
-
-// The value of MemAvailable in /proc/meminfo.
-std::size_t freeMemory() {
-    std::ifstream file("/proc/meminfo");
-    std::string key, unit;
-    std::size_t kilobytes = 0;
-    while (file >> key >> kilobytes) {
-        std::getline(file, unit);
-        if (key == "MemAvailable:") return kilobytes * 1024;
-    }
-    return unknown;
-}
 
 // Address space left below the limit of `ulimit -v`.
 std::size_t freeAddressSpace() {
@@ -55,7 +44,12 @@ struct MemoryLimit {
 
 MemoryLimit tightestLimit() {
     const MemoryLimit limits[] = {
-        {freeMemory(), "the main memory", "free memory"},
+#ifdef __ANDROID__
+        {memoryGrantLeft("/proc/meminfo", "/proc/self/status"),
+         "the memory that Android grants an app (half of the device's)", "use a device with more memory"},
+#else
+        {bytesOf("MemAvailable", "/proc/meminfo").value_or(unknown), "the main memory", "free memory"},
+#endif
         {freeAddressSpace(), "the address space that `ulimit -v` allows", "raise the limit of `ulimit -v`"},
         {freeGroupMemory("/proc/self/cgroup", "/sys/fs/cgroup"),
          "the memory that the control group (of a container, for example) allows",

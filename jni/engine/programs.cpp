@@ -63,12 +63,12 @@ gl::ProgramDescription voxelizing(const std::string& name, std::vector<std::stri
 }
 
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
-                                gl::ReadShader read) {
+                                gl::ReadShader read, std::shared_ptr<gl::ProgramCache> cache) {
     std::vector<std::string> defines;
     if (settings.countInvocations) defines.emplace_back("VCT_SHADER_COUNTERS");
     // llvmpipe emulates the rounding of mediump, which makes the cones up to twice as slow.
     if (capabilities.softwareDriver) defines.emplace_back("mediump highp");
-    return {std::move(read), capabilities.language(), std::move(defines)};
+    return {std::move(read), capabilities.language(), std::move(defines), std::move(cache)};
 }
 
 }  // namespace vct

@@ -12,7 +12,7 @@ namespace vct {
 
 // The shader sources of a renderer, with the defines that all of its shaders share.
 gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities& capabilities,
-                                gl::ReadShader read);
+                                gl::ReadShader read, std::shared_ptr<gl::ProgramCache> cache = {});
 
 // Material features that voxelization reads. Gloss and normal maps are only read per pixel.
 constexpr unsigned voxelFeatures = ~(unsigned{featureGlossTexture} | unsigned{featureNormalMap});

@@ -49,11 +49,12 @@ std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
-                   const gl::Capabilities& capabilities, gl::ReadShader readShader)
+                   const gl::Capabilities& capabilities, gl::ReadShader readShader,
+                   std::shared_ptr<gl::ProgramCache> programs)
     : settings_(validated(settings, capabilities)),
       voxelization_(voxelizationFor(settings.voxels, capabilities)),
       texturesInMainMemory_(capabilities.texturesInMainMemory),
-      shaders_(shaderLibrary(settings, capabilities, std::move(readShader))),
+      shaders_(shaderLibrary(settings, capabilities, std::move(readShader), std::move(programs))),
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
@@ -84,6 +85,14 @@ void Renderer::resize(glm::ivec2 size) {
     if (gBuffer_) gBuffer_->resize(size);
     for (Shade& shade : shades_)
         shade.resize(size);
+}
+
+void Renderer::dropUnread(Output output) {
+    if (!reads(output).shadowMap()) shadowMap_.reset();
+    if (!reads(output).voxels)
+        voxels_.reset();
+    else if (voxels_)
+        voxels_->dropUnread(output);
 }
 
 void Renderer::setShadowConeAngle(float degrees) {

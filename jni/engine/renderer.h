@@ -44,9 +44,11 @@ struct RenderRequest {
 class Renderer {
   public:
     // Throws vct::Error if a setting is out of range, or if the driver lacks a feature or memory. Passes are
-    // created when an output first needs them.
+    // created when an output first needs them. `programs`: null if the renderer shares its programs with no
+    // other.
     Renderer(const Scene& scene, const DirectionalLight& light, const Settings& settings,
-             const gl::Capabilities& capabilities, gl::ReadShader readShader);
+             const gl::Capabilities& capabilities, gl::ReadShader readShader,
+             std::shared_ptr<gl::ProgramCache> programs = {});
 
     // Renders one frame. Shadow maps and voxels are rebuilt only if a light or the pose has changed, or if
     // Settings::revoxelize asks for it. Throws vct::Error on any GL error; the next frame then rebuilds
@@ -56,6 +58,10 @@ class Renderer {
     // Changes the size of the outputs, in pixels. Shadow maps, voxels and their light are kept. Throws
     // vct::Error if the size is out of range.
     void resize(glm::ivec2 size);
+
+    // Frees what frames of this output do not read: voxels, their light, shadow maps. Another output makes
+    // them again.
+    void dropUnread(Output output);
 
     // Shifts the picture by fractions of a pixel, to the right and up. The mean of frames with shifts within
     // one pixel is anti-aliased. Shadow maps, voxels and their light are kept.

@@ -44,6 +44,8 @@ class VoxelVolume {
     virtual VoxelLight update(const Inputs& inputs, StepTimer& timer) = 0;
     // Marks everything as out of date. Call it after a frame that failed.
     virtual void invalidate() = 0;
+    // Frees light that the output does not read.
+    virtual void dropUnread(Output) {}
 
     // The occupied voxels of each level.
     virtual const VoxelPyramid& occupancy() const = 0;

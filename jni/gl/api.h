@@ -29,7 +29,7 @@ namespace vct::gl {
     X(GetError) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
     X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \
     X(GetUniformLocation) X(InvalidateFramebuffer) X(LinkProgram) X(MapBufferRange) X(MemoryBarrier)       \
-    X(PixelStorei) X(ReadBuffer) X(ReadPixels) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
+    X(PixelStorei) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
     X(TexParameteri) X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui)       \
     X(Uniform4f) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)               \
     X(VertexAttribPointer) X(Viewport)

@@ -1,6 +1,10 @@
 // Compiles and links programs from the files below shaders/.
 #pragma once
 
+#include <exception>
+#include <limits>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,23 +20,61 @@ struct ProgramDescription {
     std::vector<std::string> defines;  // "VCT_MODE 4"
 };
 
+class ProgramCache;
+
 // The source of the shader files, and the language of the context.
 struct ShaderLibrary {
     ReadShader read;
     Language language = Language::essl310;
-    std::vector<std::string> defines = {};  // added to every program's own
+    std::vector<std::string> defines = {};     // added to every program's own
+    std::shared_ptr<ProgramCache> cache = {};  // null: every Program is linked for itself
 };
 
 class Program {
   public:
     Program() = default;
-    // Compiles and links. Throws vct::Error with the driver's messages, which name file and line.
+    // Compiles and links, unless the library's cache has the program. Throws vct::Error with the driver's
+    // messages, which name file and line.
     Program(const ShaderLibrary& library, const ProgramDescription& description);
-    void use() const { UseProgram(handle_.get()); }
-    GLint uniform(const char* name) const { return GetUniformLocation(handle_.get(), name); }
+    void use() const;
+    GLint uniform(const char* name) const { return GetUniformLocation(linked_->handle.get(), name); }
 
   private:
-    Handle<&DeleteProgram> handle_;
+    friend class ProgramCache;
+    struct Linked {
+        Handle<&DeleteProgram> handle;
+        std::shared_ptr<int> newPrograms;  // how many the cache still allows; null: not in a cache
+        bool isUsed = false;
+    };
+    std::shared_ptr<Linked> linked_;
+};
+
+// Too many programs were new: see ProgramCache::limitNewPrograms(). It is no vct::Error, because nothing is
+// wrong: the same work succeeds if it is repeated often enough.
+struct NewProgramLimit : std::exception {
+    const char* what() const noexcept override { return "too many new programs for one frame"; }
+};
+
+// Shares the programs of a context, so that each is linked once, at a time that the caller chooses. A shared
+// program has the uniforms of whoever used it last.
+class ProgramCache {
+  public:
+    bool contains(const ShaderLibrary& library, const ProgramDescription& description) const;
+
+    // Allows `count` programs to be linked or to be used for the first time, which is when some drivers
+    // compile them. The next one throws NewProgramLimit. The initial count is the largest possible.
+    void limitNewPrograms(int count) { *newPrograms_ = count; }
+    void removeLimit() { *newPrograms_ = std::numeric_limits<int>::max(); }
+
+    void removeUnused();  // deletes the programs that have no other owner
+
+  private:
+    friend class Program;
+    using Key = std::vector<std::string>;  // shaders, then defines
+    static Key keyOf(const ShaderLibrary& library, const ProgramDescription& description);
+
+    std::map<Key, std::shared_ptr<Program::Linked>> programs_;
+    std::shared_ptr<int> newPrograms_ = std::make_shared<int>(std::numeric_limits<int>::max());
 };
 
 }  // namespace vct::gl

@@ -159,13 +159,14 @@ class Checks {
 
 }  // namespace
 
-std::string failedAssumption(const gl::ShaderLibrary& shaders) {
-    Checks checks(shaders);
-    for (const std::function<std::string()>& check : std::initializer_list<std::function<std::string()>>{
-             [&] { return checks.atomics(); }, [&] { return checks.derivatives(); },
-             [&] { return checks.levelsOf(GL_RGBA8); }, [&] { return checks.levelsOf(GL_RGBA16F); }})
-        if (const std::string failure = check(); !failure.empty()) return failure;
-    return "";
+const std::vector<DriverCheck>& driverChecks() {
+    using Shaders = const gl::ShaderLibrary&;
+    static const std::vector<DriverCheck> all{
+        [](Shaders shaders) { return Checks(shaders).atomics(); },
+        [](Shaders shaders) { return Checks(shaders).derivatives(); },
+        [](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA8); },
+        [](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA16F); }};
+    return all;
 }
 
 std::vector<gl::ProgramDescription> driverCheckPrograms() {

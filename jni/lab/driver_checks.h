@@ -3,6 +3,7 @@
 // a Galaxy S7 in 2016.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,10 @@
 
 namespace vct {
 
-// Checks all assumptions, each followed by an indirect dispatch of the size that it wrote. Returns the first
-// one that fails, with the values that were found, or "". Throws vct::Error if a program does not compile.
-std::string failedAssumption(const gl::ShaderLibrary& shaders);
+// Each checks one assumption, and that an indirect dispatch has the size that it wrote. Returns "", or the
+// assumption that failed with the values that were found. Throws vct::Error if a program does not compile.
+using DriverCheck = std::function<std::string(const gl::ShaderLibrary& shaders)>;
+const std::vector<DriverCheck>& driverChecks();
 
 std::vector<gl::ProgramDescription> driverCheckPrograms();
 

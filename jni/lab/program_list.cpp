@@ -109,15 +109,15 @@ std::vector<gl::ProgramDescription> everyProgram() {
     return programs;
 }
 
-std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode,
-                                        const SceneFeatures& features) {
+std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
+                                        const gl::Capabilities& capabilities) {
     std::vector<FrameProgram> programs;
     const auto add = [&](Step step, const gl::ProgramDescription& program) {
         for (const FrameProgram& known : programs)
             if (known.program.name == program.name && known.program.defines == program.defines) return;
         programs.push_back({step, program});
     };
-    const Voxelization voxelization = voxelizationFor(settings.voxels, {});
+    const Voxelization voxelization = voxelizationFor(settings.voxels, capabilities);
     const ExtraTargets targets = extraTargets(features, settings.specular);
     // Assumes that all emitters of the scene are compact; large ones need fewer programs.
     const bool emission = features.has(featureEmissive);

@@ -5,6 +5,7 @@
 #include "engine/output.h"
 #include "engine/settings.h"
 #include "engine/step_timer.h"
+#include "gl/capabilities.h"
 #include "gl/program.h"
 #include "scene/scene_features.h"
 
@@ -16,11 +17,12 @@ std::vector<unsigned> allFeatures();
 std::vector<gl::ProgramDescription> everyProgram();
 
 // A program, and the step that runs it. framePrograms() lists the programs of one frame of a mode in a scene
-// with these features, each once.
+// with these features, each once, as a driver with these capabilities runs them.
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;
 };
-std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features);
+std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
+                                        const gl::Capabilities& capabilities);
 
 }  // namespace vct

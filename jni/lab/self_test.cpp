@@ -175,15 +175,16 @@ std::string wrongLight(const Renderer& renderer) {
 
 // Tests one preset. Returns an error text or "". Throws vct::Error if the preset cannot run at all.
 std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilities,
-                    const gl::ReadShader& shaders, std::size_t& voxels) {
+                    const gl::ReadShader& shaders, const std::shared_ptr<gl::ProgramCache>& programs,
+                    std::size_t& voxels) {
     const Scene scene = testScene();
     const Settings settings = testSettings(preset);
-    Renderer renderer(scene, light(), settings, capabilities, shaders);
+    Renderer renderer(scene, light(), settings, capabilities, shaders, programs);
     const Camera camera = frameScene(scene, 1.0);
     const bool packed = settings.voxels == Voxels::packed;
     // The second frame begins with the voxels of the first one and must clear them.
     for (const char* frame : {"first frame, ", "second frame, "}) {
-        voxels = 0;
+        if (packed) voxels = 0;
         renderer.render({{packed ? Output::ao : Output::giConeShadow}, camera});
         const std::string wrong =
             packed ? wrongVoxels(renderer, expectedBase(), voxels) : wrongFaces(renderer, expectedBase());
@@ -199,37 +200,57 @@ std::string remedyFor(const std::string& preset) {
 
 }  // namespace
 
-SelfTest runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders) {
-    std::string at = "driver";
-    try {
-        const gl::ShaderLibrary library{shaders, capabilities.language()};
-        if (const std::string failure = failedAssumption(library); !failure.empty())
-            return {false, failure + ". The presets mobile and quality need it; use the preset thesis"};
-        std::size_t voxels = 0, thesisVoxels = 0;
-        std::string left;
-        for (const std::string& preset : presetNames()) {
-            at = "preset " + preset;
-            const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), capabilities);
-            if (!std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; })) {
-                left += "; " + preset + " was not tested, because the driver lacks something that it needs";
-                continue;
-            }
-            if (const std::string wrong = wrongIn(preset, capabilities, shaders, voxels); !wrong.empty())
-                return {false, at + ": " + wrong + remedyFor(preset)};
-            if (preset == "thesis") thesisVoxels = voxels;
-        }
-        return {true, std::to_string(thesisVoxels) + " voxels of " + std::to_string(testLevels) +
-                          " levels and their lists equal the CPU's; all presets run, and the driver meets "
-                          "their assumptions" +
-                          left};
-    } catch (const gl::ContextLost&) {
-        throw;
-    } catch (const std::exception& error) {
-        return {false, at + ": " + error.what()};
+SelfTest::SelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders,
+                   std::shared_ptr<gl::ProgramCache> programs)
+    : programs_(std::move(programs)) {
+    const gl::ShaderLibrary library{shaders, capabilities.language(), {}, programs_};
+    for (const DriverCheck& check : driverChecks())
+        checks_.push_back({"driver", [check, library] { return check(library); },
+                           ". The presets mobile and quality need it; use the preset thesis"});
+    for (const std::string& preset : presetNames()) {
+        const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), capabilities);
+        if (std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; }))
+            checks_.push_back({"preset " + preset,
+                               [this, preset, capabilities, shaders] {
+                                   return wrongIn(preset, capabilities, shaders, programs_, packedVoxels_);
+                               },
+                               remedyFor(preset)});
+        else
+            notTested_ += "; " + preset + " was not tested, because the driver lacks something that it needs";
     }
 }
 
-nlohmann::ordered_json selfTestJson(const SelfTest& result) {
+bool SelfTest::advance() {
+    const Check& check = checks_[check_];
+    programs_->limitNewPrograms(1);
+    try {
+        const std::string wrong = check.run();
+        ++check_;
+        if (!wrong.empty())
+            result_ = SelfTestResult{false, check.place + ": " + wrong + check.remedy};
+        else if (check_ == checks_.size())
+            result_ = SelfTestResult{
+                true, std::to_string(packedVoxels_) + " voxels of " + std::to_string(testLevels) +
+                          " levels and their lists equal the CPU's; all presets run, and the driver meets "
+                          "their assumptions" +
+                          notTested_};
+    } catch (const gl::NewProgramLimit&) {
+        ++newPrograms_;
+    } catch (const gl::ContextLost&) {
+        throw;
+    } catch (const std::exception& error) {
+        result_ = SelfTestResult{false, check.place + ": " + error.what()};
+    }
+    programs_->removeLimit();
+    return !result_.has_value();
+}
+
+std::string SelfTest::progress() const {
+    return checks_[std::min(check_, checks_.size() - 1)].place + " (" + std::to_string(check_ + 1) + " of " +
+           std::to_string(checks_.size()) + " checks), " + std::to_string(newPrograms_) + " programs";
+}
+
+nlohmann::ordered_json selfTestJson(const SelfTestResult& result) {
     return {{"passed", result.passed}, {"text", result.text}};
 }
 

@@ -147,9 +147,30 @@ TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
     android.command(APP_CMD_LOW_MEMORY);
     android.then([&] { EXPECT_LT(liveGlObjects("Textures"), before); });
     android.command(APP_CMD_RESUME);
-    android.frames(3);
+    android.frames(60);  // each links a program
     android.then([&] { EXPECT_EQ(liveGlObjects("Textures"), before); });
     android.run();
+    expectClean(android);
+}
+
+// The self-test leaves the programs of all presets.
+TEST(Lifecycle, LowMemoryDropsWhatThePictureDoesNotNeed) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    int before = 0;
+    android.then([&] {
+        before = liveGlObjects("Programs");
+        android.capture = true;
+    });
+    android.frames(1);
+    Image picture;
+    android.then([&] { picture = android.screen; });
+    android.command(APP_CMD_LOW_MEMORY);
+    android.then([&] { EXPECT_LT(liveGlObjects("Programs"), before / 2); });
+    android.frames(1);
+    android.run();
+    EXPECT_FALSE(picture.pixels.empty());
+    EXPECT_EQ(android.screen.pixels.size(), picture.pixels.size());
     expectClean(android);
 }
 

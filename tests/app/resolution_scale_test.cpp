@@ -56,6 +56,55 @@ TEST(ResolutionScale, OneSlowFrameInTwentyChangesNothing) {
         EXPECT_FALSE(scale.follow(i % 20 == 0 ? 300.0 : 11.0));
 }
 
+// A phone whose case warms up with the pixels of its frames, by a time constant of 40 s, until the system
+// lowers the GPU's clock. Returns the share of the last minutes in which it does.
+double throttledShare(bool tellsHeadroom, double wattsAtWindow) {
+    ResolutionScale scale;
+    double headroom = 0.3, throttled = 0.0;
+    constexpr int seconds = 900;
+    for (int second = 0; second < seconds; ++second) {
+        const double pixels = 1.0 / (scale.divisor() * scale.divisor());
+        const double before = headroom;
+        headroom += (0.3 + wattsAtWindow * pixels - headroom) / 40.0;
+        const bool isThrottled = headroom > 0.9;
+        if (second >= seconds / 2) throttled += isThrottled;
+        for (int frame = 0; frame < 60; ++frame)
+            scale.follow((isThrottled ? 2.0 : 1.0) * 10.0 * pixels);
+        const double forecast = headroom + 10.0 * (headroom - before);
+        if (tellsHeadroom && second % static_cast<int>(ResolutionScale::heatPeriodS) == 0)
+            scale.followHeat(static_cast<float>(forecast));
+    }
+    return throttled / (seconds / 2.0);
+}
+
+TEST(ResolutionScale, FallsBeforeTheDeviceThrottles) {
+    EXPECT_GT(throttledShare(false, 0.9), 0.3) << "the model has no need of it";
+    for (double watts = 0.2; watts < 4.0; watts *= 1.3)
+        EXPECT_EQ(throttledShare(true, watts), 0.0) << watts;
+}
+
+TEST(ResolutionScale, RisesAgainWhenTheDeviceHasCooled) {
+    ResolutionScale scale;
+    MadeUpDevice fast{1.0, 10.0};
+    fast.run(scale, 200);
+    ASSERT_EQ(scale.divisor(), 1.0);
+    EXPECT_FALSE(scale.followHeat(0.75F)) << "warm, and not too hot";
+    EXPECT_TRUE(scale.followHeat(0.85F));
+    EXPECT_TRUE(scale.isLimitedByHeat());
+    const double limited = scale.divisor();
+    EXPECT_GT(limited, 1.0);
+    EXPECT_EQ(fast.run(scale, 200), 0) << "fast frames do not raise it above what heat allows";
+    EXPECT_FALSE(scale.followHeat(0.75F));
+    EXPECT_EQ(fast.run(scale, 200), 0);
+    scale.followHeat(0.6F);
+    fast.run(scale, 200);
+    EXPECT_EQ(scale.divisor(), 1.0);
+    EXPECT_FALSE(scale.isLimitedByHeat());
+    for (int i = 0; i < 20; ++i)
+        scale.followHeat(1.2F);
+    EXPECT_EQ(scale.divisor(), ResolutionScale::maxDivisor);
+}
+
 TEST(ResolutionScale, IsTheAppsChoiceUntilAnotherFixesTheSize) {
     EXPECT_TRUE(scaleFollowsTime(showRequestFromText("show").choices));
     const Choices choices = showRequestFromText("show pixels=auto").choices;
@@ -101,6 +150,16 @@ TEST(ResolutionInTheApp, FallsToItsBoundWhereFramesAreSlow) {
     android.run();
     EXPECT_EQ(android.errors(), "");
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(ResolutionInTheApp, FallsOnAHotDevice) {
+    StandIn android;
+    android.intentExtra = "show display=off steps=off grid=64 mode=phong preset=mobile";
+    android.headroom = 0.95F;
+    android.startUntilSceneShown(96, 64);
+    android.run();
+    EXPECT_TRUE(android.logged("pixels as the heat allows: 24x16 of 96x64"));
+    EXPECT_EQ(android.errors(), "");
 }
 
 // A display that refreshes more often does not make frames more frequent.

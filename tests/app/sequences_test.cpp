@@ -70,7 +70,8 @@ class RandomLife {
                 if (window_) fingers();
                 break;
             default:
-                android_.frames(1 + pick(3));
+                // The self-test takes about a hundred frames, and the scene comes after it.
+                android_.frames(pick(4) == 0 ? 150 : 1 + pick(3));
                 break;
         }
     }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/memory_grant.h"
 #include "core/memory_group.h"
 #include "support/temporary_folder.h"
 
@@ -52,6 +53,21 @@ TEST(ControlGroups, OfVersion1AreReadFromTheirOwnFolder) {
     inside.write("memory/memory.limit_in_bytes", "1000\n");
     inside.write("memory/memory.usage_in_bytes", "1\n");
     EXPECT_EQ(inside.freeMemory(), 999U);
+}
+
+TEST(MemoryOfAnApp, IsHalfOfTheDevicesLessItsOwn) {
+    const TemporaryFolder folder;
+    const auto left = [&] { return memoryGrantLeft(folder.file("meminfo"), folder.file("status")); };
+    EXPECT_EQ(left(), noLimit);
+    // A phone of 2 GB whose memory is full of apps that Android ends as needed.
+    writeBytes(folder.file("meminfo"),
+               "MemTotal:        1900000 kB\nMemFree:           40000 kB\nMemAvailable:     200000 kB\n");
+    EXPECT_EQ(left(), std::size_t{950000} * 1024);
+    writeBytes(folder.file("status"),
+               "Name:\tvct.app\nState:\tR (running)\nVmRSS:\t  300000 kB\nVmSwap:\t   50000 kB\n");
+    EXPECT_EQ(left(), std::size_t{600000} * 1024);
+    writeBytes(folder.file("status"), "VmRSS:\t  990000 kB\n");
+    EXPECT_EQ(left(), 0U);
 }
 
 }  // namespace

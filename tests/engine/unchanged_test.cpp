@@ -92,6 +92,28 @@ TEST_P(Unchanged, AnotherLightOrPoseRunsTheStepsThatDependOnIt) {
     EXPECT_EQ(steps(), "");
 }
 
+TEST_P(Unchanged, WhatAnOutputDoesNotReadCanBeFreedAndIsMadeAgain) {
+    const auto bytes = [&] {
+        std::size_t sum = 0;
+        for (const Resource& resource : renderer_.resources())
+            sum += resource.bytes;
+        return sum;
+    };
+    frame();
+    const Image before = renderer_.radiance();
+    frame(Output::ao);
+    const std::size_t all = bytes();
+    renderer_.dropUnread(Output::gi);
+    EXPECT_EQ(bytes() < all, !isPacked()) << "the light of ambient occlusion";
+    EXPECT_EQ(steps(), "");
+    frame(Output::phong);
+    renderer_.dropUnread(Output::phong);
+    EXPECT_LT(bytes(), all / 2);
+    EXPECT_EQ(steps(Output::phong), "");
+    frame();
+    EXPECT_TRUE(renderer_.radiance().pixels == before.pixels);
+}
+
 TEST_P(Unchanged, AfterAnErrorEveryStepRuns) {
     frame();
     gl::Enable(GL_TEXTURE_3D);  // ES has no such state: the frame finds the error at its end

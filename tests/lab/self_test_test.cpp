@@ -13,19 +13,26 @@ class SelfTestOn : public testing::TestWithParam<Backend> {};
 INSTANTIATE_TEST_SUITE_P(Backends, SelfTestOn, testing::Values(Backend::egl, Backend::osmesa, Backend::zink),
                          [](const auto& test) { return std::string(backendName(test.param)); });
 
+SelfTestResult runSelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& shaders) {
+    SelfTest test(capabilities, shaders, std::make_shared<gl::ProgramCache>());
+    while (test.advance()) {
+    }
+    return test.result();
+}
+
 TEST_P(SelfTestOn, Passes) {
     VCT_SKIP_IF_ABSENT(GetParam());
     const Context context = openContext(GetParam());
-    const SelfTest result = runSelfTest(context.capabilities, testShaders());
+    const SelfTestResult result = runSelfTest(context.capabilities, testShaders());
     EXPECT_TRUE(result.passed) << result.text;
     expectMentions(result.text, {"7 levels"});
 }
 
 // `from` in a shader becomes `to`, as if the driver computed that instead.
-SelfTest withBrokenShader(const std::string& file, const std::string& from, const std::string& to) {
+SelfTestResult withBrokenShader(const std::string& file, const std::string& from, const std::string& to) {
     const Context context = openContext(Backend::egl);
     bool found = false;
-    const SelfTest result = runSelfTest(context.capabilities, [&](const std::string& path) {
+    const SelfTestResult result = runSelfTest(context.capabilities, [&](const std::string& path) {
         std::string text = testShaders()(path);
         const std::size_t at = path == file ? text.find(from) : std::string::npos;
         if (at != std::string::npos) {
@@ -71,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(SelfTestBroken, FailsAndNamesTheFault) {
     const auto& [name, file, from, to, says] = GetParam();
-    const SelfTest result = withBrokenShader(file, from, to);
+    const SelfTestResult result = withBrokenShader(file, from, to);
     EXPECT_FALSE(result.passed);
     expectMentions(result.text, {says});
     const bool compiles = std::string(says).find(".comp") == std::string::npos;

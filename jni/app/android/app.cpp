@@ -6,6 +6,7 @@
 
 #include "app/android/activity.h"
 #include "app/android/assets.h"
+#include "app/android/thermal.h"
 #include "app/log.h"
 #include "gl/debug.h"
 #include "scene/camera.h"
@@ -32,6 +33,7 @@ ViewerHost hostFor(android_app& glue) {
         ANativeActivity_setWindowFlags(&activity, on ? AWINDOW_FLAG_KEEP_SCREEN_ON : 0,
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
     };
+    android.thermalHeadroom = thermalHeadroom;
     android.defaultsFor = [](const Scene& scene, double aspect) {
         ViewDefaults look;
         look.light = chooseLight(scene);
@@ -96,6 +98,7 @@ void App::onCommand(int command) {
             break;
         case APP_CMD_LOW_MEMORY:
             log(LogLevel::warning, "the system is low on memory");
+            viewer_->dropCaches();
             // A renderer whose picture is on the screen would be rebuilt at once.
             if (!animating()) viewer_->dropRenderer();
             break;

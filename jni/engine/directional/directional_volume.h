@@ -24,6 +24,10 @@ class DirectionalVolume final : public VoxelVolume {
         cachedFor_.reset();
         isPrepared_ = false;
     }
+    void dropUnread(Output output) override {
+        if (!reads(output).indirectLight) light_.reset();
+        if (!reads(output).ambientVisibility) occlusion_.reset();
+    }
 
     const VoxelPyramid& occupancy() const override { return voxels_.index(); }
     Resources resources() const override;

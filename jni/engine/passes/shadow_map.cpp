@@ -92,7 +92,7 @@ const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
 
 void ShadowMap::drawMoments() {
     const gl::DebugGroup group("shadow map's moments");
-    if (!momentsProgram_) {
+    if (!nextMomentsProgram_) {
         momentsProgram_.emplace(shaders_, shadowMomentsProgram());
         nextMomentsProgram_.emplace(shaders_, nextShadowMomentsProgram());
     }

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "app/android/activity.h"
+#include "app/android/thermal.h"
 #include "stand_in.h"
 
 using vct::test::currentStandIn;
@@ -163,6 +164,10 @@ namespace vct::app {
 
 std::string intentExtra(ANativeActivity&, const char* name) {
     return std::string(name) == "vct" ? currentStandIn()->intentExtra : "";
+}
+
+std::optional<float> thermalHeadroom() {
+    return currentStandIn()->headroom;
 }
 
 }  // namespace vct::app

@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ class StandIn {
     std::string shadersFrom, shadersTo;  // text of the shaders, replaced
     int density = 160;
     bool restored = false;
+    std::optional<float> headroom;        // thermal headroom; empty: the device does not tell it
     std::int64_t refreshNs = 16'666'667;  // of the display
 
     // Faults that happen once. The context is lost at the n-th glGetError or eglSwapBuffers from now.
