@@ -43,7 +43,7 @@ State& state();
 // Reports something that the app does and Android does not allow.
 void reportMisuse(const char* what);
 
-// Whether a line of the log since line `first` contains `text`.
+// Returns whether a line of the log since line `first` contains `text`.
 bool isLogged(const std::string& text, std::size_t first);
 std::size_t logSize();
 
