@@ -23,3 +23,4 @@ endforeach()
 set_target_properties(vct PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
 
 include(cmake/apk.cmake)
+include(cmake/stand_ins.cmake)

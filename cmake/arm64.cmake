@@ -1,4 +1,4 @@
-# Toolchain of the preset arm64: Linux on 64-bit ARM, the architecture of phones. scripts/arm64.sh unpacks Debian's
+# Toolchain of the preset arm64: Linux on 64-bit ARM, the architecture of phones. scripts/arm64-sysroot.sh unpacks Debian's
 # packages for it into the build folder, and runs the programs in QEMU's user-mode emulation.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)

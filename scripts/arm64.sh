@@ -31,46 +31,8 @@ unavailable() {
     exit 1
 }
 
-root="$PWD/build/arm64" sysroot="$PWD/build/arm64/sysroot"
-packages=(libc6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libegl-dev libgles-dev libopenexr-dev zlib1g-dev libtinygltf-dev
-    libstb-dev libimgui-dev libglm-dev libcli11-dev nlohmann-json3-dev libgtest-dev libdraco-dev libmeshoptimizer-dev
-    libwebp-dev)
-
-# Installs the compiler and the emulator.
-install_tools() {
-    local as_root=(env)
-    [[ "$(id -u)" -eq 0 ]] || as_root=(sudo -n env)
-    "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -qq --yes --no-install-recommends \
-        -o DPkg::Lock::Timeout=300 install g++-aarch64-linux-gnu qemu-user-static </dev/null >/dev/null 2>&1
-}
 [[ "$(uname -m)" == x86_64 ]] || unavailable "it compares with x86-64, and this machine is $(uname -m)"
-command -v apt-get >/dev/null || unavailable "it needs packages of Debian or Ubuntu"
-if ! command -v aarch64-linux-gnu-g++ >/dev/null || ! command -v qemu-aarch64-static >/dev/null; then
-    say "installing by apt: g++-aarch64-linux-gnu qemu-user-static"
-    install_tools || unavailable "apt cannot install g++-aarch64-linux-gnu and qemu-user-static"
-fi
-
-# Installing arm64 packages on this machine would remove some of its own (libopenexr-dev cannot be there twice). So an apt that
-# knows of no other architecture, and has nothing installed, downloads them, and they are unpacked into a folder.
-if ! [[ -f $sysroot/packages.txt && "$(cat "$sysroot/packages.txt")" == "${packages[*]}" ]]; then
-    say "fetching Debian's arm64 packages (90 MB) into $sysroot"
-    rm -rf "$root"
-    mkdir -p "$root"/apt/{state/lists/partial,cache/archives/partial} "$sysroot"
-    : >"$root/apt/status"
-    apt=(apt-get -qq -o APT::Architecture=arm64 -o APT::Architectures=arm64 -o Dir::State="$root/apt/state"
-        -o Dir::State::status="$root/apt/status" -o Dir::Cache="$root/apt/cache" -o Debug::NoLocking=1
-        -o APT::Sandbox::User="$(id -un)")
-    { "${apt[@]}" update && "${apt[@]}" --yes --download-only --no-install-recommends install "${packages[@]}"; } \
-        </dev/null >"$root/apt/log" 2>&1 || unavailable "no arm64 packages: $(tail -n 1 "$root/apt/log")"
-    for package in "$root"/apt/cache/archives/*.deb; do
-        dpkg-deb --extract "$package" "$sysroot"
-    done
-    rm -rf "$root/apt"
-    # The compiler expects its own headers below the sysroot.
-    mkdir -p "$sysroot/usr/aarch64-linux-gnu"
-    ln -s /usr/aarch64-linux-gnu/include "$sysroot/usr/aarch64-linux-gnu/include"
-    echo "${packages[*]}" >"$sysroot/packages.txt"
-fi
+sysroot="$(scripts/arm64-sysroot.sh)" || unavailable "see the message above"
 
 scripts/build.sh desktop vct_tests
 scripts/build.sh arm64 vct_tests
@@ -79,7 +41,7 @@ scripts/build.sh arm64 vct_tests
 # with 8 bits unless no_aos_sampling is set. Neither a phone nor llvmpipe on x86 with AVX does so, and weak light in voxels would be
 # lost.
 emulate=(qemu-aarch64-static -L "$sysroot" -E LP_NUM_THREADS=1 -E GALLIVM_PERF=no_aos_sampling)
-out="$root/out"
+out="$PWD/build/arm64/out"
 rm -rf "$out"
 mkdir -p "$out"
 

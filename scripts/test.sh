@@ -19,6 +19,7 @@ for preset in desktop asan; do
         echo "asan: left out: accuracy, pictures and other drivers, which are the same C++ (tests/CMakeLists.txt)"
     ctest --preset "$preset" --output-on-failure
 done
+scripts/android-userland.sh 5
 # All of it: scripts/arm64.sh.
 if ((SECONDS < 1300)); then
     scripts/arm64.sh --short
