@@ -41,8 +41,9 @@ def last_words(text: str) -> str:
 
 
 def render(scene: Path, out: Path, *options: object) -> str:
-    """Runs `vct render` and returns what it printed on stderr."""
-    return run("render", scene, "--out", out, *options).stderr
+    """Runs `vct render` with one sample per pixel, unless the options say otherwise, and returns what it printed on stderr."""
+    samples = () if "--samples" in options else ("--samples", 1)
+    return run("render", scene, "--out", out, *samples, *options).stderr
 
 
 def render_timed(scene: Path, out: Path, *options: object) -> dict[str, Any]:

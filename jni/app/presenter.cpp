@@ -44,10 +44,7 @@ void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window
     const gl::DebugGroup group("present");
     const gl::Texture& frame = renderer.output();
     const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
-    // At its own size the frame needs no interpolation, and linear filtering would only add rounding errors.
-    const bool same = rectangle.z == frame.width() && rectangle.w == frame.height();
-    const GLenum filter = same ? GL_NEAREST : GL_LINEAR;
-    frame.setFilter(filter, filter);
+    frame.setFilter(GL_LINEAR, GL_LINEAR);
     gl::Viewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
     program_.use();
     frame.bind(radianceUnit);

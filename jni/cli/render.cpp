@@ -51,10 +51,15 @@ struct RenderOptions {
     std::optional<double> timeS, fps;
     std::optional<int> frames;
     std::string exposure = "auto";  // exposure of the PNGs: a number or "auto"
-    int samples = 1;                // samples per pixel of a still picture
+    std::optional<int> samples;     // samples per pixel of a still picture
     unsigned seedOrder = 0;
     bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
+
+// Samples per pixel. A picture of a sequence, or one beside its time, is a single frame.
+int samplesOf(const RenderOptions& options) {
+    return options.samples.value_or(options.frames || !options.timings.empty() ? 1 : 4);
+}
 
 Settings settingsFrom(const RenderOptions& options) {
     Settings settings = options.scene.settings(options.preset);
@@ -170,7 +175,7 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
     Image first;
     const auto write = [&](const std::string& file) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
-        const Image image = meanOfSamples(renderer, mode, camera, options.samples);
+        const Image image = meanOfSamples(renderer, mode, camera, samplesOf(options));
         pictures.write(file, image);
         if (first.pixels.empty()) first = image;
     };
@@ -179,7 +184,7 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
         const Progress progress(
             "mode " + name + ", " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
             ", " + std::to_string(settings.grid) + "^3" +
-            (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples per pixel" : ""));
+            (samplesOf(options) > 1 ? ", " + std::to_string(samplesOf(options)) + " samples per pixel" : ""));
         renderer.render({{mode}, camera, LightSteps::all});
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
@@ -210,7 +215,7 @@ void render(const RenderOptions& options) {
         throw Error(
             "--debug-views, --light-parts and --contact-sheet work for one moment only, not for a sequence; "
             "leave out --frames and --fps, and choose the moment with --time");
-    if (options.frames && options.samples > 1)
+    if (options.frames && samplesOf(options) > 1)
         throw Error(
             "--samples works for one moment only, not for a sequence; leave it out, or leave out --frames "
             "and --fps");
@@ -410,9 +415,9 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--samples", options->samples,
                      "Samples per pixel of a still picture, for smooth edges: the mean of so many pictures, "
-                     "each shifted by a part of a pixel. 16 is plenty")
+                     "each shifted by a part of a pixel (default: 4, or 1 with --frames or --timings, whose "
+                     "pictures are single frames). 16 is plenty")
         ->check(CLI::Range(1, 4096))
-        ->capture_default_str()
         ->group(picturesGroup);
     command
         ->add_flag("--debug-views", options->debugViews,

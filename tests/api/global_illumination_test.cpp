@@ -41,7 +41,7 @@ class EmbeddedPresets : public Embedded, public ::testing::WithParamInterface<co
 TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
     ProgramRun program;
     writeBytes(program.folder.file("scene.glb"), described_.file.glb());
-    program.expectSuccess("render scene.glb --out . --grid 64 --size 96x72 --preset " +
+    program.expectSuccess("render scene.glb --out . --grid 64 --size 96x72 --samples 1 --preset " +
                           std::string(GetParam()) +
                           " --camera eye=1.5,1.2,2.5,target=0,0.4,0,fov=50 --sky 0.1,0.2,0.3"
                           " --light direction=-0.4,-1,-0.5,intensity=3");
