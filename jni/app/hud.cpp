@@ -14,7 +14,7 @@ namespace vct::app {
 namespace {
 
 constexpr float fontPixels = 13.0F;  // height of the built-in font, which is sharp at whole multiples of it
-constexpr float panelCharacters = 48.0F;
+constexpr float panelCharacters = 48.0F, buttonCharacters = 12.0F;
 
 ImVec4 warningColor() {
     return {1.0F, 0.75F, 0.3F, 1.0F};
@@ -84,7 +84,7 @@ void Hud::scroll(const glm::vec2& position, float clicks) {
     wheelClicks_ += clicks;
 }
 
-void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
+void Hud::beginFrame(glm::ivec2 window, const glm::ivec4& free, double secondsPassed) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(window.x), static_cast<float>(window.y));
@@ -106,6 +106,10 @@ void Hud::beginFrame(glm::ivec2 window, double secondsPassed) {
         io.MouseWheel = wheelClicks_;
     }
     wheelClicks_ = 0.0F;
+    // Lists that open keep this distance from the window's sides. It is the same for opposite sides.
+    const glm::ivec2 covered = glm::max(glm::ivec2(free), window - glm::ivec2(free.z, free.w));
+    ImGui::GetStyle().DisplaySafeAreaPadding =
+        ImVec2(static_cast<float>(covered.x), static_cast<float>(covered.y));
     ImGui::NewFrame();
 }
 
@@ -134,34 +138,37 @@ void Hud::beginPanel(const char* name, const glm::ivec4& free, float widest) {
 
 HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::ivec4& free,
                       double secondsPassed) {
-    beginFrame(window, secondsPassed);
+    beginFrame(window, free, secondsPassed);
     HudActions actions;
     if (off_) {
         endFrame();
         return actions;
     }
-    if (hidden_) {
-        beginPanel("hidden", free, 12.0F * ImGui::GetFontSize() * 0.54F);
-        if (ImGui::Button("Show")) hidden_ = false;
-    } else {
-        beginPanel("display", free, panelCharacters * ImGui::GetFontSize() * 0.54F);
-        if (ImGui::Button("Hide")) hidden_ = true;
+    const float characterWidth = 0.54F * ImGui::GetFontSize();
+    const float width = panelCharacters * characterWidth;
+    isFolded_ = folded_.value_or(width > 0.5F * static_cast<float>(window.x));
+    const bool isButton = isFolded_ && content.status.empty() && content.message.empty();
+    beginPanel(isButton ? "button" : "panel", free, isButton ? buttonCharacters * characterWidth : width);
+    if (ImGui::Button(isFolded_ ? "Show" : "Hide")) toggle();
+    if (!isFolded_) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::Text("%.1f ms, %.1f frames/s", content.frameMs,
                     content.frameMs > 0.0 ? 1000.0 / content.frameMs : 0.0);
-        if (!content.status.empty()) ImGui::TextWrapped("%s", content.status.c_str());
-        if (!content.message.empty()) {
-            ImGui::PushStyleColor(ImGuiCol_Text, warningColor());
-            ImGui::TextWrapped("%s", content.message.c_str());
-            ImGui::PopStyleColor();
-            actions.dismiss = ImGui::Button("Dismiss");
-        }
+    }
+    if (!content.status.empty()) ImGui::TextWrapped("%s", content.status.c_str());
+    if (!content.message.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, warningColor());
+        ImGui::TextWrapped("%s", content.message.c_str());
+        ImGui::PopStyleColor();
+        actions.dismiss = ImGui::Button("Dismiss");
+    }
+    if (!isFolded_) {
         buildTimes(content);
         if (!content.measuring) buildChoices(content, actions);
         if (ImGui::Button(content.measuring ? "Stop measuring" : "Measure")) actions.measure = true;
-        scrollByTouch();
     }
+    scrollByTouch();
     ImGui::End();
     endFrame();
     return actions;
@@ -169,7 +176,7 @@ HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::i
 
 void Hud::buildMessage(const std::string& title, const std::string& text, glm::ivec2 window,
                        const glm::ivec4& free) {
-    beginFrame(window, 0.1);
+    beginFrame(window, free, 0.1);
     beginPanel("message", free, static_cast<float>(free.z - free.x));
     ImGui::PushStyleColor(ImGuiCol_Text, warningColor());
     ImGui::TextWrapped("%s", title.c_str());

@@ -60,7 +60,7 @@ class Hud {
     // Reports the mouse wheel; positive clicks are upwards.
     void scroll(const glm::vec2& position, float clicks);
 
-    // `free`: left, top, right, bottom of the window's part that no system bar covers.
+    // `free`: left, top, right, bottom of the window's part that nothing covers (free_area.h).
     HudActions build(const HudContent& content, glm::ivec2 window, const glm::ivec4& free,
                      double secondsPassed);
     // Builds one message over the whole width of the window, instead of the panel.
@@ -69,11 +69,13 @@ class Hud {
     // Triangles of the last build.
     const ImDrawData& drawData() const;
 
-    void turnOff() { off_ = true; }        // draws nothing at all
-    void toggle() { hidden_ = !hidden_; }  // a hidden panel is a button that shows it again
+    void turnOff() { off_ = true; }  // draws nothing at all
+    // Folds or unfolds the panel. A folded panel is a button that unfolds it, with messages. Until the user
+    // has chosen, it is folded where it would cover more than half of the window's width.
+    void toggle() { folded_ = !isFolded_; }
 
   private:
-    void beginFrame(glm::ivec2 window, double secondsPassed);
+    void beginFrame(glm::ivec2 window, const glm::ivec4& free, double secondsPassed);
     void endFrame();
     void beginPanel(const char* name, const glm::ivec4& free, float widest);
     void buildTimes(const HudContent& content) const;
@@ -85,7 +87,9 @@ class Hud {
 
     ImGuiContext* context_;
     float scale_;
-    bool hidden_ = false, off_ = false;
+    std::optional<bool> folded_;  // as the user chose
+    bool isFolded_ = false;       // in the last frame
+    bool off_ = false;
     struct TouchEvent {
         glm::vec2 position;
         bool down;

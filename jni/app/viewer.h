@@ -58,8 +58,8 @@ class Viewer {
     Viewer& operator=(const Viewer&) = delete;
 
     // Draws a frame into framebuffer 0 of the current context, `window` pixels in size. `free`: left, top,
-    // right, bottom of the part that no system bar covers. Throws gl::ContextLost, and vct::Error if nothing
-    // can be drawn at all.
+    // right, bottom of the part that nothing covers (free_area.h). Throws gl::ContextLost, and vct::Error if
+    // nothing can be drawn at all.
     void draw(glm::ivec2 window, const glm::ivec4& free);
     void shown() { ++shownFrames_; }  // must be called after the frame was shown
 

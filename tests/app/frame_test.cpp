@@ -184,6 +184,11 @@ TEST(Display, IsReadableOnAPhoneUprightAndSideways) {
         android.intentExtra =
             std::string("show grid=64 mode=gi pixels=4 scene=") + (upright ? "moving.glb" : "courtyard.glb");
         android.startUntilSceneShown(upright ? 1080 : 2340, upright ? 2340 : 1080);
+        // Upright the panel is folded until its button is touched.
+        for (const int action : {AMOTION_EVENT_ACTION_DOWN, AMOTION_EVENT_ACTION_UP}) {
+            if (upright) android.touch(action, {{0, 60.0F, 60.0F}});
+            android.frames(2);
+        }
         android.then([&] { android.capture = true; });
         android.frames(2);
         android.run();

@@ -14,9 +14,13 @@ namespace {
 
 constexpr glm::ivec2 window{400, 800};
 
-// A panel without GL.
+// A panel without GL, which is open.
 class Fingers {
   public:
+    Fingers() {
+        frames(1);
+        hud.toggle();  // the window is so narrow that it starts folded
+    }
     app::HudActions tap(glm::vec2 at) {
         hud.touch(at, true);
         hud.touch(at, false);
@@ -74,6 +78,47 @@ TEST(Hud, HidesAndShows) {
     EXPECT_TRUE(fingers.hud.covers(corner));
     fingers.tap(corner);
     EXPECT_TRUE(fingers.hud.covers(inside));
+}
+
+// At 320 dpi the panel has 674 pixels.
+TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanHalfOfTheWidth) {
+    for (const glm::ivec2 size :
+         {glm::ivec2(720, 1280), glm::ivec2(1280, 720), glm::ivec2(1344, 700), glm::ivec2(1360, 700)}) {
+        Fingers fingers;
+        app::Hud hud(2.0F);
+        app::HudContent content;
+        content.choices = &fingers.choices;
+        content.scene = &fingers.scene;
+        content.scenes = &fingers.scenes;
+        const auto build = [&] { hud.build(content, size, {0, 0, size}, 0.02); };
+        for (int i = 0; i < 3; ++i)
+            build();
+        const glm::vec2 button(30.0F, 30.0F), below(100.0F, 400.0F);
+        const bool isFolded = size.x < 2 * 674;
+        EXPECT_TRUE(hud.covers(button));
+        EXPECT_EQ(hud.covers(below), !isFolded) << size.x;
+        hud.touch(button, true);
+        hud.touch(button, false);
+        for (int i = 0; i < 4; ++i)
+            build();
+        EXPECT_EQ(hud.covers(below), isFolded) << size.x;
+    }
+}
+
+TEST(Hud, FoldedItStillShowsWhatTheUserMustRead) {
+    Fingers fingers;
+    fingers.frames();
+    fingers.tap(corner);
+    const glm::vec2 beside(300.0F, 20.0F);
+    ASSERT_FALSE(fingers.hud.covers(beside));
+    fingers.message = "the scene cannot be loaded";
+    fingers.frames();
+    EXPECT_TRUE(fingers.hud.covers(beside));
+    EXPECT_FALSE(fingers.hud.covers({100.0F, 200.0F}));
+    bool isDismissed = false;
+    for (float y = 45.0F; y < 120.0F; y += 8.0F)
+        isDismissed |= fingers.tap({40.0F, y}).dismiss;
+    EXPECT_TRUE(isDismissed);
 }
 
 // Every row of the panel is touched, and every list that opens.
@@ -152,6 +197,11 @@ TEST(Hud, AChangeThatFailsSaysSoAndKeepsThePicture) {
     StandIn android;
     android.intentExtra = "show grid=64 mode=ao pixels=4";
     android.startUntilSceneShown(window.x, window.y);
+    for (const int action : {AMOTION_EVENT_ACTION_DOWN, AMOTION_EVENT_ACTION_UP}) {
+        android.touch(action, {{0, corner.x, corner.y}});
+        android.frames(2);
+    }
+    android.command(APP_CMD_LOW_MEMORY);  // drops the programs of other modes and presets
     android.then([&] {
         EXPECT_EQ(android.errors(), "");
         android.shadersFrom = "void main() {";

@@ -20,14 +20,6 @@ float pixelsPerDp(AConfiguration* configuration) {
     return density > 0 && density < ACONFIGURATION_DENSITY_ANY ? static_cast<float>(density) / 160.0F : 1.0F;
 }
 
-glm::ivec4 freeArea(const ARect& r, glm::ivec2 window) {
-    const glm::ivec4 free =
-        glm::clamp(glm::ivec4(r.left, r.top, r.right, r.bottom), glm::ivec4(0), glm::ivec4(window, window));
-    // The rectangle is not valid before the first layout and just after a rotation.
-    const bool plausible = free.z - free.x > window.x / 2 && free.w - free.y > window.y / 2;
-    return plausible ? free : glm::ivec4(0, 0, window);
-}
-
 std::vector<TouchPoint> fingersAfter(const AInputEvent* event) {
     const int action = AMotionEvent_getAction(event);
     const int kind = action & AMOTION_EVENT_ACTION_MASK;

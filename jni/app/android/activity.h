@@ -3,10 +3,10 @@
 
 #include <android_native_app_glue.h>
 
-#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
+#include "app/free_area.h"
 #include "app/touch.h"
 
 namespace vct::app {
@@ -21,8 +21,8 @@ std::string filesFolder(const ANativeActivity& activity);
 // The screen's density over 160 dpi.
 float pixelsPerDp(AConfiguration* configuration);
 
-// The part of a window that no system bar covers: left, top, right, bottom.
-glm::ivec4 freeArea(const ARect& contentRect, glm::ivec2 window);
+// Reads the insets of the activity's window; zero before the window's first layout.
+WindowInsets windowInsets(ANativeActivity& activity);
 
 // Every finger that is down after a motion event.
 std::vector<TouchPoint> fingersAfter(const AInputEvent* event);

@@ -76,6 +76,7 @@ bool App::animating() const {
 }
 
 void App::onCommand(int command) {
+    insetsUntil_ = {};
     switch (command) {
         case APP_CMD_INIT_WINDOW:
             halted_ = false;
@@ -117,7 +118,7 @@ void App::frame() {
     try {
         prepare();
         if (surface_) {
-            viewer_->draw(surface_->size(), freeArea(glue_.contentRect, surface_->size()));
+            viewer_->draw(surface_->size(), freeArea(surface_->size(), insets()));
             show();
         }
     } catch (const gl::ContextLost& error) {
@@ -151,6 +152,17 @@ void App::show() {
         case GlContext::Shown::contextLost:
             throw gl::ContextLost("eglSwapBuffers");
     }
+}
+
+// Insets change without a command, for example when the device is turned from one landscape to the other.
+// They are read after each command and every half second, because calling Java takes a moment.
+const WindowInsets& App::insets() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now >= insetsUntil_) {
+        insets_ = windowInsets(*glue_.activity);
+        insetsUntil_ = now + std::chrono::milliseconds(500);
+    }
+    return insets_;
 }
 
 void App::dropSurface() {

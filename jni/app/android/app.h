@@ -8,10 +8,12 @@
 
 #include <android_native_app_glue.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 
 #include "app/android/egl.h"
+#include "app/free_area.h"
 #include "app/viewer.h"
 
 namespace vct::app {
@@ -38,12 +40,15 @@ class App {
   private:
     void prepare();
     void show();
+    const WindowInsets& insets();
     void dropSurface();
     void loseContext(const std::string& how);
     void halt(const std::string& why);
 
     android_app& glue_;
     bool resumed_ = false;
+    WindowInsets insets_;
+    std::chrono::steady_clock::time_point insetsUntil_;  // the time until which insets_ is used
     bool halted_ = false;  // drawing failed; nothing is drawn until there is another window
 
     std::optional<Display> display_;

@@ -10,10 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 
-struct ARect {
-    int32_t left, top, right, bottom;
-};
-
 struct ANativeActivity {
     const char* internalDataPath;
     const char* externalDataPath;
@@ -38,7 +34,6 @@ struct android_app {
     void* savedState;
     size_t savedStateSize;
     ANativeWindow* window;
-    ARect contentRect;
     int destroyRequested;
 };
 

@@ -166,6 +166,10 @@ std::string intentExtra(ANativeActivity&, const char* name) {
     return std::string(name) == "vct" ? currentStandIn()->intentExtra : "";
 }
 
+WindowInsets windowInsets(ANativeActivity&) {
+    return currentStandIn()->insets;
+}
+
 std::optional<float> thermalHeadroom() {
     return currentStandIn()->headroom;
 }

@@ -32,7 +32,6 @@ void StandIn::window(int width, int height) {
     event([this, width, height] {
         windows_.push_back(std::make_unique<ANativeWindow>(ANativeWindow{width, height, true}));
         glue.window = windows_.back().get();
-        glue.contentRect = {0, 0, width, height};
         deliver(APP_CMD_INIT_WINDOW);
     });
 }
@@ -56,7 +55,6 @@ void StandIn::resize(int width, int height) {
         glue.window->height = height;
         deliver(APP_CMD_CONFIG_CHANGED);
         deliver(APP_CMD_WINDOW_RESIZED);
-        glue.contentRect = {0, 0, width, height};
         deliver(APP_CMD_CONTENT_RECT_CHANGED);
         deliver(APP_CMD_WINDOW_REDRAW_NEEDED);
     });

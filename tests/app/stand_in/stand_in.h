@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/free_area.h"
 #include "image/image.h"
 
 struct ANativeWindow {
@@ -73,6 +74,7 @@ class StandIn {
     std::string shadersFrom, shadersTo;  // text of the shaders, replaced
     int density = 160;
     bool restored = false;
+    app::WindowInsets insets;
     std::optional<float> headroom;        // thermal headroom; empty: the device does not tell it
     std::int64_t refreshNs = 16'666'667;  // of the display
 
