@@ -60,8 +60,8 @@ Hit firstHit(const std::vector<Triangle>& triangles, const glm::dvec3& from, con
 
 enum class Sun { unsure, reaches, doesNotReach };
 
-// The sun at the point that a ray from the eye meets. It is unsure where parts of a disc, somewhat larger than
-// the sun's, are hidden, and where the sun grazes the surface or its shading normal.
+// The sun at the point that a ray from the eye meets. It is unsure where parts of a disc, somewhat larger
+// than the sun's, are hidden, and where the sun grazes the surface or its shading normal.
 Sun sunAt(const std::vector<Triangle>& triangles, const glm::dvec3& eye, const glm::dvec3& ray,
           const glm::dvec3& sun) {
     const Hit seen = firstHit(triangles, eye, ray);
@@ -75,7 +75,8 @@ Sun sunAt(const std::vector<Triangle>& triangles, const glm::dvec3& eye, const g
                                            sun);
     if (cosine < -0.02) return Sun::doesNotReach;
     const glm::dvec3 point = t.a + seen.second * t.u + seen.third * t.v;
-    const glm::dvec3 x = glm::normalize(glm::cross(sun, std::abs(sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    const glm::dvec3 x =
+        glm::normalize(glm::cross(sun, std::abs(sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     const glm::dvec3 y = glm::cross(sun, x);
     int hidden = 0;
     constexpr int rays = 9;
@@ -108,7 +109,8 @@ Scene foldingStrip() {
             for (const int index : {a, a + 1, next, next, a + 1, next + 1})
                 indices.push_back(static_cast<std::uint16_t>(index));
         }
-    const int material = builder.add("materials", {{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+    const int material =
+        builder.add("materials", {{"doubleSided", true}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
     const int left = builder.node({{"name", "left"}}), right = builder.node({{"name", "right"}});
     builder.add("skins", {{"joints", {left, right}}});
     builder.node({{"mesh", builder.mesh({{"attributes",
@@ -148,11 +150,11 @@ Scene morphingSphere() {
         }
     const int points = builder.floats(positions);
     const int node = builder.node(
-        {{"mesh", builder.mesh({{"attributes", {{"POSITION", points}, {"NORMAL", points}}},
-                                {"indices", builder.accessor(indices, uint16, "SCALAR")},
-                                {"targets",
-                                 {{{"POSITION", builder.floats(longer)}},
-                                  {{"POSITION", builder.floats(bulge)}}}}})}});
+        {{"mesh", builder.mesh(
+                      {{"attributes", {{"POSITION", points}, {"NORMAL", points}}},
+                       {"indices", builder.accessor(indices, uint16, "SCALAR")},
+                       {"targets",
+                        {{{"POSITION", builder.floats(longer)}}, {{"POSITION", builder.floats(bulge)}}}}})}});
     builder.animate(node, "weights", {0, 1, 2}, {1, 0, 0, 0, 0, 1});
     return load(builder);
 }
