@@ -151,6 +151,7 @@ TEST(Background, ContrastsWithWhiteUnlessASkyIsGiven) {
     EXPECT_EQ(program.err.find("--background"), std::string::npos) << program.err;
     EXPECT_NEAR(dark.at(0, 0).b, sky.b, 1e-3F);
     EXPECT_NEAR(rendered(program, triangleOf(1.0F), "--sky 0.2,0.25,0.35").at(0, 0).b, sky.b, 1e-3F);
+    EXPECT_EQ(rendered(program, triangleOf(1.0F), "--background 0,1,0").at(0, 0), glm::vec3(0, 1, 0));
 }
 
 TEST(Background, ContrastsWithAnObjectThatNearlyFillsThePicture) {
@@ -205,6 +206,8 @@ TEST(EmptyPicture, SaysWhy) {
     expectMentions(program.err,
                    {"warning: the picture is black", "there is no light", "--light intensity=3"});
     rendered(program, triangleOf(0.0F), "--sky 0,0,0 --light intensity=3");
+    expectMentions(program.err, {"warning: the picture is black", "or they are black"});
+    rendered(program, triangleOf(0.0F), "--sky 1,1,1 --camera eye=0.25,0.3,0.8,target=0.25,0.3,0,fov=10");
     expectMentions(program.err, {"warning: the picture is black", "or they are black"});
     GltfBuilder scene = triangleOf(0.5F);
     scene.document["extensionsUsed"].push_back("KHR_lights_punctual");

@@ -46,6 +46,10 @@ TEST(WithoutEffect, NothingIsSaidOfOptionsThatHaveOne) {
     program.expectSuccess("render " VCT_SOURCE_DIR "/assets/moving.glb --mode phong --animation 0" +
                           std::string(tinyOutput));
     expectMentions(program.err, {"note: --animation has no effect: the scene is shown at rest"});
+    program.expectSuccess("render " VCT_SOURCE_DIR
+                          "/assets/moving.glb --mode phong --frames 1 --fps 1 --animation 0" +
+                          std::string(tinyOutput));
+    EXPECT_EQ(program.err.find("has no effect"), std::string::npos) << program.err;
 }
 
 TEST(WithoutEffect, OptionsOfInfoAreNamedToo) {

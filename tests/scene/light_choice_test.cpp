@@ -94,6 +94,9 @@ TEST(ChooseRoomLight, AClosedRoomWithoutALightGetsOneInItsMiddle) {
 
 TEST(ChooseRoomLight, OtherScenesGetNone) {
     EXPECT_FALSE(chooseRoomLight(darkRoom(5), cameraAt({0, 0, 0.5}))) << "open at the front";
+    Scene windowed = darkRoom(5);
+    addQuad(windowed, {0.4, -1, 1}, {-1.4, 0, 0}, {0, 2, 0});
+    EXPECT_FALSE(chooseRoomLight(finished(windowed), cameraAt({0, 0, -0.5}))) << "with a tall window";
     EXPECT_FALSE(chooseRoomLight(darkRoom(1), cameraAt({0, 0, 0.5}))) << "in the open";
     EXPECT_FALSE(chooseRoomLight(roomWithAnEmitter(6), cameraAt({0, 0, 0.5}))) << "lit by an emitter";
     Scene crate = emptyScene();
