@@ -26,7 +26,7 @@ namespace {
 using stand_in::State;
 using stand_in::state;
 
-constexpr double waitS = 300.0;  // longer than any frame under emulation
+constexpr double waitS = 900.0;  // longer than any frame under emulation on a busy machine
 
 double nowS() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
