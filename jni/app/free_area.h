@@ -13,7 +13,7 @@ struct Edges {
 
 // The parts of a window that the system covers or the screen does not have.
 struct WindowInsets {
-    Edges edges;                         // under system bars and cutouts (notches, cameras)
+    Edges edges;                          // under system bars and cutouts (notches, cameras)
     std::array<int, 4> cornerRadii = {};  // of rounded corners, clockwise from the top left
 };
 

@@ -36,8 +36,7 @@ Edges olderEdgesOf(const Java& java, jobject insets) {
 
 // WindowInsets.getRoundedCorner() of Android 12. Android numbers the corners clockwise from the top left.
 int cornerRadius(const Java& java, jobject insets, jint corner) {
-    const jobject rounded =
-        java.call(insets, "getRoundedCorner", "(I)Landroid/view/RoundedCorner;", corner);
+    const jobject rounded = java.call(insets, "getRoundedCorner", "(I)Landroid/view/RoundedCorner;", corner);
     return java.callInt(rounded, "getRadius", "()I").value_or(0);
 }
 

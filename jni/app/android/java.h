@@ -1,5 +1,5 @@
-// Calls of Java from the app's thread. Every call returns nothing if its method does not exist on this version
-// of Android or throws, so that callers need no versions.
+// Calls of Java from the app's thread. Every call returns nothing if its method does not exist on this
+// version of Android or throws, so that callers need no versions.
 #pragma once
 
 #include <jni.h>
