@@ -18,6 +18,7 @@
 #include "app/scenes.h"
 #include "app/touch.h"
 #include "lab/bench_run.h"
+#include "lab/gpu_counters.h"
 #include "lab/self_test.h"
 
 namespace vct::app {
@@ -43,6 +44,7 @@ struct ViewerHost {
     FindScenes findScenes;
     ReadScene readScene;
     std::function<void(bool)> keepScreenOn;
+    std::function<GpuCounters()> openGpuCounters;  // empty on a desktop
     // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
     std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
