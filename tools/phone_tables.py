@@ -14,6 +14,7 @@ from program import TIMINGS_VERSION
 from tables import STEPS, markdown
 
 BENCH_VERSION = 1  # docs/timings.md tells when it changes
+COUNTERS = {"cycles": "GPU cycles, million", "read_bytes": "read, MB", "written_bytes": "written, MB"}
 File = tuple[str, dict[str, Any]]  # the machine's name, and its measurements
 
 
@@ -36,11 +37,14 @@ def step_tables(files: list[File]) -> list[tuple[str, list[str], list[list[str]]
                 if "tables" not in content]
     tables = []
     for mode in dict.fromkeys(mode for _, found in measured for mode in found):
-        columns = [(name, found[mode]["steps"]) for name, found in measured if mode in found]
-        steps = dict.fromkeys(key for _, found in columns for key in found)
-        tables.append((f"{mode}, medians in ms", ["", *(name for name, _ in columns)], [
-            [STEPS[key], *(f"{found[key]['median']:.2f}" if key in found else "–" for _, found in columns)]
-            for key in steps]))
+        columns = [(name, found[mode]) for name, found in measured if mode in found]
+        steps = dict.fromkeys(key for _, found in columns for key in found["steps"])
+        rows = [[STEPS[key], *(f"{found['steps'][key]['median']:.2f}" if key in found["steps"] else "–" for _, found in columns)]
+                for key in steps]
+        if any("gpu_counters" in found for _, found in columns):
+            rows += [[text, *(f"{found['gpu_counters'][key] / 1e6:.2f}" if "gpu_counters" in found else "–"
+                              for _, found in columns)] for key, text in COUNTERS.items()]
+        tables.append((f"{mode}, medians in ms", ["", *(name for name, _ in columns)], rows))
     return tables
 
 

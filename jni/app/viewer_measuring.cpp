@@ -54,9 +54,11 @@ void Viewer::measure() {
             Settings sky;
             if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
             bench_ = std::make_unique<BenchRun>(
-                BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
-                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*testResult_),
-                                [](const std::string& line) { log(line); }},
+                BenchRun::Input{
+                    *request_, scene_, lightFromText(request_->light, *scene_), sky, gl_->capabilities(),
+                    host_.shaders, host_.backend, selfTestJson(*testResult_),
+                    [](const std::string& line) { log(line); },
+                    host_.openGpuCounters ? std::optional(host_.openGpuCounters()) : std::nullopt},
                 results_->path());
         }
         more = bench_->advance();

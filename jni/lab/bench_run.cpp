@@ -1,5 +1,6 @@
 #include "lab/bench_run.h"
 
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -36,6 +37,12 @@ std::vector<std::string> separated(const std::string& text) {
     for (std::string part; std::getline(stream, part, ',');)
         parts.push_back(part);
     return parts.empty() ? std::vector<std::string>{text} : parts;
+}
+
+// The value of method.gpu_counters in the files.
+std::string countersText(const GpuCounters& counters) {
+    return counters.missing.empty() ? "means of the timed frames, libGPUCounters"
+                                    : "not used: " + counters.missing;
 }
 
 }  // namespace
@@ -93,6 +100,7 @@ BenchRun::BenchRun(Input input, std::string folder)
     const std::string note =
         cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
     if (!note.empty()) input_.log(note);
+    if (input_.counters) input_.log("GPU counters: " + countersText(*input_.counters));
     camera_ = withFittedNearPlane(camera_, *input_.scene, aspectOf(input_.request.size));
     for (const BenchConfig& config : configsOf(input_.request)) {
         validate(settingsFor(config));
@@ -148,6 +156,7 @@ void BenchRun::beginRun() {
     mode_ = 0;
     frame_ = 0;
     timings_ = {};
+    counters_ = {};
     timings_.scene = input_.request.scene;
     timings_.triangles = input_.scene->triangleCount();
     timings_.backend = input_.backend;
@@ -156,7 +165,11 @@ void BenchRun::beginRun() {
 }
 
 void BenchRun::frame() {
-    if (frame_ == warmUpFrames) renderer_->timer().startRecording(Clocks::cpuAndGpu);
+    if (frame_ == warmUpFrames) {
+        if (input_.counters && input_.counters->read)
+            input_.counters->read();  // drops the counts of earlier frames
+        renderer_->timer().startRecording(Clocks::cpuAndGpu);
+    }
     renderer_->render({{modes_[mode_]}, camera_});
     if (++frame_ == warmUpFrames + timedFrames) endMode();
 }
@@ -164,6 +177,12 @@ void BenchRun::frame() {
 void BenchRun::endMode() {
     const Output mode = modes_[mode_];
     timings_.modes.emplace_back(mode, renderer_->timer().stopRecording());
+    if (input_.counters && input_.counters->read) {
+        const GpuCounterValues sums = input_.counters->read();
+        counters_[outputName(mode)] = {{"cycles", std::round(sums.cycles / timedFrames)},
+                                       {"read_bytes", std::round(sums.readBytes / timedFrames)},
+                                       {"written_bytes", std::round(sums.writtenBytes / timedFrames)}};
+    }
     timings_.activeVoxels = renderer_->activeVoxels();
     if (run_ == 0 && !folder_.empty())
         writePng(folder_ + "/" + outputName(mode) + ".png", renderer_->radiance());
@@ -175,6 +194,9 @@ void BenchRun::endRun() {
     timings_.resources = renderer_->resources();
     nlohmann::ordered_json timings = timingsJson(timings_, input_.capabilities);
     if (!input_.selfTest.is_null()) timings["self_test"] = input_.selfTest;
+    if (input_.counters) timings["method"]["gpu_counters"] = countersText(*input_.counters);
+    for (const auto& [mode, counts] : counters_.items())
+        timings["modes"][mode]["gpu_counters"] = counts;
     if (run_ == 0 && !folder_.empty()) writeJson(folder_ + "/timings.json", timings);
     current().timings.push_back(std::move(timings));
     renderer_.reset();

@@ -11,6 +11,7 @@
 
 #include "engine/renderer.h"
 #include "lab/bench_report.h"
+#include "lab/gpu_counters.h"
 #include "lab/timings.h"
 
 namespace vct {
@@ -64,6 +65,7 @@ class BenchRun {
         std::string backend;              // driver.backend of timings.json
         nlohmann::ordered_json selfTest;  // result of the self-test, copied into the files; null: none
         std::function<void(const std::string&)> log;
+        std::optional<GpuCounters> counters = {};  // the files do not mention counters without it
     };
     // Writes into `folder` the report (bench.json and bench.txt, or presets.json and presets.txt) and, for
     // the first run, timings.json and its pictures. An empty `folder` writes no files. Throws vct::Error if
@@ -101,7 +103,8 @@ class BenchRun {
     std::size_t mode_ = 0;
     int frame_ = 0;  // number of the current frame in its mode
     std::optional<Renderer> renderer_;
-    TimingsReport timings_;  // timings of the current run
+    TimingsReport timings_;            // timings of the current run
+    nlohmann::ordered_json counters_;  // the GPU's counters by mode, of the current run
     BenchReport report_;
 };
 

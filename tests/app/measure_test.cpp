@@ -54,6 +54,9 @@ TEST(MeasureInTheApp, WritesWhatTheCommandLineWrites) {
         EXPECT_TRUE(ours.contains(key)) << key;
     EXPECT_EQ(ours.at("driver").at("backend"), "android");
     EXPECT_EQ(ours.at("self_test").at("passed"), true);
+    EXPECT_EQ(ours.at("method").at("gpu_counters"), "means of the timed frames, libGPUCounters");
+    EXPECT_EQ(ours.at("modes").at("ao").at("gpu_counters"),
+              json({{"cycles", 1000.0}, {"read_bytes", 100.0}, {"written_bytes", 10.0}}));
     theirs.at("settings").erase("preset");
     for (const auto& [key, value] : theirs.at("settings").items())
         EXPECT_EQ(ours.at("settings").at(key), value) << key;

@@ -6,6 +6,7 @@ import pathlib
 import shutil
 import subprocess
 
+import phone_tables
 import pytest
 
 RESULTS = "sdcard/Android/data/vct.app/files/results"
@@ -160,3 +161,14 @@ def test_a_wrong_command_line_prints_the_usage(phone):
         assert done.returncode == 2
         assert "scripts/phone.sh push SCENE.glb" in done.stderr
     failed(phone.run("--timeout", "soon", "bench"), "not a number of seconds")
+
+
+def test_counters_of_the_gpu_have_rows():
+    mode = {"steps": {"total": {"median": 12.5}}}
+    counted = mode | {"gpu_counters": {"cycles": 5e6, "read_bytes": 25e5, "written_bytes": 1e6}}
+    files = [("phone", {"settings": {"grid": 64}, "modes": {"ao": counted}}),
+             ("desk", {"settings": {"grid": 64}, "modes": {"ao": mode}})]
+    [(_, _, rows)] = phone_tables.step_tables(files)
+    assert rows[1:] == [["GPU cycles, million", "5.00", "–"], ["read, MB", "2.50", "–"], ["written, MB", "1.00", "–"]]
+    [(_, _, rows)] = phone_tables.step_tables(files[1:])
+    assert len(rows) == 1
