@@ -84,9 +84,9 @@ std::string threeText(const glm::vec3& v) {
 std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choices,
                        const ViewOptions& options) {
     const Settings& settings = seen.settings;
-    std::string line = "vct render '" + seen.path + "' --out out --preset " + choices.preset + " --mode " +
-                       outputName(choices.mode) + " --grid " + std::to_string(settings.grid) + " --size " +
-                       std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
+    std::string line = "vct render '" + seen.path + "' --out out --samples 1 --preset " + choices.preset +
+                       " --mode " + outputName(choices.mode) + " --grid " + std::to_string(settings.grid) +
+                       " --size " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
                        " --cone-angle " + numberText(settings.shadowConeAngleDeg) + " --camera " +
                        seen.cameraOption;
     const DirectionalLight& light = seen.light;

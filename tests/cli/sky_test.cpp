@@ -136,7 +136,7 @@ Image rendered(ProgramRun& program, const GltfBuilder& scene, const std::string&
     writeBytes(program.folder.file("scene.glb"), scene.glb());
     program.expectSuccess(
         "render scene.glb --out out --mode gi --preset mobile --grid 64 --light-frames 2 "
-        "--size 32x32 " +
+        "--size 32x32 --samples 1 " +
         options);
     return readImage(program.folder.file("out/gi.exr"));
 }

@@ -36,7 +36,7 @@ def environment(angle, platform):
 def picture(program, folder, scene, preset, driver):
     """The picture as (height, width, 3) numbers from 0 to 255, and the messages of the run."""
     done = subprocess.run([program, "render", ROOT / f"assets/{scene}.glb", "--preset", preset, "--size", "96x96", "--grid", "64",
-                           "--light-frames", "2", "--exposure", str(EXPOSURES[scene]), "--out", folder],
+                           "--light-frames", "2", "--exposure", str(EXPOSURES[scene]), "--samples", "1", "--out", folder],
                           env=driver, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{scene}, {preset}: {done.stderr}"
     return np.asarray(PIL.Image.open(folder / "gi-cone-shadow.png").convert("RGB")).astype(int), done.stderr
