@@ -128,9 +128,9 @@ namespace {
 TEST(ResolutionInTheApp, RisesToTheWindowAndKeepsWhatTheSceneHas) {
     StandIn android;
     android.intentExtra = "show display=off steps=off grid=64 mode=ao preset=mobile";
-    android.startUntilSceneShown(192, 128);
+    android.startUntilSceneShown(96, 64);
     android.then([&] { android.traceSections.clear(); });
-    android.framesUntilLogged("pixels as the time allows: 192x128 of 192x128", 2000);
+    android.framesUntilLogged("pixels as the time allows: 96x64 of 96x64", 2000);
     android.frames(2);
     android.run();
     const auto& sections = android.traceSections;
