@@ -22,13 +22,12 @@ struct ConeStart {
 
 // The id of a voxel's face. Returns false if no surface covers it.
 bool findFace(uint staticCell, uint dynamicCell, int face, out uint id) {
-    bool isStatic = hasFace(staticCell, face);
-    LevelCommands dynamic = commands[dynamicList];
-    id = isStatic ? faceId(staticCell, face, 0u) : faceId(dynamicCell, face, dynamic.firstId);
-    return isStatic || hasFace(dynamicCell, face) && id < dynamic.firstId + faceCount(dynamicList);
+    if (!hasFace(staticCell, face)) return findDynamicFace(dynamicCell, face, id);
+    id = faceId(staticCell, face, 0u);
+    return true;
 }
 
-// `plane`: of the surface in the voxel's face `ownFace`.
+// Returns where the cones of the face `ownFace` start. `plane`: the plane of its surface.
 ConeStart coneStartOf(ivec3 voxel, int ownFace, SurfacePlane plane) {
     // A surface that faces this one is either in front of it or, in a sheet, at the same place or behind it.
     const float sheet = 0.04;  // the planes are rounded

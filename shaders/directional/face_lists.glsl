@@ -69,3 +69,10 @@ bool hasFace(uint cell, int face) {
 uint faceId(uint cell, int face, uint firstId) {
     return firstId + (cell >> VCT_FACE_MASK_BITS) - 1u + uint(bitCount(cell & ((1u << uint(face)) - 1u)));
 }
+// The id of a face that dynamic objects cover. Returns false if there is none, or the list had no room for
+// it.
+bool findDynamicFace(uint cell, int face, out uint id) {
+    uint first = commands[dynamicList].firstId;
+    id = faceId(cell, face, first);
+    return hasFace(cell, face) && id < first + faceCount(dynamicList);
+}

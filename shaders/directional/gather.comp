@@ -52,8 +52,7 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
     int first = int(firstDirection) + place;
     // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
     float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
-    const float behindVoxel =
-        0.8;  // from the voxel's border to the middle of the next one's faces, and a bit more
+    const float behindVoxel = 0.8;  // half a voxel is the middle of the next voxel's faces
     Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
         COUNT(VCT_COUNTER_IRRADIANCE_CONE);

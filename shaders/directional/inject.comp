@@ -58,10 +58,8 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
 FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
     if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
-    if (!hasFace(dynamicCell, face)) return sums;
-    // A dynamic face beyond the list's capacity has no sums.
-    uint id = faceId(dynamicCell, face, commands[dynamicList].firstId);
-    return id < commands[dynamicList].firstId + faceCount(dynamicList) ? combine(sums, faceSums(id)) : sums;
+    uint id;
+    return findDynamicFace(dynamicCell, face, id) ? combine(sums, faceSums(id)) : sums;
 }
 
 // True if the face's surface is one side of a sheet or a thin plate: the opposite face is covered too, and by
