@@ -78,8 +78,9 @@ std::vector<Point> middleOfFloor(const Scene& scene, const glm::dvec3& direction
 
 // An edge of a plate over a floor of side 4. The camera looks down on its shadow, turned along the edge.
 struct Edge {
-    double height = 1.0;    // of the plate
-    double angleDeg = 0.0;  // of its edge against the axes of the shadow map
+    double height = 1.0;      // of the plate
+    double angleDeg = 0.0;    // of its edge against the axes of the shadow map
+    double ballRadius = 0.0;  // of a ball under the edge, in place of the floor; 0: the floor
 };
 
 struct Ramp {
@@ -105,12 +106,15 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(edge.angleDeg), glm::dvec3(0, 1, 0));
     const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 0.0)); };
     Scene scene = emptyScene();
-    addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
-    addQuad(scene, turned({0, edge.height, -1.2}), turned({1.6, 0, 0}), turned({0, 0, 2.4}));
-    scene = finished(std::move(scene));
     const glm::dvec3 directionToLight = glm::normalize(disc.towards);
     const glm::dvec3 inShadow =
         -edge.height / directionToLight.y * glm::dvec3(directionToLight.x, 0, directionToLight.z);
+    if (edge.ballRadius > 0.0)
+        addBall(scene, edge.ballRadius, inShadow - glm::dvec3(0, edge.ballRadius, 0));
+    else
+        addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4});
+    addQuad(scene, turned({0, edge.height, -1.2}), turned({1.6, 0, 0}), turned({0, 0, 2.4}));
+    scene = finished(std::move(scene));
 
     const int rows = 24;
     Settings settings = presetSettings(disc.preset);
@@ -191,6 +195,26 @@ TEST_P(Penumbrae, AreSmoothRampsAlongAStraightEdge) {
                     EXPECT_NEAR(ramp.shift, 0.0, 0.05) << what;
                 }
             }
+}
+
+TEST(SoftShadow, PenumbraeAreSmoothRampsAcrossABall) {
+    const Context context = openContext(Backend::egl);
+    for (const char* preset : {"mobile", "quality"})
+        for (const double diameterDeg : {0.5, 2.0, 5.0, 10.0})
+            for (const double height : {0.1, 0.5, 2.0})
+                for (const double angleDeg : {0.0, 45.0}) {
+                    const Ramp ramp = rampOf(context, {height, angleDeg, 1.0},
+                                             {"", preset, diameterDeg, slanted, {}}, 1920);
+                    char what[100];
+                    std::snprintf(what, sizeof what, "%s, sun of %.1f, %.1f high, %2.0f degrees", preset,
+                                  diameterDeg, height, angleDeg);
+                    EXPECT_LE(ramp.step, 2.0) << what;
+                    // Narrow penumbrae show the texels of the map.
+                    EXPECT_LE(ramp.backward, ramp.texels > 4.0 ? 0.01 : 0.03) << what;
+                    if (ramp.texels > 8.0) {
+                        EXPECT_LE(ramp.rms, 0.035) << what;
+                    }
+                }
 }
 
 // The strips are narrower than the blocker search and than their penumbra: no point is in full shadow.
