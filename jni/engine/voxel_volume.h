@@ -18,6 +18,7 @@ struct VoxelLight {
     const gl::Texture* irradiance =
         nullptr;                            // bricks of face irradiance: shaders/directional/irradiance.glsl
     const gl::Texture* bricks = nullptr;    // location of each block's brick in `irradiance`
+    const gl::Texture* walls = nullptr;     // thin walls across the bricks
     const gl::Texture* faces = nullptr;     // directional voxels, for the cones of glossy surfaces
     const gl::Buffer* faceRange = nullptr;  // shared::FaceRange of `faces`
 };

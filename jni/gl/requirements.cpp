@@ -67,8 +67,8 @@ constexpr Limit limits[] = {
     {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, "GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS", 4, true,
      "mip levels and clearing: read and append the lists of voxels and faces, and write the indirect "
      "commands"},
-    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 2, true,
-     "mip levels and clearing: two levels are accessed in one compute shader"},
+    {GL_MAX_COMPUTE_IMAGE_UNIFORMS, "GL_MAX_COMPUTE_IMAGE_UNIFORMS", 3, true,
+     "clearing: three textures are cleared in one compute shader"},
     {GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, "GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS", 64, true,
      "mip levels and clearing: work groups of 64 invocations"},
     {GL_MAX_3D_TEXTURE_SIZE, "GL_MAX_3D_TEXTURE_SIZE", 256, true,

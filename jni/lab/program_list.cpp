@@ -20,8 +20,8 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"carry_over",   "clear_bricks", "place_bricks", "mark_lookups",
-                                   "choose_faces", "light_blocks", "fill_bricks"};
+constexpr std::array lightPrograms{"carry_over",   "clear_bricks", "place_bricks", "mark_walls",
+                                   "mark_lookups", "choose_faces", "light_blocks", "fill_bricks"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);

@@ -65,6 +65,13 @@ const std::vector<Stage>& stages() {
         {"directional/place_bricks.comp",
          VCT_COUNTER_PLACE_BRICKS,
          {{"face", 0, VCT_COUNTER_PLACE_BRICKS_FACE}}},
+        {"directional/mark_walls.comp",
+         VCT_COUNTER_MARK_WALLS,
+         {{"face", 0, VCT_COUNTER_MARK_WALLS_FACE},
+          {"surface", 1, VCT_COUNTER_MARK_WALLS_SURFACE},
+          {"crossed face", 2, VCT_COUNTER_MARK_WALLS_CROSSED},
+          {"brick", 3, VCT_COUNTER_MARK_WALLS_BRICK},
+          {"word", 4, VCT_COUNTER_MARK_WALLS_WORD}}},
         {"directional/mark_lookups.comp", VCT_COUNTER_MARK_LOOKUPS, {}},
         {"directional/choose_faces.comp",
          VCT_COUNTER_CHOOSE_FACES,
@@ -116,14 +123,15 @@ std::vector<StageCount> countInvocations(Renderer& renderer, Output mode, const 
     for (const Stage& stage : stages()) {
         if (counts[stage.invocations] == 0) continue;
         StageCount count{stage.shader, counts[stage.invocations], {}};
-        // A loop that did not run may be one that the variant does not have. It is listed if the loop around
-        // it ran, which then had no reason to enter it.
-        std::array<std::uint32_t, 4> runs{};  // of the last loop of each depth
+        // An outermost loop that did not run may be one that the variant does not have. Those inside of a
+        // listed loop are listed, because that loop may have had no reason to enter them.
+        std::array<bool, 5> isListed{};  // the last loop of each depth
         for (const Loop& loop : stage.loops) {
-            runs[loop.depth] = counts[loop.counter];
-            if (runs[loop.depth] > 0 || (loop.depth > 0 && runs[loop.depth - 1] > 0))
-                count.loops.push_back({loop.name, loop.depth, loop.constant,
-                                       loop.times * static_cast<double>(runs[loop.depth])});
+            const std::uint32_t runs = counts[loop.counter];
+            isListed.at(loop.depth) = runs > 0 || (loop.depth > 0 && isListed.at(loop.depth - 1));
+            if (isListed[loop.depth])
+                count.loops.push_back(
+                    {loop.name, loop.depth, loop.constant, loop.times * static_cast<double>(runs)});
         }
         found.push_back(std::move(count));
     }

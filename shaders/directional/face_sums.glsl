@@ -92,6 +92,14 @@ FaceSums combine(FaceSums a, FaceSums b) {
                     max(a.plane, b.plane));
 }
 
+// The sums of a face in the static and the dynamic index, added together.
+FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
+    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
+    if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
+    uint id;
+    return findDynamicFace(dynamicCell, face, id) ? combine(sums, faceSums(id)) : sums;
+}
+
 // The data of a face that the gather and the look-ups need, for static and dynamic geometry together.
 struct FaceSurface {
     SurfacePlane plane;

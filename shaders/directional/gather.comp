@@ -37,6 +37,38 @@ mediump vec3 radianceOf(ivec3 voxel, int face) {
     return stored.rgb * (faceRange.radiance / max(stored.a, 1e-2));
 }
 
+// The thin walls beside a face: positions along the two axes that it spans (acrossFaces()), in voxels.
+vec2 thinWallsBeside(ivec3 voxel, int face) {
+    ivec3 block = voxel >> VCT_BRICK_LEVEL;
+    int axis = face >> 1;
+    if ((brickAt(block, axis, face & 1) & VCT_BRICK_HAS_WALLS) == 0u) return vec2(noWall);
+    ivec3 texel = faceTexel(block, axis, face & 1, frame.gridSide >> VCT_BRICK_LEVEL);
+    vec2 first = acrossFaces(vec3(block * VCT_BRICK_SIDE - 1), axis);
+    return first + wallsBeside(texelFetch(walls, texel, 0).r, acrossFaces(vec3(voxel) + 0.5, axis) - first);
+}
+
+// Radiance and coverage of a thin wall that a ray meets near its start, from a face along `axis`. A cone's
+// samples would let light through a wall that is within the first step.
+mediump vec4 thinWallOnRay(vec2 thinWalls, int axis, vec3 start, vec3 direction) {
+    const float near = 2.0;  // voxels
+    vec2 along = acrossFaces(direction, axis);
+    vec2 distances = (thinWalls - acrossFaces(start, axis)) / along;
+    distances = mix(vec2(near), distances, greaterThan(distances, vec2(0.0)));
+    float distance = min(distances.x, distances.y);
+    if (distance >= near) return vec4(0.0);
+    bool isFirst = distances.x < distances.y;
+    int wallAxis = (axis + (isFirst ? 1 : 2)) % 3;
+    // The wall's faces look against the ray.
+    int side = (isFirst ? along.x : along.y) > 0.0 ? 1 : 0;
+    ivec3 last = ivec3(frame.gridSide - 1);
+    ivec3 voxel = clamp(ivec3(start + direction * distance), ivec3(0), last);
+    mediump vec4 wall = texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
+    if (wall.a > 0.0) return wall;
+    // The plane of the wall's middle may be in the voxel behind its surface.
+    voxel[wallAxis] = clamp(voxel[wallAxis] + (side == 1 ? -1 : 1), 0, last.x);
+    return texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
+}
+
 // Traces `cones` cones of a face, along consecutive directions of the set from `firstDirection` on. From one
 // direction to the next the azimuth turns by about the golden angle, so that any few consecutive ones are
 // spread over the hemisphere. Neighbouring faces begin at different directions: a block has 4^3 voxels, one
@@ -48,6 +80,7 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
     ConeStart start = coneStartOf(voxel, face, plane);
     mediump vec3 oppositeLight =
         start.opposite == vec3(0.0) ? vec3(0.0) : radianceOf(start.voxel, start.face);
+    vec2 thinWalls = thinWallsBeside(voxel, face);
     int place = indexInBlock(voxel, face >> 1);
     int first = int(firstDirection) + place;
     // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
@@ -68,6 +101,14 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
             gathered.light += oppositeLight;
             gathered.nearness += 1.0 / max(toOpposite, VCT_GATHER_FIRST_SAMPLE);
             continue;
+        }
+        if (max(thinWalls.x, thinWalls.y) > -1.0) {
+            mediump vec4 wall = thinWallOnRay(thinWalls, face >> 1, start.position, direction);
+            if (wall.a > 0.2) {
+                gathered.light += wall.rgb * (faceRange.radiance / wall.a);
+                gathered.nearness += 1.0;
+                continue;
+            }
         }
         // The content of the opposite voxel has been compared with its plane.
         float begin = VCT_GATHER_FIRST_SAMPLE;

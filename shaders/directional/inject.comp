@@ -54,14 +54,6 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
     return sum + max(cosTheta, 0.0) * (known.x / max(known.x + known.y, 1.0)) * frame.lightColor.rgb;
 }
 
-// The sums of a face in the static and the dynamic index, added together.
-FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
-    FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
-    if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
-    uint id;
-    return findDynamicFace(dynamicCell, face, id) ? combine(sums, faceSums(id)) : sums;
-}
-
 // True if the face's surface is one side of a sheet or a thin plate: the opposite face is covered too, and by
 // a surface of the opposite normal. Where two walls meet at an edge, opposite faces have other normals.
 bool hasBack(uint staticCell, uint dynamicCell, int face, FaceSums sums, vec3 normal) {

@@ -5,10 +5,12 @@
 // would show steps that move with the camera.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
+#include "directional/walls.glsl"
 #include "shared/counters.glsl"
 
 layout(binding = VCT_TEX_IRRADIANCE) uniform mediump sampler3D irradiance;
 layout(binding = VCT_TEX_BRICKS) uniform highp usampler3D bricks;  // packBrick(); 0: no brick
+layout(binding = VCT_TEX_WALLS) uniform highp usampler3D walls;    // thin walls across bricks
 
 // The brick of a block's face.
 uint brickAt(ivec3 block, int axis, int side) {
@@ -32,10 +34,19 @@ mediump vec4 irradianceInBrick(uint brick, vec3 inBrick) {
     return brick != 0u ? received : vec4(0.0);
 }
 
+// The filtered content of the brick of a block's face. A position beside a thin wall takes its own side.
+mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
+    ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
+    uint brick = texelFetch(bricks, texel, 0).r;
+    if ((brick & VCT_BRICK_HAS_WALLS) != 0u)
+        inBrick = besideWalls(texelFetch(walls, texel, 0).r, inBrick, axis);
+    return irradianceInBrick(brick, inBrick);
+}
+
 // Irradiance, premultiplied by coverage, and coverage around a position (in voxels), of the faces on one
 // side of an axis. `block`: the block of the position, or one at most half a voxel away.
 mediump vec4 irradianceOfFaces(vec3 position, ivec3 block, int axis, int side) {
-    return irradianceInBrick(brickAt(block, axis, side), positionInBrick(position, block));
+    return irradianceOfBlock(block, axis, side, positionInBrick(position, block));
 }
 
 // The vector from the middle of a unit cube to corner `i`, selected by the last three bits.
@@ -73,7 +84,7 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
             axes -= 1 << axis;
             float along = instead != 0.0 ? instead : dot(normal, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
             mediump float weight = along * along;
-            sum += weight * irradianceInBrick(brickAt(block, axis, along > 0.0 ? 0 : 1), inBrick);
+            sum += weight * irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick);
         } while (axes > 0);
         // The eight fetches of a block's face belong together.
         bool whole = i <= borderTries || (i & 7u) == 0u;

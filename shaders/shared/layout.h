@@ -132,11 +132,18 @@ using glm::vec4;
 #define VCT_COUNTER_IRRADIANCE_OTHER_FACE 66
 #define VCT_COUNTER_EMITTERS_VOXEL 67
 #define VCT_COUNTER_EMITTERS_OTHER_FACE 68
-#define VCT_COUNTER_COUNT 69
+#define VCT_COUNTER_MARK_WALLS 69
+#define VCT_COUNTER_MARK_WALLS_FACE 70
+#define VCT_COUNTER_MARK_WALLS_SURFACE 71
+#define VCT_COUNTER_MARK_WALLS_CROSSED 72
+#define VCT_COUNTER_MARK_WALLS_BRICK 73
+#define VCT_COUNTER_MARK_WALLS_WORD 74
+#define VCT_COUNTER_COUNT 75
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
 #define VCT_TEX_EMISSIVE 1
+#define VCT_TEX_WALLS 1  // shared with VCT_TEX_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
 #define VCT_TEX_DYNAMIC_VOXELS 4   // present pose; passes that read the G-buffer do not need it
@@ -161,6 +168,7 @@ using glm::vec4;
 // Image units.
 #define VCT_IMAGE_VOXELS 0
 #define VCT_IMAGE_VOXELS_NEXT 1
+#define VCT_IMAGE_WALLS 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
 #define VCT_IMAGE_FACES 2
 #define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
 #define VCT_IMAGE_BRICKS 3
@@ -389,7 +397,8 @@ VCT_FUNCTION uint unpackFace(uint entry) {
 }
 
 // Location of a brick of irradiance in its texture, in bricks: 10 bits per coordinate, and a bit that is
-// always set.
+// always set. Another bit is set if thin walls cross the brick (directional/walls.glsl).
+#define VCT_BRICK_HAS_WALLS 0x40000000u
 VCT_FUNCTION uint packBrick(uvec3 brick) {
     return 0x80000000u | (brick.x << 20) | (brick.y << 10) | brick.z;
 }

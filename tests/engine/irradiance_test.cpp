@@ -170,6 +170,31 @@ TEST(Gather, NoSkyShinesIntoTheCreasesOfAClosedRoom) {
     EXPECT_LE(frame.spreadOf(Output::indirectLight).max, 0.16);
 }
 
+// A wall thinner than a voxel cuts a room in two, and a lamp lights one half. Along the wall the same voxels
+// hold the floor of both halves, whose light must not reach the dark half's floor, back wall or ceiling.
+TEST(Gather, NoLightPassesBelowAThinWall) {
+    const Context context = openContext(Backend::egl);
+    for (const double inVoxel : {0.0, 0.5}) {
+        SCOPED_TRACE(inVoxel);
+        const double voxel = 2.0 / 60.0, wallX = (4.0 + inVoxel) * voxel;
+        Scene scene = closedBox(0.0);
+        addBox(scene, {0.3 * voxel, 2, 2}, {wallX, 0, 0});
+        addQuad(scene, {0.99, -0.5, 0.5}, {0, 0, -1}, {0, 1, 0}, addEmitter(scene));
+        FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(pictureSide),
+                             lookAt({-0.8, 0.1, 0.9}, {wallX, -0.1, -0.9}, 100));
+        Spread beside, apart;
+        for (const auto& [surface, light] : frame.seen(Output::irradiance)) {
+            const double toWall = (wallX - surface.positionWorld.x) / voxel;
+            if (std::abs(surface.normal.x) > 0.5) continue;
+            if (toWall > 0.25 && toWall < 2.0) beside.add(light.x);
+            if (toWall > 4.0 && toWall < 10.0) apart.add(light.x);
+        }
+        ASSERT_GT(beside.count, 200);
+        ASSERT_GT(apart.count, 500);
+        EXPECT_LE(beside.mean, 1.3 * apart.mean);
+    }
+}
+
 // A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in
 // the dark below the floor.
 TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {

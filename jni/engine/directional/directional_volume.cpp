@@ -135,6 +135,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     }
     light.irradiance = irradiance.irradiance();
     light.bricks = irradiance.bricks();
+    light.walls = irradiance.walls();
     return light;
 }
 

@@ -78,6 +78,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
+      markWalls_(shaders, lightProgram("mark_walls", sources)),
       markLookups_(shaders, lightProgram("mark_lookups", sources)),
       chooseFaces_(shaders, lightProgram("choose_faces", sources)),
       gather_(shaders, gatherProgram(settings, purpose, sources)),
@@ -212,6 +213,7 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     if (bricks_) return;
     const glm::ivec3 size = blocksSize(grid);
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
+    walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, size.z, 1);
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
     lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
@@ -253,6 +255,7 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_LIGHT);
     voxels.faces().bind(VCT_TEX_FACES);
     bricks_->bind(VCT_TEX_BRICKS);
+    walls_->bind(VCT_TEX_WALLS);
     irradiance_->bind(VCT_TEX_IRRADIANCE);
     blockLight_->bind(VCT_TEX_BLOCK_LIGHT);
 }
@@ -260,20 +263,26 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
 void Irradiance::placeBricks(const DirectionalVoxels& voxels) const {
     clearBricks_.use();
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_WRITE_ONLY);
+    bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
+    walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels.grid())) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     placeBricks_.use();
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    markWalls_.use();
+    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 std::vector<const gl::Texture*> Irradiance::textures() const {
     if (!irradiance_) return {};
-    return {&*irradiance_, &*bricks_, &*blockLight_, &*lastLookups_};
+    return {&*irradiance_, &*bricks_, &*walls_, &*blockLight_, &*lastLookups_};
 }
 
 }  // namespace vct

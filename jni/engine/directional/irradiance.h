@@ -18,7 +18,7 @@ namespace vct {
 float largestBounceShare(const Scene& scene);
 
 // A program of a light step, except for the gather and the emitters. `name`: carry_over, clear_bricks,
-// place_bricks, mark_lookups, choose_faces, light_blocks or fill_bricks.
+// place_bricks, mark_walls, mark_lookups, choose_faces, light_blocks or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
 gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose purpose,
                                      const LightFeatures& sources);
@@ -55,6 +55,8 @@ class Irradiance {
     // bricks themselves. bricks(): for each block and direction, the place of its brick.
     const gl::Texture* irradiance() const { return irradiance_ ? &*irradiance_ : nullptr; }
     const gl::Texture* bricks() const { return bricks_ ? &*bricks_ : nullptr; }
+    // The thin walls across the bricks: shaders/directional/walls.glsl.
+    const gl::Texture* walls() const { return walls_ ? &*walls_ : nullptr; }
     // The histories by face id: shaders/directional/face_irradiance.glsl.
     const gl::Buffer& faceIrradiance() const { return faceIrradiance_; }
     // Words per face in faceIrradiance(): four, and two more for the light of compact emitters.
@@ -77,14 +79,15 @@ class Irradiance {
     GatherSettings settings_;
     GatherSchedule schedule_;
     GatherSchedule::Change pending_;  // changes that no step has taken into account yet
-    gl::Program clearBricks_, placeBricks_, markLookups_, chooseFaces_, gather_, lightBlocks_, fillBricks_;
+    gl::Program clearBricks_, placeBricks_, markWalls_, markLookups_, chooseFaces_, gather_, lightBlocks_,
+        fillBricks_;
     std::optional<gl::Program> carryOver_;    // only if there are dynamic objects
     std::optional<gl::Program> emitters_;     // only if the scene has compact emitters
     int emitterSteps_ = emitterUpdatePeriod;  // steps left in which faces trace cones towards emitters
     bool placesBricks_ = true;                // the next step has to place the bricks
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Buffer> visibilityRange_;  // for ambient visibility, whose range is 1
-    std::optional<gl::Texture> irradiance_, bricks_, blockLight_, lastLookups_;
+    std::optional<gl::Texture> irradiance_, bricks_, walls_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;
     GatherStep step_;

@@ -72,6 +72,7 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
     if (indirect.irradiance != nullptr) {
         indirect.irradiance->bind(VCT_TEX_IRRADIANCE);
         indirect.bricks->bind(VCT_TEX_BRICKS);
+        indirect.walls->bind(VCT_TEX_WALLS);
     }
     if (indirect.faces != nullptr) indirect.faces->bind(VCT_TEX_FACES);
     if (indirect.faceRange != nullptr) indirect.faceRange->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
