@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "vct/error.h"
+#include "vct/version.h"
 
 namespace vct {
 
@@ -150,18 +151,13 @@ using GetProcAddress = void* (*)(const char* name);
 
 // A scene in GL with its voxels and their light.
 //
-// GL state:
-// - Every function, including constructor and destructor, restores: the bound framebuffers for drawing and
-//   reading, viewport, scissor box, depth range, colour and depth masks, depth function, culled face and
-//   front face, the program, the vertex array, the active texture unit, and the switches GL_BLEND,
-//   GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL and GL_RASTERIZER_DISCARD. State
-//   that GL has per draw buffer is restored to that of draw buffer 0 for all draw buffers.
-// - These are undefined afterwards: textures of units 0 to 15 and 31 (their samplers are 0), images of units
-//   0 to 3, uniform buffers 0 to 5, shader storage buffers 0 to 4, and the bindings GL_ARRAY_BUFFER,
-//   GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER,
-//   GL_DRAW_INDIRECT_BUFFER and GL_DISPATCH_INDIRECT_BUFFER.
-// - Other state is neither read nor changed. No query and no transform feedback may be active during a call.
-//   An earlier error that glGetError() would return is dropped.
+// Every function, including constructor and destructor, leaves GL's state as it found it, whatever it is,
+// except:
+// - State that GL has per draw buffer (blending and colour masks) becomes that of draw buffer 0 for all draw
+//   buffers.
+// - An earlier error that glGetError() would return is dropped.
+// No query and no transform feedback may be active during a call. In desktop GL, the clip control, polygon
+// mode, logic operation and clip distances must have their initial values during a call.
 //
 // The constructor fills a table of GL entry points that the whole process shares. All contexts that use the
 // library at the same time must therefore have the same driver.

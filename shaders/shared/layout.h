@@ -46,6 +46,7 @@ using glm::vec4;
 #define VCT_UBO_PUNCTUAL_LIGHTS 3
 #define VCT_UBO_EMITTERS 4
 #define VCT_UBO_FACE_RANGE 5
+#define VCT_UBO_COUNT 6
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
@@ -54,6 +55,7 @@ using glm::vec4;
 #define VCT_SSBO_FACE_RANGE 2  // shared with VCT_SSBO_FACES; no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
+#define VCT_SSBO_COUNT 5
 // Storage blocks of the passes over vertices, which bind all of their buffers (jni/engine/deformer.h).
 #define VCT_SSBO_DEFORM_VERTICES 0
 #define VCT_SSBO_DEFORM_SOURCES 1
@@ -164,6 +166,7 @@ using glm::vec4;
 #define VCT_IMAGE_FACES 2
 #define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
 #define VCT_IMAGE_BRICKS 3
+#define VCT_IMAGE_COUNT 4
 #define VCT_IMAGE_BLOCK_LIGHT 2
 #define VCT_IMAGE_LAST_LOOKUPS 2
 
