@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,12 +64,31 @@ struct InstanceDescription {
     bool moves = false;  // true: setTransform() may move it, which costs memory and time
 };
 
-// The sun. Other light comes from emission and from the sky.
+// The sun. Other light comes from `lights`, emission and the sky.
 struct Sun {
     std::array<double, 3> directionToSun{0, 1, 0};  // direction towards the sun; any length but 0
     std::array<float, 3> color{1, 1, 1};  // multiplies the illuminance; the largest component must be 1
     float illuminance = 3.14159265F;      // on a surface that faces the sun, for example in lux
     float diameterDegrees = 5.0F;         // full opening angle of its disc, 0.1 to 170
+};
+
+// A light in the scene besides the sun, as in glTF's KHR_lights_punctual. Radiance includes its direct light,
+// and the light that surfaces reflect of it.
+struct LightDescription {
+    enum class Type { point, spot, directional };
+    Type type = Type::point;
+    std::array<double, 3> position{0, 0, 0};    // of a point or spot light, in metres
+    std::array<double, 3> direction{0, -1, 0};  // of a spot or directional light's rays; any length but 0
+    std::array<float, 3> color{1, 1, 1};        // multiplies the intensity; 0 to 1
+    // Illuminance of a surface that faces the light, in the unit of Sun::illuminance; for a point or spot
+    // light at a distance of a metre, so that it is in candela if the unit is lux.
+    float intensity = 1.0F;
+    float range = std::numeric_limits<float>::infinity();  // metres; it fades out towards this distance
+    // Half angles of a spot's cone: where it begins to fade, and where it is dark, at most 90.
+    float innerConeDegrees = 0.0F, outerConeDegrees = 45.0F;
+    // Its size, for soft shadows; 0: hard ones, which take less time.
+    float radius = 0.0F;           // metres, of a point or spot light
+    float diameterDegrees = 0.0F;  // full opening angle of a directional light, at most 170
 };
 
 struct Box {
@@ -88,6 +108,11 @@ struct SceneDescription {
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     Sun sun;
+    std::vector<LightDescription> lights;
+    // The most lights that addLight() may bring the scene to, at most 64. Shadow maps take memory for each of
+    // them, at most 16 MB in sum. They have room for 16 point lights, or 96 spot or directional lights;
+    // beyond that, the lights that give the nearest surfaces the least light cast no shadows.
+    std::size_t maxLights = 0;
     // Radiance of a sky of one colour. It is absolute like the sun's illuminance: beside a sun of 100000 lux,
     // a sky of 0.2 is black.
     std::array<float, 3> skyRadiance{0, 0, 0};
@@ -132,9 +157,9 @@ struct GBufferTextures {
 struct Pictures {
     // The complete light, in units of radianceUnit().
     unsigned radiance = 0;
-    // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, divided by
-    // pi * radianceUnit(). With the presets mobile and quality, a surface that neither is glossy nor emits
-    // has the radiance, in units of radianceUnit(),
+    // Irradiance by other surfaces, emitters and the sky, without the direct light of sun and lights, divided
+    // by pi * radianceUnit(). With the presets mobile and quality, a surface that neither is glossy nor emits
+    // has the radiance, in units of radianceUnit() and without the direct light of SceneDescription::lights,
     //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun + irradiance),
     // with `normal` and `directionToSun` at unit length, sunVisibility from the picture of that name, and
     // sun = sun.color * sun.illuminance / (pi * radianceUnit()), which usually is sun.color. With the preset
@@ -178,6 +203,13 @@ class GlobalIllumination {
     // Turns the sun in the next picture. `directionToSun`: any length but 0. Colour, illuminance and diameter
     // are fixed.
     void setSun(const std::array<double, 3>& directionToSun);
+    // Lights of the next pictures. addLight() returns the light's number, which it keeps until it is removed;
+    // the scene's own lights have their indices in SceneDescription::lights. Changing only colour or
+    // intensity costs less than moving it, because its shadow maps are kept. The first light with a radius or
+    // diameter compiles a shader. An intensity of 0 switches a light off.
+    std::size_t addLight(const LightDescription& light);
+    void setLight(std::size_t number, const LightDescription& light);
+    void removeLight(std::size_t number);
     // Recreates the pictures and the G-buffer in another size. Voxels and their light are kept.
     void resize(int width, int height);
 
@@ -191,7 +223,8 @@ class GlobalIllumination {
 
     // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white
     // surface that faces the sun, or 1 if the sun is off. It is more if something is so bright that half
-    // floats could not store it, and less if the sun is off and all light is weak.
+    // floats could not store it, and less if the sun is off and all light is weak. Lights that are added or
+    // changed later do not change it.
     double radianceUnit() const;
 
   private:

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "scene/gltf.h"
+#include "shared/layout.h"
 
 namespace vct {
 
@@ -109,6 +110,48 @@ DirectionalLight lightOf(const Sun& sun) {
 
 }  // namespace
 
+PunctualLight lightOf(const LightDescription& description, const std::string& name) {
+    using Type = LightDescription::Type;
+    PunctualLight light;
+    const bool isDirectional = description.type == Type::directional;
+    light.type = isDirectional                    ? PunctualLight::Type::directional
+                 : description.type == Type::spot ? PunctualLight::Type::spot
+                                                  : PunctualLight::Type::point;
+    require(within(description.color, 0.0, 1.0), name + ": give a colour between 0 and 1");
+    const float intensity[] = {description.intensity};
+    require(within(intensity, 0.0, 1e30), name + ": give an intensity between 0 and 1e30");
+    require(within(description.position, -maxCoordinate, maxCoordinate),
+            name + ": its position has a number that is not finite or beyond 1e18");
+    require(description.range > 0.0F, name + ": give a range above 0");
+    require(description.radius >= 0.0F && std::isfinite(description.radius),
+            name + ": give a radius of 0 or above");
+    require(description.diameterDegrees >= 0.0F && description.diameterDegrees <= 170.0F,
+            name + ": give a diameter between 0 and 170 degrees");
+    require(description.innerConeDegrees >= 0.0F &&
+                description.innerConeDegrees < description.outerConeDegrees &&
+                description.outerConeDegrees <= 90.0F,
+            name + ": give cone angles with 0 <= inner < outer <= 90 degrees");
+    const float largest = *std::max_element(description.color.begin(), description.color.end());
+    light.color = largest > 0.0F ? color(description.color) / largest : glm::vec3(0.0F);
+    light.intensity = description.intensity * largest;
+    if (light.type != PunctualLight::Type::point) {
+        const glm::dvec3 backwards = -direction(description.direction, name + ": its direction");
+        const glm::dvec3 helper = std::abs(backwards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+        const glm::dvec3 right = glm::normalize(glm::cross(helper, backwards));
+        light.worldFromLight[0] = glm::dvec4(right, 0.0);
+        light.worldFromLight[1] = glm::dvec4(glm::cross(backwards, right), 0.0);
+        light.worldFromLight[2] = glm::dvec4(backwards, 0.0);
+    }
+    light.worldFromLight[3] = {description.position[0], description.position[1], description.position[2],
+                               1.0};
+    if (!isDirectional) light.range = description.range;
+    light.innerConeRad = glm::radians(double{description.innerConeDegrees});
+    light.outerConeRad = glm::radians(double{description.outerConeDegrees});
+    light.size = isDirectional ? std::tan(0.5 * glm::radians(double{description.diameterDegrees}))
+                               : double{description.radius};
+    return light;
+}
+
 glm::dmat4 affine(const Matrix& matrix, const std::string& what) {
     glm::dmat4 result;
     for (int column = 0; column < 4; ++column)
@@ -148,6 +191,13 @@ Scene sceneOf(const SceneDescription& description) {
     }
     require(!scene.instances.empty(), "the scene has no instances; give it at least one");
     scene.lights.push_back(lightOf(description.sun));
+    for (const LightDescription& light : description.lights)
+        scene.punctualLights.push_back(lightOf(light, indexed("light", scene.punctualLights.size())));
+    const std::size_t lights = std::max(description.lights.size(), description.maxLights);
+    require(lights <= VCT_MAX_PUNCTUAL_LIGHTS,
+            "the scene may have " + std::to_string(lights) + " lights, and the limit is " +
+                std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) + "; leave out the weakest");
+    scene.punctualLightRoom = lights - description.lights.size();
     computeBounds(scene);
     if (description.bounds) {
         const auto& [min, max] = *description.bounds;

@@ -139,6 +139,8 @@ struct GlobalIllumination::Implementation {
     Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
                    const gl::Capabilities& capabilities)
         : outputs(outputsFor(options)) {
+        hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
+        std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
         for (const Instance& instance : scene.instances) {
             nodes.push_back(instance.node);
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
@@ -161,6 +163,12 @@ struct GlobalIllumination::Implementation {
                    : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
     }
 
+    void requireLight(std::size_t number, const char* function) const {
+        if (number >= hasLight.size() || !hasLight[number])
+            throw Error(std::string(function) + ": there is no light " + std::to_string(number) +
+                        "; give a number that addLight() returned, or an index of SceneDescription::lights");
+    }
+
     Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
         renderer->render({outputs, cameraOf(view),
                           light == Light::converged ? LightSteps::all : LightSteps::one, surface});
@@ -171,6 +179,7 @@ struct GlobalIllumination::Implementation {
     std::vector<Output> outputs;
     std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
+    std::vector<bool> hasLight;  // by number; false: there is room for one
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
@@ -198,6 +207,29 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
 
 void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
     implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
+}
+
+std::size_t GlobalIllumination::addLight(const LightDescription& light) {
+    std::vector<bool>& hasLight = implementation_->hasLight;
+    const auto free = std::find(hasLight.begin(), hasLight.end(), false);
+    if (free == hasLight.end())
+        throw Error("addLight: the scene has " + std::to_string(hasLight.size()) +
+                    " lights already; remove one, or raise SceneDescription::maxLights");
+    const auto number = static_cast<std::size_t>(free - hasLight.begin());
+    implementation_->renderer->setPunctualLight(number, lightOf(light, "addLight"));
+    *free = true;
+    return number;
+}
+
+void GlobalIllumination::setLight(std::size_t number, const LightDescription& light) {
+    implementation_->requireLight(number, "setLight");
+    implementation_->renderer->setPunctualLight(number, lightOf(light, "setLight"));
+}
+
+void GlobalIllumination::removeLight(std::size_t number) {
+    implementation_->requireLight(number, "removeLight");
+    implementation_->renderer->setPunctualLight(number, std::nullopt);
+    implementation_->hasLight[number] = false;
 }
 
 void GlobalIllumination::resize(int width, int height) {

@@ -58,16 +58,22 @@ struct NamedState {
     const char* name;
     GLenum value;
 };
-#define VCT_STATE(NAME) \
-    { #NAME, NAME }
+#define VCT_STATE(NAME) {#NAME, NAME}
 
 inline const std::vector<NamedState>& glSwitches() {
-    static const std::vector<NamedState> names{
-        VCT_STATE(GL_BLEND), VCT_STATE(GL_CULL_FACE), VCT_STATE(GL_DEPTH_TEST), VCT_STATE(GL_DITHER),
-        VCT_STATE(GL_POLYGON_OFFSET_FILL), VCT_STATE(GL_PRIMITIVE_RESTART_FIXED_INDEX),
-        VCT_STATE(GL_RASTERIZER_DISCARD), VCT_STATE(GL_SAMPLE_ALPHA_TO_COVERAGE),
-        VCT_STATE(GL_SAMPLE_COVERAGE), VCT_STATE(GL_SAMPLE_MASK), VCT_STATE(GL_SAMPLE_SHADING),
-        VCT_STATE(GL_SCISSOR_TEST), VCT_STATE(GL_STENCIL_TEST)};
+    static const std::vector<NamedState> names{VCT_STATE(GL_BLEND),
+                                               VCT_STATE(GL_CULL_FACE),
+                                               VCT_STATE(GL_DEPTH_TEST),
+                                               VCT_STATE(GL_DITHER),
+                                               VCT_STATE(GL_POLYGON_OFFSET_FILL),
+                                               VCT_STATE(GL_PRIMITIVE_RESTART_FIXED_INDEX),
+                                               VCT_STATE(GL_RASTERIZER_DISCARD),
+                                               VCT_STATE(GL_SAMPLE_ALPHA_TO_COVERAGE),
+                                               VCT_STATE(GL_SAMPLE_COVERAGE),
+                                               VCT_STATE(GL_SAMPLE_MASK),
+                                               VCT_STATE(GL_SAMPLE_SHADING),
+                                               VCT_STATE(GL_SCISSOR_TEST),
+                                               VCT_STATE(GL_STENCIL_TEST)};
     return names;
 }
 

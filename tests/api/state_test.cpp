@@ -32,8 +32,8 @@ class Bindings {
         }
         for (const GLenum target :
              {GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_DRAW_INDIRECT_BUFFER,
-              GL_DISPATCH_INDIRECT_BUFFER, GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER,
-              GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER, GL_ATOMIC_COUNTER_BUFFER})
+              GL_DISPATCH_INDIRECT_BUFFER, GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_PIXEL_PACK_BUFFER,
+              GL_PIXEL_UNPACK_BUFFER, GL_ATOMIC_COUNTER_BUFFER})
             gl::BindBuffer(target, buffers_[1].name());
         const GLuint units = limitOf(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
         for (GLuint unit = 0; unit < units; ++unit) {
@@ -111,9 +111,9 @@ void changeParameters() {
     VCT_ENTRY_POINT(Hint)(GL_GENERATE_MIPMAP_HINT, GL_FASTEST);
     for (const GLenum name : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT})
         gl::PixelStorei(name, 8);
-    for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS,
-                              GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS,
-                              GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_IMAGES})
+    for (const GLenum name :
+         {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_UNPACK_ROW_LENGTH,
+          GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_IMAGES})
         gl::PixelStorei(name, 7);
     ASSERT_EQ(gl::GetError(), GLenum{GL_NO_ERROR});
 }
@@ -124,6 +124,12 @@ class State : public Embedded {
     State() {
         described_.scene.instances[1].moves = true;
         described_.scene.skyRadiance = {0, 0, 0};
+        LightDescription spot;
+        spot.type = LightDescription::Type::spot;
+        spot.position = {0, 2, 0};
+        spot.radius = 0.1F;
+        described_.scene.lights = {spot};
+        described_.scene.maxLights = 2;
         described_.scene.sky = SkyPicture{16, 8, sky_};
     }
     // Half floats of the picture.
@@ -166,7 +172,10 @@ TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
         expectSame("render()");
         light.setSun({1, 1, 1});
         light.setTransform(1, {});
-        expectSame("setSun() and setTransform()");
+        light.addLight({});
+        light.setLight(1, described_.scene.lights[0]);
+        light.removeLight(1);
+        expectSame("setSun(), setTransform() and the lights' functions");
         light.render(view, GlobalIllumination::Light::converged);
         expectSame("render() after a change");
         EXPECT_THROW(light.resize(0, 0), Error);
