@@ -47,14 +47,23 @@ struct MaterialDescription {
     float roughness = 1.0F;
     // False: the triangles are invisible from behind, but cast shadows from both sides.
     bool doubleSided = false;
+    // Names of 2D textures that multiply baseColor and emission; 0: none. Their filters and wrap modes apply,
+    // and sampling must give linear colours, as with GL_SRGB8_ALPHA8. They must exist as long as the
+    // GlobalIllumination, with the same content.
+    unsigned baseColorTexture = 0, emissionTexture = 0;
+    // Above 0, there are holes where alpha is less, which is the texture's times that of the vertex colour.
+    float alphaCutoff = 0.0F;
 };
 
 // Triangles of one material, in object space. The constructor of GlobalIllumination copies the spans.
 struct MeshDescription {
-    std::span<const float> positions;        // x, y, z per vertex
-    std::span<const float> normals;          // x, y, z per vertex, of any length but 0
-    std::span<const std::uint32_t> indices;  // three per triangle; counter-clockwise is front
-    std::size_t material = 0;                // index into SceneDescription::materials
+    std::span<const float> positions;             // x, y, z per vertex
+    std::span<const float> normals;               // x, y, z per vertex, of any length but 0
+    std::span<const std::uint32_t> indices;       // three per triangle; counter-clockwise is front
+    std::size_t material = 0;                     // index into SceneDescription::materials
+    std::span<const float> textureCoordinates{};  // u, v per vertex; needed if the material has textures
+    std::span<const float>
+        colors{};  // linear r, g, b, a per vertex, 0 to 1, which multiply baseColor, or none
 };
 
 // A mesh in the world.

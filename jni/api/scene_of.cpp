@@ -39,7 +39,18 @@ glm::dvec3 vectorAt(std::span<const float> numbers, std::uint32_t vertex) {
     return {v[0], v[1], v[2]};
 }
 
-Material materialOf(const MaterialDescription& description, const std::string& name) {
+// Returns the index of the GL texture in `textures`, and adds it if it is not there yet; -1 for none.
+int textureOf(unsigned name, std::vector<Texture>& textures) {
+    if (name == 0) return -1;
+    const auto found = std::find_if(textures.begin(), textures.end(),
+                                    [&](const Texture& texture) { return texture.external == name; });
+    if (found != textures.end()) return static_cast<int>(found - textures.begin());
+    textures.emplace_back().external = name;
+    return static_cast<int>(textures.size()) - 1;
+}
+
+Material materialOf(const MaterialDescription& description, const std::string& name,
+                    std::vector<Texture>& textures) {
     require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
     require(within(description.emission, 0.0, 1e30), name + ": give an emission between 0 and 1e30");
     const float surface[] = {description.metallic, description.roughness};
@@ -51,10 +62,38 @@ Material materialOf(const MaterialDescription& description, const std::string& n
     material.metallic = description.metallic;
     material.roughness = description.roughness;
     material.doubleSided = description.doubleSided;
+    const float cutoff[] = {description.alphaCutoff};
+    require(within(cutoff, 0.0, 1.0), name + ": give an alpha cutoff between 0 and 1");
+    if (description.alphaCutoff > 0.0F) material.alphaMode = Material::AlphaMode::mask;
+    material.alphaCutoff = description.alphaCutoff;
+    material.baseColorTexture = textureOf(description.baseColorTexture, textures);
+    material.emissiveTexture = textureOf(description.emissionTexture, textures);
     return material;
 }
 
-Mesh meshOf(const MeshDescription& description, std::size_t materials, const std::string& name) {
+// `material`: that of the mesh.
+void addAttributes(const MeshDescription& description, const Material& material, Mesh& mesh) {
+    const std::size_t vertices = mesh.vertices.size();
+    const std::span<const float> uv = description.textureCoordinates, colors = description.colors;
+    const bool isTextured = material.baseColorTexture >= 0 || material.emissiveTexture >= 0;
+    require(uv.size() == 2 * vertices || (uv.empty() && !isTextured),
+            mesh.name + ": it has " + std::to_string(uv.size()) + " numbers of texture coordinates for " +
+                std::to_string(vertices) + " vertices; give two per vertex, as its material has textures");
+    require(colors.empty() || colors.size() == 4 * vertices,
+            mesh.name + ": it has " + std::to_string(colors.size()) + " numbers of colours for " +
+                std::to_string(vertices) + " vertices; give four per vertex, or none");
+    require(within(colors, 0.0, 1.0), mesh.name + ": give colours between 0 and 1");
+    if (isTextured) {
+        require(within(uv, -1e6, 1e6), mesh.name + ": give texture coordinates between -1e6 and 1e6");
+        for (std::size_t i = 0; i < vertices; ++i)
+            mesh.vertices[i].uv = mesh.vertices[i].emissiveUv = {uv[2 * i], uv[2 * i + 1]};
+    }
+    for (std::size_t i = 0; i + 3 < colors.size(); i += 4)
+        mesh.extras.emplace_back().color = {colors[i], colors[i + 1], colors[i + 2], colors[i + 3]};
+}
+
+Mesh meshOf(const MeshDescription& description, const std::vector<Material>& materials,
+            const std::string& name) {
     const std::size_t vertices = description.positions.size() / 3;
     require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
             name + ": give three numbers per position, and at most 2^32 vertices");
@@ -65,9 +104,9 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
     require(!description.indices.empty() && description.indices.size() % 3 == 0,
             name + ": it has " + std::to_string(description.indices.size()) +
                 " indices; give three per triangle, and at least one triangle");
-    require(description.material < materials, name + ": there is no material " +
-                                                  std::to_string(description.material) + "; the scene has " +
-                                                  std::to_string(materials) + " materials");
+    require(description.material < materials.size(),
+            name + ": there is no material " + std::to_string(description.material) + "; the scene has " +
+                std::to_string(materials.size()) + " materials");
     Mesh mesh;
     mesh.name = name;
     mesh.material = static_cast<int>(description.material);
@@ -93,6 +132,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
         mesh.vertices[index].position = glm::vec3(vectorAt(description.positions, index) - mesh.centre);
         mesh.vertices[index].normal = glm::vec3(normal / length);
     }
+    addAttributes(description, materials[description.material], mesh);
     return mesh;
 }
 
@@ -175,10 +215,15 @@ Scene sceneOf(const SceneDescription& description) {
     Scene scene;
     scene.path = "described by the program";
     for (const MaterialDescription& material : description.materials)
-        scene.materials.push_back(materialOf(material, indexed("material", scene.materials.size())));
-    for (const MeshDescription& mesh : description.meshes)
-        scene.meshes.push_back(
-            meshOf(mesh, description.materials.size(), indexed("mesh", scene.meshes.size())));
+        scene.materials.push_back(
+            materialOf(material, indexed("material", scene.materials.size()), scene.textures));
+    for (const MeshDescription& mesh : description.meshes) {
+        scene.meshes.push_back(meshOf(mesh, scene.materials, indexed("mesh", scene.meshes.size())));
+        scene.materials[mesh.material].vertexColors |= !mesh.colors.empty();
+    }
+    for (Mesh& mesh : scene.meshes)
+        if (scene.materials[static_cast<std::size_t>(mesh.material)].vertexColors)
+            mesh.extras.resize(mesh.vertices.size());
     int movers = 0;
     for (const InstanceDescription& instance : description.instances) {
         const std::string name = indexed("instance", scene.instances.size());

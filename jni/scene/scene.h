@@ -98,7 +98,7 @@ class SharedBytes {
 };
 
 // An 8-bit RGBA texture. Colours are sRGB-encoded, alpha is linear. The first row is at the top (uv (0, 0) of
-// glTF).
+// glTF). A texture of the embedding program has its GL name in place of all else.
 struct Texture {
     enum class Wrap { repeat, clampToEdge, mirroredRepeat };
 
@@ -109,6 +109,7 @@ struct Texture {
     Wrap wrapS = Wrap::repeat;
     Wrap wrapT = Wrap::repeat;
     bool linearFilter = true;  // for magnification; minification is always trilinear
+    unsigned external = 0;     // GL name, or 0
 };
 
 // A camera by glTF's convention: it looks along its -Z, and +Y is up.

@@ -98,7 +98,8 @@ TEST_F(Lights, ErrorsNameTheLightAndTheRemedy) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
     expectMentions(errorOf([&] { light.setLight(1, spot_); }), {"setLight: there is no light 1"});
     light.addLight(spot_);
-    expectMentions(errorOf([&] { light.addLight(moon_); }), {"2 lights", "raise SceneDescription::maxLights"});
+    expectMentions(errorOf([&] { light.addLight(moon_); }),
+                   {"2 lights", "raise SceneDescription::maxLights"});
     light.removeLight(1);
     expectMentions(errorOf([&] { light.removeLight(1); }), {"removeLight: there is no light 1"});
     spot_.innerConeDegrees = 40;
