@@ -12,7 +12,7 @@ required=(
     libdraco-dev libmeshoptimizer-dev libwebp-dev
     libegl-dev libgles-dev libglfw3-dev
     libegl1 libegl-mesa0 libgl1-mesa-dri libvulkan1 mesa-vulkan-drivers
-    libgtest-dev glslang-tools python3
+    libgtest-dev glslang-tools pkg-config python3
 )
 # Tests that need these are skipped without them, with a message. Newer systems have no OSMesa, which Mesa 25.1 dropped; the
 # program loads it only at run time. The next two are the display and the input of the tests of `vct view`, and the last three

@@ -60,6 +60,15 @@ void run(const std::string& out) {
     scene.sun.directionToSun = {-0.8, 0.8, 0.7};
     scene.skyRadiance = {0.2F, 0.25F, 0.3F};
 
+    vct::LightDescription spot;
+    spot.type = vct::LightDescription::Type::spot;
+    spot.position = {-1.6, 1.5, 1};
+    spot.direction = {0.4, -1, -0.6};
+    spot.color = {1, 0.8F, 0.6F};
+    spot.intensity = 2;   // candela, if the sun's illuminance is in lux
+    spot.radius = 0.05F;  // metres; makes its shadows soft
+    scene.lights.push_back(spot);
+
     vct::Options options;
     options.width = 640;
     options.height = 480;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "vct/error.h"
+#include "vct/version.h"
 
 namespace vct {
 
@@ -45,14 +47,23 @@ struct MaterialDescription {
     float roughness = 1.0F;
     // False: the triangles are invisible from behind, but cast shadows from both sides.
     bool doubleSided = false;
+    // Names of 2D textures that multiply baseColor and emission; 0: none. Their filters and wrap modes apply,
+    // and sampling must give linear colours, as with GL_SRGB8_ALPHA8. They must exist as long as the
+    // GlobalIllumination, with the same content.
+    unsigned baseColorTexture = 0, emissionTexture = 0;
+    // Above 0, there are holes where alpha is less, which is the texture's times that of the vertex colour.
+    float alphaCutoff = 0.0F;
 };
 
 // Triangles of one material, in object space. The constructor of GlobalIllumination copies the spans.
 struct MeshDescription {
-    std::span<const float> positions;        // x, y, z per vertex
-    std::span<const float> normals;          // x, y, z per vertex, of any length but 0
-    std::span<const std::uint32_t> indices;  // three per triangle; counter-clockwise is front
-    std::size_t material = 0;                // index into SceneDescription::materials
+    std::span<const float> positions;             // x, y, z per vertex
+    std::span<const float> normals;               // x, y, z per vertex, of any length but 0
+    std::span<const std::uint32_t> indices;       // three per triangle; counter-clockwise is front
+    std::size_t material = 0;                     // index into SceneDescription::materials
+    std::span<const float> textureCoordinates{};  // u, v per vertex; needed if the material has textures
+    std::span<const float>
+        colors{};  // linear r, g, b, a per vertex, 0 to 1, which multiply baseColor, or none
 };
 
 // A mesh in the world.
@@ -62,12 +73,31 @@ struct InstanceDescription {
     bool moves = false;  // true: setTransform() may move it, which costs memory and time
 };
 
-// The sun. Other light comes from emission and from the sky.
+// The sun. Other light comes from `lights`, emission and the sky.
 struct Sun {
     std::array<double, 3> directionToSun{0, 1, 0};  // direction towards the sun; any length but 0
     std::array<float, 3> color{1, 1, 1};  // multiplies the illuminance; the largest component must be 1
     float illuminance = 3.14159265F;      // on a surface that faces the sun, for example in lux
     float diameterDegrees = 5.0F;         // full opening angle of its disc, 0.1 to 170
+};
+
+// A light in the scene besides the sun, as in glTF's KHR_lights_punctual. Radiance includes its direct light,
+// and the light that surfaces reflect of it.
+struct LightDescription {
+    enum class Type { point, spot, directional };
+    Type type = Type::point;
+    std::array<double, 3> position{0, 0, 0};    // of a point or spot light, in metres
+    std::array<double, 3> direction{0, -1, 0};  // of a spot or directional light's rays; any length but 0
+    std::array<float, 3> color{1, 1, 1};        // multiplies the intensity; 0 to 1
+    // Illuminance of a surface that faces the light, in the unit of Sun::illuminance; for a point or spot
+    // light at a distance of a metre, so that it is in candela if the unit is lux.
+    float intensity = 1.0F;
+    float range = std::numeric_limits<float>::infinity();  // metres; it fades out towards this distance
+    // Half angles of a spot's cone: where it begins to fade, and where it is dark, at most 90.
+    float innerConeDegrees = 0.0F, outerConeDegrees = 45.0F;
+    // Its size, for soft shadows; 0: hard ones, which take less time.
+    float radius = 0.0F;           // metres, of a point or spot light
+    float diameterDegrees = 0.0F;  // full opening angle of a directional light, at most 170
 };
 
 struct Box {
@@ -87,6 +117,11 @@ struct SceneDescription {
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
     Sun sun;
+    std::vector<LightDescription> lights;
+    // The most lights that addLight() may bring the scene to, at most 64. Shadow maps take memory for each of
+    // them, at most 16 MB in sum. They have room for 16 point lights, or 96 spot or directional lights;
+    // beyond that, the lights that give the nearest surfaces the least light cast no shadows.
+    std::size_t maxLights = 0;
     // Radiance of a sky of one colour. It is absolute like the sun's illuminance: beside a sun of 100000 lux,
     // a sky of 0.2 is black.
     std::array<float, 3> skyRadiance{0, 0, 0};
@@ -131,9 +166,9 @@ struct GBufferTextures {
 struct Pictures {
     // The complete light, in units of radianceUnit().
     unsigned radiance = 0;
-    // Irradiance by other surfaces, emitters and the sky, without the sun's direct light, divided by
-    // pi * radianceUnit(). With the presets mobile and quality, a surface that neither is glossy nor emits
-    // has the radiance, in units of radianceUnit(),
+    // Irradiance by other surfaces, emitters and the sky, without the direct light of sun and lights, divided
+    // by pi * radianceUnit(). With the presets mobile and quality, a surface that neither is glossy nor emits
+    // has the radiance, in units of radianceUnit() and without the direct light of SceneDescription::lights,
     //     baseColor * (max(dot(normal, directionToSun), 0) * sunVisibility * sun + irradiance),
     // with `normal` and `directionToSun` at unit length, sunVisibility from the picture of that name, and
     // sun = sun.color * sun.illuminance / (pi * radianceUnit()), which usually is sun.color. With the preset
@@ -150,18 +185,13 @@ using GetProcAddress = void* (*)(const char* name);
 
 // A scene in GL with its voxels and their light.
 //
-// GL state:
-// - Every function, including constructor and destructor, restores: the bound framebuffers for drawing and
-//   reading, viewport, scissor box, depth range, colour and depth masks, depth function, culled face and
-//   front face, the program, the vertex array, the active texture unit, and the switches GL_BLEND,
-//   GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL and GL_RASTERIZER_DISCARD. State
-//   that GL has per draw buffer is restored to that of draw buffer 0 for all draw buffers.
-// - These are undefined afterwards: textures of units 0 to 15 and 31 (their samplers are 0), images of units
-//   0 to 3, uniform buffers 0 to 5, shader storage buffers 0 to 4, and the bindings GL_ARRAY_BUFFER,
-//   GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER,
-//   GL_DRAW_INDIRECT_BUFFER and GL_DISPATCH_INDIRECT_BUFFER.
-// - Other state is neither read nor changed. No query and no transform feedback may be active during a call.
-//   An earlier error that glGetError() would return is dropped.
+// Every function, including constructor and destructor, leaves GL's state as it found it, whatever it is,
+// except:
+// - State that GL has per draw buffer (blending and colour masks) becomes that of draw buffer 0 for all draw
+//   buffers.
+// - An earlier error that glGetError() would return is dropped.
+// No query and no transform feedback may be active during a call. In desktop GL, the clip control, polygon
+// mode, logic operation and clip distances must have their initial values during a call.
 //
 // The constructor fills a table of GL entry points that the whole process shares. All contexts that use the
 // library at the same time must therefore have the same driver.
@@ -182,6 +212,13 @@ class GlobalIllumination {
     // Turns the sun in the next picture. `directionToSun`: any length but 0. Colour, illuminance and diameter
     // are fixed.
     void setSun(const std::array<double, 3>& directionToSun);
+    // Lights of the next pictures. addLight() returns the light's number, which it keeps until it is removed;
+    // the scene's own lights have their indices in SceneDescription::lights. Changing only colour or
+    // intensity costs less than moving it, because its shadow maps are kept. The first light with a radius or
+    // diameter compiles a shader. An intensity of 0 switches a light off.
+    std::size_t addLight(const LightDescription& light);
+    void setLight(std::size_t number, const LightDescription& light);
+    void removeLight(std::size_t number);
     // Recreates the pictures and the G-buffer in another size. Voxels and their light are kept.
     void resize(int width, int height);
 
@@ -195,7 +232,8 @@ class GlobalIllumination {
 
     // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white
     // surface that faces the sun, or 1 if the sun is off. It is more if something is so bright that half
-    // floats could not store it, and less if the sun is off and all light is weak.
+    // floats could not store it, and less if the sun is off and all light is weak. Lights that are added or
+    // changed later do not change it.
     double radianceUnit() const;
 
   private:

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "scene/gltf.h"
+#include "shared/layout.h"
 
 namespace vct {
 
@@ -38,7 +39,18 @@ glm::dvec3 vectorAt(std::span<const float> numbers, std::uint32_t vertex) {
     return {v[0], v[1], v[2]};
 }
 
-Material materialOf(const MaterialDescription& description, const std::string& name) {
+// Returns the index of the GL texture in `textures`, and adds it if it is not there yet; -1 for none.
+int textureOf(unsigned name, std::vector<Texture>& textures) {
+    if (name == 0) return -1;
+    const auto found = std::find_if(textures.begin(), textures.end(),
+                                    [&](const Texture& texture) { return texture.external == name; });
+    if (found != textures.end()) return static_cast<int>(found - textures.begin());
+    textures.emplace_back().external = name;
+    return static_cast<int>(textures.size()) - 1;
+}
+
+Material materialOf(const MaterialDescription& description, const std::string& name,
+                    std::vector<Texture>& textures) {
     require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
     require(within(description.emission, 0.0, 1e30), name + ": give an emission between 0 and 1e30");
     const float surface[] = {description.metallic, description.roughness};
@@ -50,10 +62,38 @@ Material materialOf(const MaterialDescription& description, const std::string& n
     material.metallic = description.metallic;
     material.roughness = description.roughness;
     material.doubleSided = description.doubleSided;
+    const float cutoff[] = {description.alphaCutoff};
+    require(within(cutoff, 0.0, 1.0), name + ": give an alpha cutoff between 0 and 1");
+    if (description.alphaCutoff > 0.0F) material.alphaMode = Material::AlphaMode::mask;
+    material.alphaCutoff = description.alphaCutoff;
+    material.baseColorTexture = textureOf(description.baseColorTexture, textures);
+    material.emissiveTexture = textureOf(description.emissionTexture, textures);
     return material;
 }
 
-Mesh meshOf(const MeshDescription& description, std::size_t materials, const std::string& name) {
+// `material`: that of the mesh.
+void addAttributes(const MeshDescription& description, const Material& material, Mesh& mesh) {
+    const std::size_t vertices = mesh.vertices.size();
+    const std::span<const float> uv = description.textureCoordinates, colors = description.colors;
+    const bool isTextured = material.baseColorTexture >= 0 || material.emissiveTexture >= 0;
+    require(uv.size() == 2 * vertices || (uv.empty() && !isTextured),
+            mesh.name + ": it has " + std::to_string(uv.size()) + " numbers of texture coordinates for " +
+                std::to_string(vertices) + " vertices; give two per vertex, as its material has textures");
+    require(colors.empty() || colors.size() == 4 * vertices,
+            mesh.name + ": it has " + std::to_string(colors.size()) + " numbers of colours for " +
+                std::to_string(vertices) + " vertices; give four per vertex, or none");
+    require(within(colors, 0.0, 1.0), mesh.name + ": give colours between 0 and 1");
+    if (isTextured) {
+        require(within(uv, -1e6, 1e6), mesh.name + ": give texture coordinates between -1e6 and 1e6");
+        for (std::size_t i = 0; i < vertices; ++i)
+            mesh.vertices[i].uv = mesh.vertices[i].emissiveUv = {uv[2 * i], uv[2 * i + 1]};
+    }
+    for (std::size_t i = 0; i + 3 < colors.size(); i += 4)
+        mesh.extras.emplace_back().color = {colors[i], colors[i + 1], colors[i + 2], colors[i + 3]};
+}
+
+Mesh meshOf(const MeshDescription& description, const std::vector<Material>& materials,
+            const std::string& name) {
     const std::size_t vertices = description.positions.size() / 3;
     require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
             name + ": give three numbers per position, and at most 2^32 vertices");
@@ -64,9 +104,9 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
     require(!description.indices.empty() && description.indices.size() % 3 == 0,
             name + ": it has " + std::to_string(description.indices.size()) +
                 " indices; give three per triangle, and at least one triangle");
-    require(description.material < materials, name + ": there is no material " +
-                                                  std::to_string(description.material) + "; the scene has " +
-                                                  std::to_string(materials) + " materials");
+    require(description.material < materials.size(),
+            name + ": there is no material " + std::to_string(description.material) + "; the scene has " +
+                std::to_string(materials.size()) + " materials");
     Mesh mesh;
     mesh.name = name;
     mesh.material = static_cast<int>(description.material);
@@ -92,6 +132,7 @@ Mesh meshOf(const MeshDescription& description, std::size_t materials, const std
         mesh.vertices[index].position = glm::vec3(vectorAt(description.positions, index) - mesh.centre);
         mesh.vertices[index].normal = glm::vec3(normal / length);
     }
+    addAttributes(description, materials[description.material], mesh);
     return mesh;
 }
 
@@ -108,6 +149,48 @@ DirectionalLight lightOf(const Sun& sun) {
 }
 
 }  // namespace
+
+PunctualLight lightOf(const LightDescription& description, const std::string& name) {
+    using Type = LightDescription::Type;
+    PunctualLight light;
+    const bool isDirectional = description.type == Type::directional;
+    light.type = isDirectional                    ? PunctualLight::Type::directional
+                 : description.type == Type::spot ? PunctualLight::Type::spot
+                                                  : PunctualLight::Type::point;
+    require(within(description.color, 0.0, 1.0), name + ": give a colour between 0 and 1");
+    const float intensity[] = {description.intensity};
+    require(within(intensity, 0.0, 1e30), name + ": give an intensity between 0 and 1e30");
+    require(within(description.position, -maxCoordinate, maxCoordinate),
+            name + ": its position has a number that is not finite or beyond 1e18");
+    require(description.range > 0.0F, name + ": give a range above 0");
+    require(description.radius >= 0.0F && std::isfinite(description.radius),
+            name + ": give a radius of 0 or above");
+    require(description.diameterDegrees >= 0.0F && description.diameterDegrees <= 170.0F,
+            name + ": give a diameter between 0 and 170 degrees");
+    require(description.innerConeDegrees >= 0.0F &&
+                description.innerConeDegrees < description.outerConeDegrees &&
+                description.outerConeDegrees <= 90.0F,
+            name + ": give cone angles with 0 <= inner < outer <= 90 degrees");
+    const float largest = *std::max_element(description.color.begin(), description.color.end());
+    light.color = largest > 0.0F ? color(description.color) / largest : glm::vec3(0.0F);
+    light.intensity = description.intensity * largest;
+    if (light.type != PunctualLight::Type::point) {
+        const glm::dvec3 backwards = -direction(description.direction, name + ": its direction");
+        const glm::dvec3 helper = std::abs(backwards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+        const glm::dvec3 right = glm::normalize(glm::cross(helper, backwards));
+        light.worldFromLight[0] = glm::dvec4(right, 0.0);
+        light.worldFromLight[1] = glm::dvec4(glm::cross(backwards, right), 0.0);
+        light.worldFromLight[2] = glm::dvec4(backwards, 0.0);
+    }
+    light.worldFromLight[3] = {description.position[0], description.position[1], description.position[2],
+                               1.0};
+    if (!isDirectional) light.range = description.range;
+    light.innerConeRad = glm::radians(double{description.innerConeDegrees});
+    light.outerConeRad = glm::radians(double{description.outerConeDegrees});
+    light.size = isDirectional ? std::tan(0.5 * glm::radians(double{description.diameterDegrees}))
+                               : double{description.radius};
+    return light;
+}
 
 glm::dmat4 affine(const Matrix& matrix, const std::string& what) {
     glm::dmat4 result;
@@ -132,10 +215,15 @@ Scene sceneOf(const SceneDescription& description) {
     Scene scene;
     scene.path = "described by the program";
     for (const MaterialDescription& material : description.materials)
-        scene.materials.push_back(materialOf(material, indexed("material", scene.materials.size())));
-    for (const MeshDescription& mesh : description.meshes)
-        scene.meshes.push_back(
-            meshOf(mesh, description.materials.size(), indexed("mesh", scene.meshes.size())));
+        scene.materials.push_back(
+            materialOf(material, indexed("material", scene.materials.size()), scene.textures));
+    for (const MeshDescription& mesh : description.meshes) {
+        scene.meshes.push_back(meshOf(mesh, scene.materials, indexed("mesh", scene.meshes.size())));
+        scene.materials[mesh.material].vertexColors |= !mesh.colors.empty();
+    }
+    for (Mesh& mesh : scene.meshes)
+        if (scene.materials[static_cast<std::size_t>(mesh.material)].vertexColors)
+            mesh.extras.resize(mesh.vertices.size());
     int movers = 0;
     for (const InstanceDescription& instance : description.instances) {
         const std::string name = indexed("instance", scene.instances.size());
@@ -148,6 +236,13 @@ Scene sceneOf(const SceneDescription& description) {
     }
     require(!scene.instances.empty(), "the scene has no instances; give it at least one");
     scene.lights.push_back(lightOf(description.sun));
+    for (const LightDescription& light : description.lights)
+        scene.punctualLights.push_back(lightOf(light, indexed("light", scene.punctualLights.size())));
+    const std::size_t lights = std::max(description.lights.size(), description.maxLights);
+    require(lights <= VCT_MAX_PUNCTUAL_LIGHTS,
+            "the scene may have " + std::to_string(lights) + " lights, and the limit is " +
+                std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) + "; leave out the weakest");
+    scene.punctualLightRoom = lights - description.lights.size();
     computeBounds(scene);
     if (description.bounds) {
         const auto& [min, max] = *description.bounds;

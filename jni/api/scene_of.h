@@ -13,6 +13,9 @@ namespace vct {
 // order of the description. The sun is the first light.
 Scene sceneOf(const SceneDescription& description);
 
+// Throws vct::Error that begins with `name` and names the first invalid value.
+PunctualLight lightOf(const LightDescription& description, const std::string& name);
+
 // Throws vct::Error with the name `what` if the matrix is not finite or not affine.
 glm::dmat4 affine(const Matrix& matrix, const std::string& what);
 

@@ -107,27 +107,45 @@ Camera cameraOf(const View& view) {
     return camera;
 }
 
-// Throws vct::Error if a texture of the caller's G-buffer has the wrong size or format.
-void requireTexture(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
-    gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
+struct TextureParameters {
     GLint width = 0, height = 0, format = 0;
+};
+
+// `member`: the member of the interface that has this name. Throws vct::Error if it is not a texture.
+TextureParameters requireTexture(unsigned name, const std::string& member) {
+    gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
+    TextureParameters found;
     if (name != 0) {
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &found.width);
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &found.height);
+        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &found.format);
     }
-    const bool isOne = gl::GetError() == GL_NO_ERROR && width > 0;
-    const std::string texture = std::string("GBufferTextures::") + what;
-    if (!isOne)
-        throw Error(texture + " is " + std::to_string(name) +
+    if (gl::GetError() != GL_NO_ERROR || found.width < 1)
+        throw Error(member + " is " + std::to_string(name) +
                     ", which is not a 2D texture with storage; give the name of one");
-    if (width != size.x || height != size.y)
-        throw Error(texture + " has " + std::to_string(width) + "x" + std::to_string(height) +
+    return found;
+}
+
+// Throws vct::Error if a texture of the caller's G-buffer has the wrong size or format.
+void requireTarget(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
+    const std::string member = std::string("GBufferTextures::") + what;
+    const TextureParameters found = requireTexture(name, member);
+    if (found.width != size.x || found.height != size.y)
+        throw Error(member + " has " + std::to_string(found.width) + "x" + std::to_string(found.height) +
                     " texels, but the pictures have " + std::to_string(size.x) + "x" +
                     std::to_string(size.y) + "; give it that size, or call resize()");
-    if (std::find(formats.begin(), formats.end(), format) == formats.end())
-        throw Error(texture + " has the internal format " + std::to_string(format) +
+    if (std::find(formats.begin(), formats.end(), found.format) == formats.end())
+        throw Error(member + " has the internal format " + std::to_string(found.format) +
                     "; use one of the formats that vct.h lists");
+}
+
+void requireTextures(const std::vector<MaterialDescription>& materials) {
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const std::string material = "material " + std::to_string(i);
+        for (const auto& [name, member] : {std::pair{materials[i].baseColorTexture, ": baseColorTexture"},
+                                           {materials[i].emissionTexture, ": emissionTexture"}})
+            if (name != 0) requireTexture(name, material + member);
+    }
 }
 
 }  // namespace
@@ -139,11 +157,14 @@ struct GlobalIllumination::Implementation {
     Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
                    const gl::Capabilities& capabilities)
         : outputs(outputsFor(options)) {
+        hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
+        std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
         for (const Instance& instance : scene.instances) {
             nodes.push_back(instance.node);
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
         }
         const SavedState saved;
+        requireTextures(description.materials);
         renderer.emplace(scene, scene.lights.front(), settingsOf(options, description), capabilities,
                          shadersOf(options));
         plain.emplace();
@@ -161,6 +182,12 @@ struct GlobalIllumination::Implementation {
                    : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
     }
 
+    void requireLight(std::size_t number, const char* function) const {
+        if (number >= hasLight.size() || !hasLight[number])
+            throw Error(std::string(function) + ": there is no light " + std::to_string(number) +
+                        "; give a number that addLight() returned, or an index of SceneDescription::lights");
+    }
+
     Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
         renderer->render({outputs, cameraOf(view),
                           light == Light::converged ? LightSteps::all : LightSteps::one, surface});
@@ -171,6 +198,7 @@ struct GlobalIllumination::Implementation {
     std::vector<Output> outputs;
     std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
+    std::vector<bool> hasLight;  // by number; false: there is room for one
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
@@ -200,6 +228,29 @@ void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
     implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
 }
 
+std::size_t GlobalIllumination::addLight(const LightDescription& light) {
+    std::vector<bool>& hasLight = implementation_->hasLight;
+    const auto free = std::find(hasLight.begin(), hasLight.end(), false);
+    if (free == hasLight.end())
+        throw Error("addLight: the scene has " + std::to_string(hasLight.size()) +
+                    " lights already; remove one, or raise SceneDescription::maxLights");
+    const auto number = static_cast<std::size_t>(free - hasLight.begin());
+    implementation_->renderer->setPunctualLight(number, lightOf(light, "addLight"));
+    *free = true;
+    return number;
+}
+
+void GlobalIllumination::setLight(std::size_t number, const LightDescription& light) {
+    implementation_->requireLight(number, "setLight");
+    implementation_->renderer->setPunctualLight(number, lightOf(light, "setLight"));
+}
+
+void GlobalIllumination::removeLight(std::size_t number) {
+    implementation_->requireLight(number, "removeLight");
+    implementation_->renderer->setPunctualLight(number, std::nullopt);
+    implementation_->hasLight[number] = false;
+}
+
 void GlobalIllumination::resize(int width, int height) {
     const SavedState saved;
     implementation_->renderer->resize({width, height});
@@ -213,11 +264,11 @@ Pictures GlobalIllumination::render(const View& view, Light light) {
 Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBuffer, Light light) {
     const SavedState saved;
     const glm::ivec2 size = implementation_->renderer->settings().size;
-    requireTexture(gBuffer.albedo, "albedo", size, {GL_RGBA8});
-    requireTexture(gBuffer.normal, "normal", size, {GL_RG16UI});
-    requireTexture(gBuffer.depth, "depth", size, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24});
-    if (gBuffer.emission != 0) requireTexture(gBuffer.emission, "emission", size, {GL_RGBA16F});
-    if (gBuffer.gloss != 0) requireTexture(gBuffer.gloss, "gloss", size, {GL_RG8});
+    requireTarget(gBuffer.albedo, "albedo", size, {GL_RGBA8});
+    requireTarget(gBuffer.normal, "normal", size, {GL_RG16UI});
+    requireTarget(gBuffer.depth, "depth", size, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24});
+    if (gBuffer.emission != 0) requireTarget(gBuffer.emission, "emission", size, {GL_RGBA16F});
+    if (gBuffer.gloss != 0) requireTarget(gBuffer.gloss, "gloss", size, {GL_RG8});
     for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
         implementation_->plain->bind(unit);
     const auto albedo = gl::Texture::wrapExternal(gBuffer.albedo),

@@ -14,6 +14,7 @@
 #include "cli/options.h"
 #include "core/files.h"
 #include "core/list_text.h"
+#include "vct/version.h"
 
 namespace {
 

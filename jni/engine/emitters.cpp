@@ -247,6 +247,15 @@ bool EmitterPart::isRound() const {
     return glm::length(facing) < 0.5 * area;
 }
 
+// The texels of textures of the embedding program are on the GPU only.
+static bool dependsOnExternalTexture(const Scene& scene, const Material& material) {
+    const auto isExternal = [&](int index) {
+        return index >= 0 && scene.textures[static_cast<std::size_t>(index)].external != 0;
+    };
+    return isExternal(material.emissiveTexture) ||
+           (material.alphaMode == Material::AlphaMode::mask && isExternal(material.baseColorTexture));
+}
+
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) {
     std::vector<std::vector<EmitterPart>> emitters;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -254,6 +263,7 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];
         if (material.emissive == glm::vec3(0.0F)) continue;
+        if (dependsOnExternalTexture(scene, material)) continue;
         if (instance.deforms) continue;  // parts are rigid, so its emission stays in the voxels
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();

@@ -29,9 +29,9 @@ struct EmitterPart {
     bool isRound() const;  // emits evenly to all sides, as a closed surface does
 };
 
-// The parts of a scene's compact emitters, in order of the emitters' flux, largest first. Emitters that do
-// not fit into VCT_MAX_EMITTER_PARTS are left out. A part has a radius of at most five voxels, as far as
-// triangles can be cut that small.
+// The parts of a scene's compact emitters, except those whose textures are the embedding program's, in order
+// of the emitters' flux, largest first. Emitters that do not fit into VCT_MAX_EMITTER_PARTS are left out. A
+// part has a radius of at most five voxels, as far as triangles can be cut that small.
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume);
 // For each of the scene's instances: true if it is a compact emitter.
 std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts);

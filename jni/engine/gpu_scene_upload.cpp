@@ -61,8 +61,13 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
 void GpuScene::uploadTextures(const Scene& scene) {
     const auto upload = [&](const std::vector<bool>& read, TextureOf of) {
         std::vector<gl::Texture> textures;
-        for (std::size_t i = 0; i < scene.textures.size(); ++i)
-            textures.push_back(read[i] ? materialTexture(scene.textures[i], of) : gl::Texture());
+        for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+            const Texture& texture = scene.textures[i];
+            if (texture.external != 0)
+                textures.push_back(gl::Texture::wrapExternal(texture.external));
+            else
+                textures.push_back(read[i] ? materialTexture(texture, of) : gl::Texture());
+        }
         return textures;
     };
     textures_ = upload(features_.textures, TextureOf::colors);

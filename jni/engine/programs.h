@@ -30,10 +30,11 @@ std::string booleanDefine(const char* name, bool value);
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
 // The kinds of light in a scene besides the sun and a sky of one colour.
 struct LightFeatures {
-    bool punctual = false;     // punctual lights (passes/punctual_lights.h)
-    bool environment = false;  // a sky that depends on direction (environment.h)
-    bool emitters = false;     // compact emitters (emitters.h)
-    bool emission = false;     // surfaces that emit light
+    bool punctual = false;      // punctual lights (passes/punctual_lights.h)
+    bool environment = false;   // a sky that depends on direction (environment.h)
+    bool emitters = false;      // compact emitters (emitters.h)
+    bool emission = false;      // surfaces that emit light
+    bool softPunctual = false;  // punctual lights have a size of their own (PunctualLight::size)
 };
 // The defines of shaders that gather light.
 std::vector<std::string> lightDefines(const LightFeatures& sources);

@@ -29,6 +29,10 @@ LightSize lightSize(const Settings& settings) {
     return {settings.lightRadius, settings.shadowConeAngleDeg};
 }
 
+bool hasSize(const PunctualLight& light) {
+    return light.size.value_or(0.0) > 0.0;
+}
+
 // The largest radiance that a surface emits, in the scene's unit; 1 if none emits.
 float largestEmission(const Scene& scene) {
     float largest = 0.0F;
@@ -62,6 +66,7 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       radianceUnit_(radianceUnit(scene, light, settings)),
       emissionRange_(largestEmission(scene) / radianceUnit_),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
+      softLights_(std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), hasSize)),
       emitters_(compactEmitters(scene, volume_, settings, radianceUnit_)),
       scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
              radianceUnit_, capabilities.uniformBufferOffsetAlignment, voxelization_),
@@ -70,9 +75,9 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       // A software driver has no GPU clock, and each query makes it draw an empty picture: 0.1 ms or more.
       timer_(capabilities.softwareDriver ? 0 : capabilities.gpuTimerBits) {
     if (settings.environment) environment_ = settings.environment->texture(radianceUnit_);
-    if (!scene.punctualLights.empty())
-        punctualLights_.emplace(shaders_, scene_, scene.punctualLights, volume_, boundsWorld_,
-                                glm::pi<double>() * radianceUnit_, lightSize(settings));
+    if (scene.mayHavePunctualLights())
+        punctualLights_.emplace(shaders_, scene_, scene, volume_, glm::pi<double>() * radianceUnit_,
+                                lightSize(settings));
     shades_.emplace_back(shaders_, lightFeatures(), settings_);
     gl::checkErrors("setting up the renderer");
 }
@@ -101,6 +106,16 @@ void Renderer::setShadowConeAngle(float degrees) {
     validate(changed);
     settings_ = changed;
     if (punctualLights_ && settings_.lightRadius > 0.0F) punctualLights_->setSize(lightSize(settings_));
+}
+
+void Renderer::setPunctualLight(std::size_t index, const std::optional<PunctualLight>& light) {
+    punctualLights_.value().setLight(index, light);
+    if (light && hasSize(*light)) {
+        softLights_ = true;
+        for (Shade& shade : shades_)
+            shade.useSoftLights();
+    }
+    ++lightChanges_;
 }
 
 void Renderer::uploadFrameUniforms(const Camera& camera) {
@@ -135,12 +150,12 @@ void Renderer::applyPose(const Pose& pose) {
 
 SceneState Renderer::state() const {
     return {scene_.placements(), light_.directionToLight,
-            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>()};
+            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>(), lightChanges_};
 }
 
 LightFeatures Renderer::lightFeatures() const {
     return {punctualLights_.has_value(), settings_.environment != nullptr, emitters_.has_value(),
-            scene_.features().has(featureEmissive)};
+            scene_.features().has(featureEmissive), softLights_};
 }
 
 GBuffer& Renderer::gBuffer() {

@@ -74,6 +74,9 @@ class Renderer {
     void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
     // Switches one of Scene::punctualLights on or off for the next frames.
     void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
+    // Replaces a punctual light for the next frames, or removes it. `index`: below the number of the scene's
+    // punctual lights and those that there is room for.
+    void setPunctualLight(std::size_t index, const std::optional<PunctualLight>& light);
     // Sets the full opening angle of the sun's disc for the next frames. Throws vct::Error if it is out of
     // range.
     void setShadowConeAngle(float degrees);
@@ -128,6 +131,7 @@ class Renderer {
     std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
     float largestBounceShare_, radianceUnit_, emissionRange_;
     Volume volume_;
+    bool softLights_;                   // a punctual light has a size of its own
     std::optional<Emitters> emitters_;  // compact emitters; directional voxels only
     GpuScene scene_;
     std::optional<Pose> nextPose_;
@@ -137,7 +141,8 @@ class Renderer {
     std::optional<ShadowMap> shadowMap_;
     std::optional<PunctualLights> punctualLights_;  // absent if the scene has none
     std::unique_ptr<VoxelVolume> voxels_;
-    std::vector<Shade> shades_;  // one per output of a frame
+    std::vector<Shade> shades_;       // one per output of a frame
+    std::uint64_t lightChanges_ = 0;  // see SceneState
     StepTimer timer_;
     bool lastFrameFailed_ = false;
 };

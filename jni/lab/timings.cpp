@@ -13,6 +13,7 @@
 
 #include "core/files.h"
 #include "lab/table.h"
+#include "vct/version.h"
 
 namespace vct {
 

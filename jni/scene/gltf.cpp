@@ -179,6 +179,13 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
                   " lights besides the sun, and the limit is " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
                   "; those that give the least illuminance at the objects nearest to them are left out: " +
                   oneLine(listText(leftOut)));
+    const std::vector<std::string> shadowless = lightsWithoutMaps(scene, VCT_MAX_LIGHT_MAPS);
+    if (!shadowless.empty())
+        file.warn(oneLine(file.path) + " has more lights than there are shadow maps (" +
+                  std::to_string(VCT_MAX_LIGHT_MAPS) +
+                  ", six for a point light); those that give the least illuminance at the objects nearest to "
+                  "them cast no shadows: " +
+                  oneLine(listText(shadowless)));
     addCameras(file, nodes, scene);
     scene.warnings = file.takeWarnings();
     return scene;

@@ -98,7 +98,7 @@ class SharedBytes {
 };
 
 // An 8-bit RGBA texture. Colours are sRGB-encoded, alpha is linear. The first row is at the top (uv (0, 0) of
-// glTF).
+// glTF). A texture of the embedding program has its GL name in place of all else.
 struct Texture {
     enum class Wrap { repeat, clampToEdge, mirroredRepeat };
 
@@ -109,6 +109,7 @@ struct Texture {
     Wrap wrapS = Wrap::repeat;
     Wrap wrapT = Wrap::repeat;
     bool linearFilter = true;  // for magnification; minification is always trilinear
+    unsigned external = 0;     // GL name, or 0
 };
 
 // A camera by glTF's convention: it looks along its -Z, and +Y is up.
@@ -149,6 +150,9 @@ struct PunctualLight {
     // Angles from a spot light's axis: where it begins to fade, and where it is dark.
     double innerConeRad = 0.0;
     double outerConeRad = 0.7853981633974483;
+    // Its size, for soft shadows: the radius in metres, or of a directional light the tangent of half its
+    // opening angle. Without it the settings decide.
+    std::optional<double> size;
     int node = -1;  // see Instance::node
 };
 
@@ -162,12 +166,14 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<DirectionalLight> lights;       // at most one: the sun
     std::vector<PunctualLight> punctualLights;  // all other lights
+    std::size_t punctualLightRoom = 0;          // number of punctual lights that may be added later
     Animation animation;
     // Bounds of the vertices that triangles of instances use, at rest and, within the limit of
     // computeBounds(), in the poses of the animation.
     Bounds boundsWorld;
     std::vector<std::string> warnings;  // features of the file that are not supported
 
+    bool mayHavePunctualLights() const { return !punctualLights.empty() || punctualLightRoom > 0; }
     std::size_t triangleCount() const {
         std::size_t count = 0;
         for (const Instance& instance : instances)

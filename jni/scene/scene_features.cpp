@@ -22,7 +22,7 @@ unsigned materialFeatures(const Material& material) {
 }
 
 unsigned sharedFeatures(const Scene& scene) {
-    return scene.punctualLights.empty() ? 0U : unsigned{featurePunctualLights};
+    return scene.mayHavePunctualLights() ? unsigned{featurePunctualLights} : 0U;
 }
 
 bool SceneFeatures::has(MaterialFeature feature) const {

@@ -46,6 +46,7 @@ using glm::vec4;
 #define VCT_UBO_PUNCTUAL_LIGHTS 3
 #define VCT_UBO_EMITTERS 4
 #define VCT_UBO_FACE_RANGE 5
+#define VCT_UBO_COUNT 6
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
@@ -54,6 +55,7 @@ using glm::vec4;
 #define VCT_SSBO_FACE_RANGE 2  // shared with VCT_SSBO_FACES; no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
+#define VCT_SSBO_COUNT 5
 // Storage blocks of the passes over vertices, which bind all of their buffers (jni/engine/deformer.h).
 #define VCT_SSBO_DEFORM_VERTICES 0
 #define VCT_SSBO_DEFORM_SOURCES 1
@@ -172,6 +174,7 @@ using glm::vec4;
 #define VCT_IMAGE_FACES 2
 #define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
 #define VCT_IMAGE_BRICKS 3
+#define VCT_IMAGE_COUNT 4
 #define VCT_IMAGE_BLOCK_LIGHT 2
 #define VCT_IMAGE_LAST_LOOKUPS 2
 
@@ -207,8 +210,9 @@ using glm::vec4;
 #define VCT_SORT_FIRST_SORTED 5          // first sorted index in the bound range
 #define VCT_DEFORM_RANGES 8
 
-#define VCT_MAX_PUNCTUAL_LIGHTS 16
-#define VCT_MAX_LIGHT_MAPS 96  // six per light
+// ES 3.1 guarantees 16 KiB for a uniform block, so that not all of the lights can have six maps.
+#define VCT_MAX_PUNCTUAL_LIGHTS 64
+#define VCT_MAX_LIGHT_MAPS 96
 #define VCT_MAX_EMITTER_PARTS 32
 #define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
 #define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
@@ -267,7 +271,7 @@ struct PunctualLightUniforms {
     vec4 intensity;  // rgb: irradiance of a surface that faces it at distance 1, relative to the sun's E
     vec4 cone;   // x, y: scale and offset of the cosine between a spot's axis and the direction to a point
                  // z: radius; directional: tangent of half its opening angle
-    ivec4 maps;  // x: index of its first shadow map, y: number of maps, 1 or 6 (a cube)
+    ivec4 maps;  // x: index of its first shadow map, y: number of maps: 0, 1 or 6 (a cube)
 };
 // A shadow map of a punctual light. Its index is its layer in the texture of all maps.
 struct LightMap {

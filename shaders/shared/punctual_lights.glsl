@@ -58,6 +58,7 @@ float shadowFootprintLight(highp sampler2DArray maps, int layer, vec3 receiver, 
 float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float slackShare) {
     if (dot(normal, towards) <= 0.0) return 0.0;
     ivec4 maps = punctual.light[i].maps;
+    if (maps.y == 0) return 1.0;
     int layer = maps.x + (maps.y > 1 ? cubeFace(-towards) : 0);
     LightMap map = punctual.map[layer];
     vec4 projected = map.mapFromVolume * vec4(position, 1.0);
@@ -81,6 +82,7 @@ float punctualVisibility(int i, vec3 position, vec3 normal, vec3 towards, float 
     float hard = max(shadowFootprintLight(lightMaps, layer, receiver, slope, slack, 2.0), 0.0);
 #ifdef VCT_SOFT_LIGHTS
     float nearest = receiver.z * projected.w / map.depth.y;
+    if (punctual.light[i].cone.z == 0.0) return hard;
     return softVisibility(i, position, normal, towards, hard, 4.0 * map.depth.x / map.depth.y * projected.w,
                           nearest);
 #else

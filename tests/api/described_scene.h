@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <memory>
 
+#include "image/image.h"
 #include "platform/contexts.h"
 #include "scene/camera.h"
 #include "support/gltf_builder.h"
@@ -86,6 +87,22 @@ inline Options optionsOf(const std::string& preset) {
     options.height = height;
     options.irradiance = options.ambientVisibility = options.sunVisibility = true;
     return options;
+}
+
+// A picture of the library, multiplied by `scale`.
+inline Image imageOf(unsigned texture, double scale = 1.0, int w = width, int h = height) {
+    GLuint framebuffer = gl::generate(gl::GenFramebuffers);
+    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    std::vector<glm::vec4> texels(static_cast<std::size_t>(w * h));
+    gl::ReadPixels(0, 0, w, h, GL_RGBA, GL_FLOAT, texels.data());
+    gl::DeleteFramebuffers(1, &framebuffer);
+    Image image(w, h);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x)
+            image.at(x, y) =
+                static_cast<float>(scale) * glm::vec3(texels[static_cast<std::size_t>((h - 1 - y) * w + x)]);
+    return image;
 }
 
 inline void* getProcAddress(const char* name) {

@@ -1,8 +1,6 @@
 // A program that embeds the library: include/vct/vct.h keeps its promises.
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "api/described_scene.h"
 #include "cli/program_run.h"
 #include "engine/renderer.h"
@@ -13,21 +11,6 @@
 
 namespace vct::test {
 namespace {
-
-Image imageOf(unsigned texture, double scale = 1.0, int w = width, int h = height) {
-    GLuint framebuffer = gl::generate(gl::GenFramebuffers);
-    gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl::FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    std::vector<glm::vec4> texels(static_cast<std::size_t>(w * h));
-    gl::ReadPixels(0, 0, w, h, GL_RGBA, GL_FLOAT, texels.data());
-    gl::DeleteFramebuffers(1, &framebuffer);
-    Image image(w, h);
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x)
-            image.at(x, y) =
-                static_cast<float>(scale) * glm::vec3(texels[static_cast<std::size_t>((h - 1 - y) * w + x)]);
-    return image;
-}
 
 double mean(const Image& image) {
     double sum = 0.0;
@@ -122,91 +105,6 @@ TEST_F(Embedded, AMovedInstanceIsSeenAtItsNewPlace) {
     scene.sun.directionToSun = {-0.4, 1, 0.5};
     GlobalIllumination fresh(getProcAddress, scene, optionsOf("mobile"));
     EXPECT_EQ(imageOf(fresh.render(view).sunVisibility).pixels, after.pixels);
-}
-
-// The state that vct.h says is unchanged, and some that it says is not used.
-std::map<GLenum, std::vector<GLfloat>> stateNow() {
-    std::map<GLenum, std::vector<GLfloat>> state;
-    const std::vector<GLenum> groups[] = {
-        {GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_RENDERBUFFER_BINDING},
-        {GL_VIEWPORT, GL_SCISSOR_BOX, GL_SCISSOR_TEST, GL_DEPTH_RANGE, GL_COLOR_CLEAR_VALUE},
-        {GL_COLOR_WRITEMASK, GL_DEPTH_WRITEMASK, GL_DEPTH_FUNC, GL_DEPTH_TEST, GL_STENCIL_TEST},
-        {GL_CULL_FACE, GL_CULL_FACE_MODE, GL_FRONT_FACE, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD},
-        {GL_BLEND, GL_BLEND_SRC_RGB, GL_BLEND_EQUATION_RGB, GL_DITHER},
-        {GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_ACTIVE_TEXTURE},
-        {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT, GL_PIXEL_PACK_BUFFER_BINDING}};
-    for (const std::vector<GLenum>& group : groups)
-        for (const GLenum name : group) {
-            state[name].resize(4);
-            gl::GetFloatv(name, state[name].data());
-        }
-    return state;
-}
-
-TEST_F(Embedded, StateIsLeftAsVctHPromises) {
-    Image clean;
-    const View view = described_.view();
-    described_.scene.instances[1].moves = true;
-    {
-        GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-        clean = imageOf(light.render(view).radiance);
-    }
-    // Each of these would spoil a pass.
-    const gl::Texture target = gl::Texture::make2d("of the test", GL_RGBA8, 8, 8);
-    const gl::Framebuffer drawn("drawn", {&target}, nullptr), read("read", {&target}, nullptr);
-    drawn.bind();
-    gl::BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    gl::Viewport(3, 2, 5, 7);
-    for (const GLenum what : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
-                              GL_RASTERIZER_DISCARD})
-        gl::Enable(what);
-    gl::Scissor(1, 2, 3, 4);
-    gl::DepthRangef(0.25F, 0.5F);
-    gl::ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
-    gl::DepthMask(GL_FALSE);
-    gl::DepthFunc(GL_GREATER);
-    gl::CullFace(GL_FRONT);
-    gl::FrontFace(GL_CW);
-    gl::BlendFunc(GL_ZERO, GL_ONE);
-    const gl::VertexArray vertices;
-    vertices.bind();
-    const GLuint sampler = gl::generate(gl::GenSamplers);
-    for (GLuint unit = 0; unit < 16; ++unit)
-        gl::BindSampler(unit, sampler);
-    gl::ActiveTexture(GL_TEXTURE5);
-
-    const auto before = stateNow();
-    const auto expectSame = [&](const char* after) {
-        for (const auto& [name, values] : stateNow())
-            EXPECT_EQ(values, before.at(name)) << std::hex << name << " after " << after;
-        EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR}) << after;
-    };
-    {
-        GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
-        expectSame("the constructor");
-        light.resize(width + 1, height);
-        light.resize(width, height);
-        expectSame("resize()");
-        const Pictures pictures = light.render(view);
-        expectSame("render()");
-        GLint bound = -1;
-        gl::ActiveTexture(GL_TEXTURE0 + VCT_TEX_G_NORMAL);
-        gl::GetIntegerv(GL_SAMPLER_BINDING, &bound);
-        EXPECT_EQ(bound, 0);
-        gl::ActiveTexture(GL_TEXTURE5);
-        light.setSun({1, 1, 1});
-        light.setTransform(1, {});
-        expectSame("setSun() and setTransform()");
-        light.setSun(described_.scene.sun.directionToSun);
-        light.setTransform(1, described_.scene.instances[1].worldFromObject);
-        EXPECT_THROW(light.resize(0, 0), Error);
-        expectSame("an error");
-        expectSameInHalves(imageOf(pictures.radiance), clean);
-        drawn.bind();
-        gl::BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-        gl::Viewport(3, 2, 5, 7);
-    }
-    expectSame("the destructor");
 }
 
 }  // namespace

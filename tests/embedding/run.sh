@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run.sh BUILD: installs the library that BUILD made, builds examples/embed against it and nothing else, and runs it
-# without a window. ctest runs this.
+# run.sh BUILD: installs the library that BUILD made, builds examples/embed against it and nothing else, by CMake and by
+# pkg-config, and runs it without a window. ctest runs this.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -15,5 +15,24 @@ cmake --build "$folder/build" >"$folder/log" 2>&1 || {
 "$folder/build/embed" --headless 1 --out "$folder/first.ppm"
 "$folder/build/embed" --headless 16 --out "$folder/later.ppm"
 "$folder/build/triangle" "$folder/triangle.ppm"
+
+# The same by pkg-config. The header, pkg-config and CMake's package tell the same version.
+pc="$(dirname "$(find "$folder/installed" -name vct.pc)")"
+vct() { PKG_CONFIG_PATH="$pc" pkg-config "$@" vct; }
+# shellcheck disable=SC2046
+"${CXX:-c++}" -std=c++20 -O1 examples/embed/triangle.cpp examples/embed/shapes.cpp examples/embed/window.cpp \
+    $(vct --cflags --libs) -lGLESv2 -lEGL -o "$folder/by_pkg_config"
+"$folder/by_pkg_config" "$folder/by_pkg_config.ppm"
+cmp "$folder/triangle.ppm" "$folder/by_pkg_config.ppm"
+# shellcheck disable=SC2046
+header="$(printf '#include <vct/version.h>\nVCT_VERSION_MAJOR VCT_VERSION_MINOR VCT_VERSION_PATCH VCT_VERSION' |
+    "${CXX:-c++}" -E -P -x c++ $(vct --cflags) - | tail -n 1)"
+package="$(sed -n 's/^set(PACKAGE_VERSION "\(.*\)")$/\1/p' "$(find "$folder/installed" -name vctConfigVersion.cmake)")"
+for version in "$(vct --modversion)" "$package"; do
+    [[ "$header" == "${version//./ } \"$version\"" ]] || {
+        echo "vct/version.h says $header, and vct.pc or vctConfigVersion.cmake says $version" >&2
+        exit 1
+    }
+done
 exec python3 tests/embedding/check.py "$folder/first.ppm" "$folder/later.ppm" "$folder/triangle.ppm" docs/embedding.md \
     examples/embed/triangle.cpp examples/embed/main.cpp

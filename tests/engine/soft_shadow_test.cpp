@@ -92,7 +92,7 @@ struct Ramp {
     double texels = 0.0;    // of the shadow map over the penumbra
 };
 
-struct Sun {
+struct SunDisc {
     const char* name;
     const char* preset;
     double diameterDeg;
@@ -102,7 +102,7 @@ struct Sun {
 };
 
 // The front of the plate is below, so the camera sees through it.
-Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width) {
+Ramp rampOf(const Context& context, const Edge& edge, const SunDisc& disc, int width) {
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(edge.angleDeg), glm::dvec3(0, 1, 0));
     const auto turned = [&](const glm::dvec3& p) { return glm::dvec3(turn * glm::dvec4(p, 0.0)); };
     Scene scene = emptyScene();
@@ -163,21 +163,21 @@ Ramp rampOf(const Context& context, const Edge& edge, const Sun& disc, int width
     return ramp;
 }
 
-class Penumbrae : public testing::TestWithParam<Sun> {};
+class Penumbrae : public testing::TestWithParam<SunDisc> {};
 const glm::dvec3 slanted(0.3, 1.0, 0.2);
 INSTANTIATE_TEST_SUITE_P(SoftShadow, Penumbrae,
-                         testing::Values(Sun{"mobile5", "mobile", 0.5, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"mobile20", "mobile", 2, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"mobile50", "mobile", 5, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"mobile100", "mobile", 10, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"quality20", "quality", 2, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"quality100", "quality", 10, slanted, {0.1, 0.5, 2.0}},
-                                         Sun{"overhead", "mobile", 20, {0, 1, 0}, {0.5}},
-                                         Sun{"low", "mobile", 5, {0.94, 0.34, 0}, {0.5}, 2.5}),
+                         testing::Values(SunDisc{"mobile5", "mobile", 0.5, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"mobile20", "mobile", 2, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"mobile50", "mobile", 5, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"mobile100", "mobile", 10, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"quality20", "quality", 2, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"quality100", "quality", 10, slanted, {0.1, 0.5, 2.0}},
+                                         SunDisc{"overhead", "mobile", 20, {0, 1, 0}, {0.5}},
+                                         SunDisc{"low", "mobile", 5, {0.94, 0.34, 0}, {0.5}, 2.5}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Penumbrae, AreSmoothRampsAlongAStraightEdge) {
-    const Sun& disc = GetParam();
+    const SunDisc& disc = GetParam();
     const Context context = openContext(Backend::egl);
     for (const double height : disc.heights)
         for (const double angleDeg : {0.0, 8.0, 45.0})

@@ -12,6 +12,7 @@
 #include "gl/debug.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
+#include "vct/version.h"
 
 namespace vct::app {
 

@@ -23,18 +23,15 @@ constexpr int maxMapSize = 512;
 constexpr int maxTotalSize = 2048;
 // Texels at each border of a map that only the filter reads.
 constexpr int margin = 2;
-// A spot with a wider half angle has six maps like a point light. A single map would spend most of its texels
-// on the rim of the cone.
-constexpr double widestMapRad = 1.05;
 // The near plane, relative to the far plane. Nearer surfaces cast no shadow.
 constexpr double nearShare = 1e-3;
 
-const std::vector<PunctualLight>& checked(const std::vector<PunctualLight>& lights) {
-    if (lights.size() > VCT_MAX_PUNCTUAL_LIGHTS)
-        throw Error("the scene has " + std::to_string(lights.size()) +
-                    " lights besides the sun, and the limit is " + std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) +
-                    "; remove the weakest");
-    return lights;
+std::size_t checkedCount(const Scene& scene) {
+    const std::size_t count = scene.punctualLights.size() + scene.punctualLightRoom;
+    if (count > VCT_MAX_PUNCTUAL_LIGHTS)
+        throw Error("the scene has " + std::to_string(count) + " lights besides the sun, and the limit is " +
+                    std::to_string(VCT_MAX_PUNCTUAL_LIGHTS) + "; remove the weakest");
+    return count;
 }
 
 // The view of a cube's face: +x, -x, +y, -y, +z, -z, as in shaders/shared/punctual_lights.glsl.
@@ -54,26 +51,76 @@ gl::ProgramDescription lightMapProgram(unsigned features) {
     return program;
 }
 
-PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                               const std::vector<PunctualLight>& lights, const Volume& volume,
-                               const Bounds& boundsWorld, double unitLux, const LightSize& size)
-    : volume_(volume),
-      boundsWorld_(boundsWorld),
+PunctualLights::PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& gpuScene, const Scene& scene,
+                               const Volume& volume, double unitLux, const LightSize& size)
+    : measure_(scene),
+      lights_(checkedCount(scene)),
+      states_(lights_.size(), {glm::dmat4(1.0), false}),
+      volume_(volume),
+      boundsWorld_(scene.boundsWorld),
       unitLux_(unitLux),
       size_(size),
-      programs_(shaders, scene, lightMapProgram),
+      programs_(shaders, gpuScene, lightMapProgram),
       uniforms_("punctual lights", GL_UNIFORM_BUFFER, sizeof values_, nullptr, GL_DYNAMIC_DRAW) {
-    for (const PunctualLight& light : checked(lights)) {
-        const bool usesCube =
-            light.type == Type::point || (light.type == Type::spot && light.outerConeRad > widestMapRad);
-        lights_.push_back({light, usesCube, maps_, {}, {}});
-        states_.push_back({light.worldFromLight, true});
-        maps_ += usesCube ? 6 : 1;
+    maps_ = 6 * static_cast<int>(scene.punctualLightRoom);
+    for (std::size_t i = 0; i < scene.punctualLights.size(); ++i) {
+        const PunctualLight& light = scene.punctualLights[i];
+        lights_[i] = {light, measure_.of(light)};
+        states_[i] = {light.worldFromLight, true};
+        maps_ += shadowMapsOf(light);
     }
+    maps_ = std::min(maps_, VCT_MAX_LIGHT_MAPS);
+    assignMaps();
     mapSize_ = std::min(maxMapSize, maxTotalSize / static_cast<int>(std::ceil(std::sqrt(maps_))));
     depth_ = gl::Texture::make2dArray("light maps", GL_DEPTH_COMPONENT24, mapSize_, mapSize_, maps_);
     for (int map = 0; map < maps_; ++map)
         framebuffers_.emplace_back("light map " + std::to_string(map), depth_, map);
+}
+
+// The index of the first of `count` maps that no light has; -1: there are none.
+int PunctualLights::freeMaps(int count) const {
+    int first = 0;
+    for (int map = 0; map < maps_ && map - first < count; ++map)
+        for (const Light& light : lights_)
+            if (light.maps > 0 && map >= light.firstMap && map < light.firstMap + light.maps) first = map + 1;
+    return first + count <= maps_ ? first : -1;
+}
+
+// Lights keep the maps that they have, unless these are in the way.
+void PunctualLights::assignMaps() {
+    std::vector<MeasuredLight> measured;
+    for (const Light& light : lights_)
+        if (light.definition) measured.push_back({light.measure, shadowMapsOf(*light.definition)});
+    const std::vector<bool> chosen = lightsWithMaps(measured, maps_);
+    std::vector<int> wanted;
+    std::size_t next = 0;
+    for (Light& light : lights_) {
+        wanted.push_back(light.definition && chosen[next] ? measured[next].maps : 0);
+        next += light.definition ? 1 : 0;
+        if (wanted.back() != light.maps) light.maps = 0;
+    }
+    const auto assign = [&] {
+        for (std::size_t i = 0; i < lights_.size(); ++i) {
+            if (lights_[i].maps == wanted[i]) continue;
+            lights_[i].firstMap = freeMaps(wanted[i]);
+            if (lights_[i].firstMap < 0) return false;
+            lights_[i].maps = wanted[i];
+        }
+        return true;
+    };
+    if (assign()) return;
+    for (Light& light : lights_)
+        light.maps = 0;
+    assign();
+}
+
+void PunctualLights::setLight(std::size_t index, const std::optional<PunctualLight>& definition) {
+    Light& light = lights_.at(index);
+    light.definition = definition;
+    light.measure = definition ? measure_.of(*definition) : 0.0;
+    states_[index] = {definition ? definition->worldFromLight : glm::dmat4(1.0), definition.has_value()};
+    assignMaps();
+    uploaded_.clear();
 }
 
 void PunctualLights::setSize(const LightSize& size) {
@@ -83,16 +130,17 @@ void PunctualLights::setSize(const LightSize& size) {
 
 void PunctualLights::setPose(const Pose& pose) {
     for (std::size_t i = 0; i < lights_.size(); ++i)
-        states_[i].worldFromLight = posed(lights_[i].definition, pose).worldFromLight;
+        if (lights_[i].definition)
+            states_[i].worldFromLight = posed(*lights_[i].definition, pose).worldFromLight;
 }
 
 std::vector<glm::dvec4> PunctualLights::positions() const {
     std::vector<glm::dvec4> positions;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const glm::dmat4& world = states_[i].worldFromLight;
-        positions.push_back(lights_[i].definition.type == Type::directional
-                                ? glm::dvec4(glm::dvec3(world[2]), 0.0)
-                                : volume_.volumeFromWorld() * world[3]);
+        const bool isDirectional = lights_[i].definition && lights_[i].definition->type == Type::directional;
+        positions.push_back(isDirectional ? glm::dvec4(glm::dvec3(world[2]), 0.0)
+                                          : volume_.volumeFromWorld() * world[3]);
     }
     return positions;
 }
@@ -108,12 +156,15 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
     if (forceRebuild || uploaded_ != states_) timer.timeOnCpu(Step::shadowMap, [&] { upload(); });
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
-        if (!states_[i].on) continue;
+        if (!states_[i].on || light.maps == 0) continue;
+        const PunctualLight& definition = *light.definition;
+        const MapSource source{definition.type, states_[i].worldFromLight, definition.outerConeRad,
+                               definition.range, light.firstMap};
         std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
-        if (!forceRebuild && light.cachedFor == states_[i] && light.cachedPlacements == placements) continue;
+        if (!forceRebuild && light.cachedFor == source && light.cachedPlacements == placements) continue;
         light.cachedFor.reset();
         timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
-        light.cachedFor = states_[i];
+        light.cachedFor = source;
         light.cachedPlacements = std::move(placements);
     }
 }
@@ -124,7 +175,7 @@ void PunctualLights::upload() {
     const std::vector<glm::dvec4> positions = this->positions();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         if (!states_[i].on) continue;
-        const PunctualLight& light = lights_[i].definition;
+        const PunctualLight& light = *lights_[i].definition;
         shared::PunctualLightUniforms& to = values_.light[values_.count.x++];
         to.position = glm::vec4(positions[i]);
         const bool placed = light.type != Type::directional;
@@ -140,11 +191,11 @@ void PunctualLights::upload() {
             scale = 1.0 / std::max(0.001, std::cos(light.innerConeRad) - cosOuter);
             offset = -cosOuter * scale;
         }
-        to.cone = glm::vec4(
-            scale, offset,
-            placed ? size_.radius / volume_.side : std::tan(0.5 * glm::radians(size_.directionalAngleDeg)),
-            0.0);
-        to.maps = glm::ivec4(lights_[i].firstMap, lights_[i].usesCube ? 6 : 1, 0, 0);
+        const double usualSize =
+            placed ? size_.radius : std::tan(0.5 * glm::radians(size_.directionalAngleDeg));
+        to.cone =
+            glm::vec4(scale, offset, light.size.value_or(usualSize) / (placed ? volume_.side : 1.0), 0.0);
+        to.maps = glm::ivec4(lights_[i].firstMap, lights_[i].maps, 0, 0);
         placeMaps(lights_[i], states_[i]);
     }
     uniforms_.bind(GL_UNIFORM_BUFFER);
@@ -153,11 +204,14 @@ void PunctualLights::upload() {
 }
 
 void PunctualLights::placeMaps(const Light& light, const PunctualLightState& state) {
+    if (light.maps == 0) return;
+    const PunctualLight& definition = *light.definition;
+    const bool usesCube = light.maps > 1;
     const glm::dmat4 volumeFromWorld = volume_.volumeFromWorld();
     const auto set = [&](int map, const glm::dmat4& mapFromVolume, double quarterTexel, double depthOfSide) {
         values_.map[map] = {glm::mat4(mapFromVolume), glm::vec4(quarterTexel, depthOfSide, 0.0, 0.0)};
     };
-    if (light.definition.type == Type::directional) {
+    if (definition.type == Type::directional) {
         const DirectionalLight sun{glm::dvec3(state.worldFromLight[2])};
         const glm::dmat4 mapFromVolume =
             shadowFromWorld(sun, boundsWorld_, mapSize_ - 2 * margin) * glm::inverse(volumeFromWorld);
@@ -171,18 +225,18 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
     for (const glm::dvec3& corner : cornersOf(boundsWorld_))
         farthest = std::max(farthest,
                             glm::distance(glm::dvec3(volumeFromWorld * glm::dvec4(corner, 1.0)), position));
-    const double far = 1.001 * std::min(farthest, light.definition.range / volume_.side);
+    const double far = 1.001 * std::min(farthest, definition.range / volume_.side);
     const double near = nearShare * far;
     const double tanHalf =
-        (light.usesCube ? 1.0 : std::tan(light.definition.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
+        (usesCube ? 1.0 : std::tan(definition.outerConeRad)) * mapSize_ / (mapSize_ - 2 * margin);
     const glm::dmat4 mapFromView = glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::scale(glm::dmat4(1.0), glm::dvec3(0.5)) *
                                    glm::perspectiveRH_NO(2.0 * std::atan(tanHalf), 1.0, near, far);
     // The depth of a perspective projection is a - b / w.
     const double b = far * near / (far - near);
     const double quarterTexel = 0.5 * tanHalf / mapSize_ * b;
-    for (int i = 0; i < (light.usesCube ? 6 : 1); ++i) {
-        const glm::dmat4 view = light.usesCube
+    for (int i = 0; i < light.maps; ++i) {
+        const glm::dmat4 view = usesCube
                                     ? viewOfCube(i, position)
                                     : glm::lookAt(position, position - glm::dvec3(state.worldFromLight[2]),
                                                   glm::dvec3(state.worldFromLight[1]));
@@ -192,12 +246,12 @@ void PunctualLights::placeMaps(const Light& light, const PunctualLightState& sta
 
 std::vector<Placement> PunctualLights::placementsInRange(const Light& light, const PunctualLightState& state,
                                                          const std::vector<Placement>& placements) const {
-    if (!std::isfinite(light.definition.range)) return placements;
+    if (!std::isfinite(light.definition->range)) return placements;
     const glm::dvec3 position(volume_.volumeFromWorld() * state.worldFromLight[3]);
     std::vector<Placement> found;
     for (const Placement& placement : placements)
         if (glm::distance(glm::clamp(position, placement.box.min, placement.box.max), position) <=
-            light.definition.range / volume_.side)
+            light.definition->range / volume_.side)
             found.push_back(placement);
     return found;
 }
@@ -205,7 +259,7 @@ std::vector<Placement> PunctualLights::placementsInRange(const Light& light, con
 void PunctualLights::drawMaps(const GpuScene& scene, const Light& light) {
     const gl::DebugGroup group("light maps");
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_PUNCTUAL_LIGHTS);
-    for (int map = light.firstMap; map < light.firstMap + (light.usesCube ? 6 : 1); ++map) {
+    for (int map = light.firstMap; map < light.firstMap + light.maps; ++map) {
         const gl::RenderPass pass(framebuffers_[static_cast<std::size_t>(map)]);
         programs_.setUniform(VCT_UNIFORM_LIGHT_MAP, static_cast<GLuint>(map));
         scene.draw(GpuScene::Culling::none, programs_);

@@ -1,5 +1,7 @@
 // Punctual lights and their shadow maps. The maps are layers of one texture: six for a point light or a wide
-// spot, one for any other light. shaders/shared/punctual_lights.glsl reads them.
+// spot, one for any other light. If they are more than VCT_MAX_LIGHT_MAPS, the lights that matter least have
+// none and cast no shadows. All maps together take at most 16 MB. shaders/shared/punctual_lights.glsl reads
+// them.
 #pragma once
 
 #include <array>
@@ -12,13 +14,14 @@
 #include "engine/scene_state.h"
 #include "engine/step_timer.h"
 #include "gl/objects.h"
+#include "scene/strongest_lights.h"
 
 namespace vct {
 
 gl::ProgramDescription lightMapProgram(unsigned features);
 
-// The size of the lights, for the penumbrae of their soft shadows. Only pixels have soft shadows, voxels
-// do not.
+// The size of lights that have none of their own (PunctualLight::size), for the penumbrae of their soft
+// shadows. Only pixels have soft shadows, voxels do not.
 struct LightSize {
     double radius = 0.0;               // metres, of point and spot lights
     double directionalAngleDeg = 0.0;  // full opening angle of directional lights
@@ -28,14 +31,16 @@ class PunctualLights {
   public:
     // `unitLux`: the irradiance that is 1 in shaders, the sun's E. Throws vct::Error if there are more than
     // VCT_MAX_PUNCTUAL_LIGHTS lights.
-    PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& scene,
-                   const std::vector<PunctualLight>& lights, const Volume& volume, const Bounds& boundsWorld,
-                   double unitLux, const LightSize& size);
+    PunctualLights(const gl::ShaderLibrary& shaders, const GpuScene& gpuScene, const Scene& scene,
+                   const Volume& volume, double unitLux, const LightSize& size);
 
     // The next update() uses the new size, pose or state.
     void setSize(const LightSize& size);
     void setPose(const Pose& pose);
     void setOn(std::size_t light, bool on) { states_.at(light).on = on; }
+    // Replaces a light, or removes it. Indices end at that of the last light that there is room for
+    // (Scene::punctualLightRoom).
+    void setLight(std::size_t light, const std::optional<PunctualLight>& definition);
     // The present states of all lights.
     const std::vector<PunctualLightState>& states() const { return states_; }
     // Positions in volume space with w = 1; for directional lights the direction towards the light and w = 0.
@@ -52,20 +57,33 @@ class PunctualLights {
     Resources resources() const;
 
   private:
-    struct Light {
-        PunctualLight definition;
-        bool usesCube;
+    // All that maps depend on, besides the objects.
+    struct MapSource {
+        PunctualLight::Type type;
+        glm::dmat4 worldFromLight;
+        double outerConeRad, range;
         int firstMap;
-        // The state and the placements in range that the maps were drawn for.
-        std::optional<PunctualLightState> cachedFor;
-        std::vector<Placement> cachedPlacements;
+
+        bool operator==(const MapSource&) const = default;
     };
+    struct Light {
+        std::optional<PunctualLight> definition;  // absent if there is only room for it
+        double measure = 0.0;                     // see LightMeasure
+        int maps = 0;                             // 0: it has none
+        int firstMap = 0;
+        // The source and the placements in range that the maps were drawn for.
+        std::optional<MapSource> cachedFor = {};
+        std::vector<Placement> cachedPlacements = {};
+    };
+    void assignMaps();
+    int freeMaps(int count) const;
     void upload();
     void placeMaps(const Light& light, const PunctualLightState& state);
     std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
                                              const std::vector<Placement>& placements) const;
     void drawMaps(const GpuScene& scene, const Light& light);
 
+    LightMeasure measure_;
     std::vector<Light> lights_;
     std::vector<PunctualLightState> states_;
     std::vector<PunctualLightState> uploaded_;

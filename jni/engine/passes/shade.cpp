@@ -25,7 +25,8 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
     if (reflects) defines.emplace_back("VCT_GLOSS_TARGET");
     const bool punctual = lights.punctual && read.punctualLights;
     if (punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
-    if (punctual && read.softShadow && settings.lightRadius > 0.0F) defines.emplace_back("VCT_SOFT_LIGHTS");
+    if (punctual && read.softShadow && (settings.lightRadius > 0.0F || lights.softPunctual))
+        defines.emplace_back("VCT_SOFT_LIGHTS");
     if (read.softShadow && settings.shadow == Shadow::softMap)
         append({"VCT_SOFT_SHADOW", "VCT_FILTER_TAPS " + std::to_string(settings.filterTaps)});
     // Emitters matter to reflections only, because face irradiance includes their light.
@@ -44,6 +45,10 @@ Shade::Shade(gl::ShaderLibrary shaders, const LightFeatures& lights, const Setti
 void Shade::resize(glm::ivec2 size) {
     radiance_ = gl::Texture::make2d("radiance", GL_RGBA16F, size.x, size.y);
     framebuffer_ = gl::Framebuffer("radiance", {&radiance_}, nullptr);
+}
+
+void Shade::useSoftLights() {
+    if (!std::exchange(lights_.softPunctual, true)) programs_.clear();
 }
 
 const gl::Program& Shade::program(Output output, const GBuffer::Targets& surface) {

@@ -27,6 +27,8 @@ class Shade {
 
     // Recreates the texture in another size, in pixels. The programs are kept.
     void resize(glm::ivec2 size);
+    // From now on punctual lights may have a size of their own.
+    void useSoftLights();
     const gl::Texture& texture() const { return radiance_; }
 
   private:

@@ -71,7 +71,9 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output,
                                  bool forceRebuild, StepTimer& timer) {
-    if (forceRebuild || cachedFor_ != now) {
+    const bool isCached = cachedFor_ && cachedFor_->placements == now.placements &&
+                          cachedFor_->directionToLight == now.directionToLight;
+    if (forceRebuild || !isCached) {
         cachedFor_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
         momentsAreDrawn_ = false;
