@@ -29,7 +29,8 @@ const float noWall = -1000.0;
 vec2 wallsBeside(uint word, vec2 across) {
     uvec2 layer = uvec2(clamp(across.yx - 1.0, 0.0, 3.0)) + uvec2(16, 20);
     vec2 wall = vec2(word & 0xFFu, word >> 8 & 0xFFu) / wallUnits;
-    return vec2((word >> layer.x & 1u) != 0u ? wall.x : noWall, (word >> layer.y & 1u) != 0u ? wall.y : noWall);
+    return vec2((word >> layer.x & 1u) != 0u ? wall.x : noWall,
+                (word >> layer.y & 1u) != 0u ? wall.y : noWall);
 }
 
 // Moves a position in a brick away from the walls of the word, to where the filter reads texels of the

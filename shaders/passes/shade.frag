@@ -51,7 +51,7 @@ Gather indirectDiffuse(vec3 position, vec3 normal) {
 #include "passes/soft_shadow.glsl"
 const bool softShadowIsAll = true;
 mediump float softSun(vec3 position, SurfaceNormals normals) {
-    return softShadow(position, normals.face);
+    return softShadow(position, normals.face, slackShareOf(normals.isCurved));
 }
 #elif defined(VCT_FACE_IRRADIANCE)
 const bool softShadowIsAll = false;

@@ -15,8 +15,9 @@ const int blockerTaps = 7;
 // the surface's own horizon hides up to half of the disc, which n.l is left to account for.
 //
 // Lengths across the light are in units of the sun's cone: a blocker at radius 1 is within the cone if it is
-// nearer to the light than the receiver by at least 1, in units of the map's depth.
-float softShadow(vec3 positionVolume, vec3 normal) {
+// nearer to the light than the receiver by at least 1, in units of the map's depth. `slackShare`: flatSlack
+// or curvedSlack.
+float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
     vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
     vec2 mapFromCone = frame.shadowConeRadius;
@@ -82,6 +83,12 @@ float softShadow(vec3 positionVolume, vec3 normal) {
         direction = goldenTurn * direction;
     }
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
+    // The bias hides a blocker that touches the receiver in a crease. The hard shadow has none, and decides
+    // where no blocker was found or the penumbra is narrower than a texel.
+    vec2 hardSlope = shadowSlope(normal);
+    bool isDark =
+        shadowFootprintLight(shadowDepth, receiver, hardSlope, sunSlack(hardSlope, slackShare), 2.0) <= 0.0;
+    if (search.weight == 0.0 && isDark) return 0.0;
     float penumbra;
     if (search.weight > 0.0) {
         penumbra = penumbraWidth(search);
@@ -136,6 +143,7 @@ float softShadow(vec3 positionVolume, vec3 normal) {
     light = light * (1.0 + bleeding) - 0.25 * bleeding * float(VCT_FILTER_TAPS);
     const vec4 tapShare = vec4(1.0 / float(VCT_FILTER_TAPS));
     float seen = dot(compared, tapShare);
+    if (isDark) seen *= clamp(radius - 1.0, 0.0, 1.0);
     // The comparisons limit the bound, which is too bright where a steep blocker touches the receiver, as at
     // a fold. So few of them, on a ring, miss up to this share of a disc that a straight edge covers.
     const float ringError = 0.25;

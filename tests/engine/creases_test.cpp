@@ -53,7 +53,7 @@ Scene sceneOf(const CubeRoom& room, glm::dmat4& turn) {
 constexpr float hardLeak = 0.02F, softLeak = 0.2F;
 // Share of the dark pixels in creases. The soft shadow does not read a fifth texel as the hard one does, and
 // the finest filter of the moments is two texels wide.
-constexpr double softLeaks = 0.0015;
+constexpr double softLeaks = 0.0012;
 constexpr float sunDeg = 2.0F;
 
 struct Count {
