@@ -153,9 +153,10 @@ using GetProcAddress = void* (*)(const char* name);
 // GL state:
 // - Every function, including constructor and destructor, restores: the bound framebuffers for drawing and
 //   reading, viewport, scissor box, depth range, colour and depth masks, depth function, culled face and
-//   front face, the program, the vertex array, the active texture unit, and the switches GL_BLEND,
-//   GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL and GL_RASTERIZER_DISCARD. State
-//   that GL has per draw buffer is restored to that of draw buffer 0 for all draw buffers.
+//   front face, blend functions and equations, the program, the vertex array, the active texture unit, and
+//   the switches GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL and
+//   GL_RASTERIZER_DISCARD. State that GL has per draw buffer is restored to that of draw buffer 0 for all
+//   draw buffers.
 // - These are undefined afterwards: textures of units 0 to 15 and 31 (their samplers are 0), images of units
 //   0 to 3, uniform buffers 0 to 5, shader storage buffers 0 to 4, and the bindings GL_ARRAY_BUFFER,
 //   GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER,

@@ -29,6 +29,12 @@ SavedState::SavedState() {
     gl::GetIntegerv(GL_CURRENT_PROGRAM, &program_);
     gl::GetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray_);
     gl::GetIntegerv(GL_ACTIVE_TEXTURE, &textureUnit_);
+    gl::GetIntegerv(GL_BLEND_EQUATION_RGB, &blendEquation_);
+    gl::GetIntegerv(GL_BLEND_EQUATION_ALPHA, &blendAlphaEquation_);
+    gl::GetIntegerv(GL_BLEND_SRC_RGB, &blendSource_);
+    gl::GetIntegerv(GL_BLEND_DST_RGB, &blendTarget_);
+    gl::GetIntegerv(GL_BLEND_SRC_ALPHA, &blendAlphaSource_);
+    gl::GetIntegerv(GL_BLEND_DST_ALPHA, &blendAlphaTarget_);
     gl::GetIntegerv(GL_DEPTH_WRITEMASK, &depthMask_);
     gl::GetIntegerv(GL_DEPTH_FUNC, &depthFunction_);
     gl::GetIntegerv(GL_CULL_FACE_MODE, &culledFace_);
@@ -52,6 +58,9 @@ SavedState::~SavedState() {
     gl::UseProgram(static_cast<GLuint>(program_));
     gl::BindVertexArray(static_cast<GLuint>(vertexArray_));
     gl::ActiveTexture(static_cast<GLenum>(textureUnit_));
+    gl::BlendEquationSeparate(static_cast<GLenum>(blendEquation_), static_cast<GLenum>(blendAlphaEquation_));
+    gl::BlendFuncSeparate(static_cast<GLenum>(blendSource_), static_cast<GLenum>(blendTarget_),
+                          static_cast<GLenum>(blendAlphaSource_), static_cast<GLenum>(blendAlphaTarget_));
     gl::DepthMask(static_cast<GLboolean>(depthMask_));
     gl::DepthFunc(static_cast<GLenum>(depthFunction_));
     gl::CullFace(static_cast<GLenum>(culledFace_));
