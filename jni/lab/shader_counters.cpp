@@ -100,7 +100,7 @@ const std::vector<Stage>& stages() {
         {"passes/gloss_half.frag", VCT_COUNTER_GLOSS_HALF, {{"step", 0, VCT_COUNTER_GLOSS_HALF_STEP}}},
         {"passes/gloss.frag",
          VCT_COUNTER_GLOSS,
-         {{"sample", 0, VCT_COUNTER_GLOSS_SAMPLE}, {"step", 0, VCT_COUNTER_GLOSS_STEP}}},
+         {{"sample", 0, VCT_COUNTER_GLOSS_SAMPLE, true}, {"step", 0, VCT_COUNTER_GLOSS_STEP}}},
     };
     return all;
 }

@@ -12,14 +12,14 @@ layout(binding = VCT_TEX_HALF_GLOSS) uniform mediump sampler2D halfGloss;
 layout(early_fragment_tests) in;
 layout(location = 0) out mediump vec4 outRadiance;  // is added; relative to E/pi
 
-// The mean of the samples on both sides of a pixel that belong to its surface; a: their number. The sample of a
-// block is most often that of its first pixel. A pixel at odd coordinates is in the middle between the samples
-// of its own block and of the next one.
+// The mean of the samples on both sides of a pixel that belong to its surface; a: their number. The sample of
+// a block is most often that of its first pixel. A pixel at odd coordinates is in the middle between the
+// samples of its own block and of the next one.
 mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float roughness) {
-    // The plane of the surface in window coordinates, scaled so that it gives pixels: samples may be as far from
-    // the plane as a pixel is wide.
-    vec4 plane = vec4(normal, -dot(normal, position)) * frame.volumeFromWindow /
-                 length(frame.volumeFromWindow[0].xyz);
+    // The plane of the surface in window coordinates, scaled so that it gives pixels: samples may be as far
+    // from the plane as a pixel is wide.
+    vec4 plane =
+        vec4(normal, -dot(normal, position)) * frame.volumeFromWindow / length(frame.volumeFromWindow[0].xyz);
     // The normals may differ by the half angle of the lobe.
     float alpha = roughness * roughness, minCosine = 1.0 - 0.5 * alpha * alpha;
     ivec2 lastBlock = textureSize(halfGloss, 0) - 1;

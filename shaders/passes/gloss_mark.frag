@@ -1,5 +1,5 @@
-// Marks the texels of passes/gloss_half.frag that have a cone: its triangle has the depth 0.5 and is drawn only
-// where the depth is larger.
+// Marks the texels of passes/gloss_half.frag that have a cone: its triangle has the depth 0.5 and is drawn
+// only where the depth is larger.
 #include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
 

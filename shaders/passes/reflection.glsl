@@ -60,7 +60,7 @@ EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
 // A ray through the faces: the loop-invariant part of sampleFaces() in directional/cones.glsl, which says how
 // faces are weighted.
 struct FaceRay {
-    vec3 side;  // y of the block of faces opposite to the ray, per axis
+    vec3 side;                      // y of the block of faces opposite to the ray, per axis
     mediump vec3 share, shareNear;  // weight of each axis, and the same without the faces of the own surface
 };
 
@@ -88,12 +88,12 @@ mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, float level
 
 // Traces one cone of a reflection. Lengths in voxels.
 //
-// Samples are one footprint apart, and those whose footprint is between two levels blend both, each weighted by
-// its texel size: a wall's coverage then adds up to 1 over the samples, wherever they lie. Otherwise the
+// Samples are one footprint apart, and those whose footprint is between two levels blend both, each weighted
+// by its texel size: a wall's coverage then adds up to 1 over the samples, wherever they lie. Otherwise the
 // distances of the samples would show as rings.
 //
-// Each turn of the loop looks up one level. Empty space is passed in larger steps: a texel four times as wide,
-// ahead of the cone, tells whether there are faces.
+// Each turn of the loop looks up one level. Empty space is passed in larger steps: a texel four times as
+// wide, ahead of the cone, tells whether there are faces.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
     const mediump float threshold = 0.1;  // a cone with less transmittance ends
     float grid = float(frame.gridSide), rise = dot(direction, normal);
@@ -128,9 +128,8 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
         // The cone ends when the widest of the texels is outside of the volume.
         if (inside + (looksAhead ? width : texel) <= 0.0) break;
         bool isNear = !looksAhead && height < VCT_GATHER_OWN_SURFACE * width;
-        mediump vec4 met =
-            facesAt(ray, isNear ? ray.shareNear : ray.share, position, level + coarser, width,
-                    looksAhead ? width : inside);
+        mediump vec4 met = facesAt(ray, isNear ? ray.shareNear : ray.share, position, level + coarser, width,
+                                   looksAhead ? width : inside);
         if (looksAhead) {
             // The filter reaches one texel beyond the empty space.
             if (met.a > 0.0)
@@ -157,10 +156,10 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
            transmittance * sampleSky(direction, 3.1415927 * tangent * tangent);
 }
 
-// The light that arrives at a surface at `position` (volume space) from around its mirror direction, relative to
-// E/pi. The median angle between the normals of the surface and its microfacets has the tangent alpha (Walter et
-// al. 2007, eq. 35 at one half). The cone is narrower, because the filter of the faces reaches half a texel beyond
-// its footprint on each side (measured, docs/history/gloss.md).
+// The light that arrives at a surface at `position` (volume space) from around its mirror direction, relative
+// to E/pi. The median angle between the normals of the surface and its microfacets has the tangent alpha
+// (Walter et al. 2007, eq. 35 at one half). The cone is narrower, because the filter of the faces reaches
+// half a texel beyond its footprint on each side (measured, docs/history/gloss.md).
 const float coneWidth = 0.6;
 mediump vec3 reflectedLight(vec3 position, vec3 normal, mediump float roughness) {
     vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;

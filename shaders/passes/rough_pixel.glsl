@@ -8,8 +8,8 @@ ivec2 pixelOf(ivec2 block, int index) {
     return min(2 * block + ivec2(index & 1, index >> 1), textureSize(glossTarget, 0) - 1);
 }
 
-// The index of the block's first pixel with a surface so rough that half the resolution is enough; -1 if there
-// is none.
+// The index of the block's first pixel with a surface so rough that half the resolution is enough; -1 if
+// there is none.
 int roughPixel(ivec2 block) {
     mediump vec4 roughness =
         textureGather(glossTarget, vec2(2 * block + 1) / vec2(textureSize(glossTarget, 0)), 1).wzxy;

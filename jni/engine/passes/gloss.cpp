@@ -57,8 +57,8 @@ Gloss::Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const Setti
 void Gloss::resize(const gl::Texture& picture) {
     const int width = picture.width(), height = picture.height();
     half_ = gl::Texture::make2d("rough reflections", GL_RGBA16F, (width + 1) / 2, (height + 1) / 2);
-    halfMask_ = gl::Texture::make2d("mask of rough reflections", GL_DEPTH_COMPONENT16, half_.width(),
-                                    half_.height());
+    halfMask_ =
+        gl::Texture::make2d("mask of rough reflections", GL_DEPTH_COMPONENT16, half_.width(), half_.height());
     halfFramebuffer_ = gl::Framebuffer("rough reflections", {&half_}, &halfMask_);
     mask_ = gl::Texture::make2d("mask of reflections", GL_DEPTH_COMPONENT16, width, height);
     pictureAndMask_ = gl::Framebuffer("radiance and mask of reflections", {&picture}, &mask_);
