@@ -87,6 +87,12 @@ SavedState::SavedState() {
     depthFunction_ = integer(GL_DEPTH_FUNC);
     culledFace_ = integer(GL_CULL_FACE_MODE);
     frontFace_ = integer(GL_FRONT_FACE);
+    blendEquation_ = integer(GL_BLEND_EQUATION_RGB);
+    blendAlphaEquation_ = integer(GL_BLEND_EQUATION_ALPHA);
+    blendSource_ = integer(GL_BLEND_SRC_RGB);
+    blendTarget_ = integer(GL_BLEND_DST_RGB);
+    blendAlphaSource_ = integer(GL_BLEND_SRC_ALPHA);
+    blendAlphaTarget_ = integer(GL_BLEND_DST_ALPHA);
     gl::GetIntegerv(GL_VIEWPORT, viewport_.data());
     gl::GetIntegerv(GL_SCISSOR_BOX, scissor_.data());
     gl::GetIntegerv(GL_COLOR_WRITEMASK, colorMask_.data());
@@ -146,6 +152,9 @@ SavedState::~SavedState() {
     gl::BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readFramebuffer_));
     gl::UseProgram(static_cast<GLuint>(program_));
     gl::BindVertexArray(static_cast<GLuint>(vertexArray_));
+    gl::BlendEquationSeparate(static_cast<GLenum>(blendEquation_), static_cast<GLenum>(blendAlphaEquation_));
+    gl::BlendFuncSeparate(static_cast<GLenum>(blendSource_), static_cast<GLenum>(blendTarget_),
+                          static_cast<GLenum>(blendAlphaSource_), static_cast<GLenum>(blendAlphaTarget_));
     gl::DepthMask(static_cast<GLboolean>(depthMask_));
     gl::DepthFunc(static_cast<GLenum>(depthFunction_));
     gl::CullFace(static_cast<GLenum>(culledFace_));

@@ -207,7 +207,7 @@ Resources Renderer::resources() const {
     if (gBuffer_) add(resources, gBuffer_->resources());
     if (voxels_) add(resources, voxels_->resources());
     for (const Shade& shade : shades_)
-        add(resources, shade.texture());
+        add(resources, shade.resources());
     return resources;
 }
 

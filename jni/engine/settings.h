@@ -25,7 +25,7 @@ Shadow shadowFromText(const std::string& text);
 // The specular light of glossy materials: metals, and others with a roughness below 1.
 enum class Specular {
     none,  // every surface is Lambertian, with its base colour as albedo
-    cone,  // the sun's highlight, and one cone along the mirror direction (shaders/passes/glossy.glsl)
+    cone,  // the sun's highlight, and one cone along the mirror direction (passes/gloss.h)
 };
 const char* specularName(Specular specular);  // "none", "cone"
 // Throws vct::Error that lists the names if `text` is none of them.

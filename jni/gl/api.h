@@ -17,7 +17,7 @@ namespace vct::gl {
 #define VCT_GL_FUNCTIONS(X)                                                                                \
     X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BindBuffer) X(BindBufferBase) X(BindBufferRange)      \
     X(BindFramebuffer) X(BindImageTexture) X(BindSampler) X(BindTexture) X(BindVertexArray)                \
-    X(BlendEquation) X(BlendFunc) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus)                 \
+    X(BlendEquation) X(BlendEquationSeparate) X(BlendFunc) X(BlendFuncSeparate) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) \
     X(ClearBufferfv) X(ClearBufferuiv) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
     X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
     X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \

@@ -10,6 +10,7 @@
 #include "engine/environment.h"
 #include "engine/packed/packed_volume.h"
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/gloss.h"
 #include "engine/passes/shade.h"
 #include "engine/passes/shadow_map.h"
 #include "lab/debug_view.h"
@@ -63,6 +64,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.back().environment = sky;
     }
     programs.push_back(chooseRangeProgram());
+    programs.push_back(markGlossProgram());
     // A scene with compact emitters also has emission, so the fourth combination does not exist.
     constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
         {{false, false}, {true, false}, {true, true}}};
@@ -82,15 +84,18 @@ std::vector<gl::ProgramDescription> everyProgram() {
             for (bool emissive : {false, true})
                 for (bool gloss : {false, true})
                     for (bool punctual : {false, true})
-                        for (bool emitters : {false, true})
-                            for (bool mapped : {false, true})
-                                if ((faces || (!gloss && !emitters)) && (!mapped || !emissive))
-                                    programs.push_back(shadeProgram(
-                                        read.output, {emissive, gloss, mapped},
-                                        {punctual, settings.environment != nullptr, emitters}, settings));
+                        for (bool mapped : {false, true})
+                            if ((faces || !gloss) && (!mapped || !emissive))
+                                programs.push_back(shadeProgram(read.output, {emissive, gloss, mapped},
+                                                                {punctual, settings.environment != nullptr},
+                                                                settings));
         if (settings.voxels != Voxels::directional) continue;
         for (const auto& [emission, emitters] : emissionAndEmitters) {
             const LightFeatures lights{false, settings.environment != nullptr, emitters, emission};
+            for (const bool mapped : {false, true}) {
+                programs.push_back(halfGlossProgram(mapped, lights, settings));
+                programs.push_back(glossProgram(mapped, lights, settings));
+            }
             programs.push_back(gatherProgram(settings.gather, GatherPurpose::light, lights));
             programs.push_back(gatherProgram(settings.occlusion, GatherPurpose::occlusion,
                                              featuresFor(GatherPurpose::occlusion, lights)));
@@ -166,6 +171,11 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         for (unsigned f : features.materialFeatures)
             add(Step::shadowMap, lightMapProgram(f));
     add(Step::trace, shadeProgram(mode, targets, lights, settings));
+    if (targets.gloss && read.reflections) {
+        add(Step::trace, markGlossProgram());
+        add(Step::trace, halfGlossProgram(targets.mappedNormals, lights, settings));
+        add(Step::trace, glossProgram(targets.mappedNormals, lights, settings));
+    }
     return programs;
 }
 

@@ -102,8 +102,12 @@ const std::vector<Stage>& stages() {
           {"axis of the irradiance", 1, VCT_COUNTER_IRRADIANCE_AXIS},
           {"shadow step", 0, VCT_COUNTER_SHADOW_STEP},
           {"blocker tap", 0, VCT_COUNTER_BLOCKER_TAP, true},
-          {"filter tap", 0, VCT_COUNTER_FILTER_TAP, true},
-          {"specular step", 0, VCT_COUNTER_SPECULAR_STEP}}},
+          {"filter tap", 0, VCT_COUNTER_FILTER_TAP, true}}},
+        {"passes/gloss_mark.frag", VCT_COUNTER_GLOSS_MARK, {}},
+        {"passes/gloss_half.frag", VCT_COUNTER_GLOSS_HALF, {{"step", 0, VCT_COUNTER_GLOSS_HALF_STEP}}},
+        {"passes/gloss.frag",
+         VCT_COUNTER_GLOSS,
+         {{"sample", 0, VCT_COUNTER_GLOSS_SAMPLE, true}, {"step", 0, VCT_COUNTER_GLOSS_STEP}}},
     };
     return all;
 }

@@ -93,22 +93,16 @@ mediump vec4 sampleLevel(Cone cone, float distance, vec3 position, float level) 
     return cone.fades ? met * clamp(shareInside(position, level), 0.0, 1.0) : met;
 }
 
-// Adds the cone's next sample and advances by one step. Returns true if the cone ends. `blend`: position of
-// the sample between `level` and the next one; the footprint is (1 + blend) texels of `level` wide.
-// `opacity`: opacity of a fully covered sample that is one texel wide.
-bool addSample(inout ConeResult result, Cone cone, float level, mediump float blend, mediump float opacity) {
+// Adds the cone's next sample and advances by one step. Returns true if the cone ends. `opacity`: opacity of
+// a fully covered sample.
+bool addSample(inout ConeResult result, Cone cone, float level, mediump float opacity) {
     float distance = result.distance;
     vec3 position = positionAt(cone, distance);
-    result.distance += VCT_GATHER_STEP * exp2(level) * (1.0 + blend);
+    result.distance += VCT_GATHER_STEP * exp2(level);
     mediump vec4 met = sampleLevel(cone, distance, position, level);
-    if (blend > 0.0) {
-        // Each level is weighted by its texel size, so that a wall's coverage adds up to 1 over the samples.
-        mediump vec4 wider = sampleLevel(cone, distance, position, level + 1.0);
-        met = mix(met / max(met.a, 1.0), wider * (0.5 / max(wider.a, 1.0)), blend);
-    }
     // Opacities are added up to the transmittance, because multiplied transmittances let too much light
     // through. A cone that meets several faces of a corner is covered once.
-    mediump float taken = min(opacity * (1.0 + blend) * min(met.a, 1.0), result.transmittance);
+    mediump float taken = min(opacity * min(met.a, 1.0), result.transmittance);
     result.radiance = result.radiance + met.rgb * (taken / max(met.a, 1e-4));
     result.transmittance = result.transmittance - taken;
     result.nearness = result.nearness + taken / distance;
@@ -150,7 +144,7 @@ ConeResult traceCone(vec3 start, vec3 normal, vec3 ownBelow, vec3 direction, flo
         float next =
             levelAt(heightAt(cone, result.distance) + VCT_GATHER_STEP * exp2(level) * cone.rise, spread);
         // Before the level rises, this sample and the next, wider one overlap.
-        if (addSample(result, cone, level, 0.0, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity))
+        if (addSample(result, cone, level, (next > level ? VCT_GATHER_LEVEL_END : 1.0) * sampleOpacity))
             break;
         level = next;
     }

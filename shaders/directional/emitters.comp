@@ -28,7 +28,7 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
         float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
         // The last sample counts in proportion to its part before the end.
         mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
-        if (addSample(result, cone, level, 0.0, within * sampleOpacity)) break;
+        if (addSample(result, cone, level, within * sampleOpacity)) break;
     }
     return coneEnd(result).transmittance;
 }

@@ -84,10 +84,22 @@ Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
     mediump vec2 gloss = texelFetch(glossTarget, pixel, 0).rg;
     return brdfOf(albedo, gloss.x, gloss.y, normalize(frame.eye.xyz - position));
 }
+// The part of the indirect specular light that rough surfaces take from face irradiance. passes/gloss.frag
+// adds the cone's part.
+mediump vec3 roughReflection(Brdf brdf, vec3 normal, mediump vec3 gathered) {
+    return (1.0 - coneShare(brdf.roughness)) * specularShare(brdf, normal) * gathered;
+}
+// passes/gloss.frag is drawn at the depth 0.5 and only where the depth is larger.
+void markCone(bool hasCone) {
+    gl_FragDepth = hasCone ? 1.0 : 0.0;
+}
 #else
 struct Brdf {
     mediump vec3 diffuse;
 };
+bool hasCone(Brdf brdf) {
+    return false;
+}
 Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
     return Brdf(albedo);
 }
@@ -97,9 +109,10 @@ mediump vec3 evaluateBrdf(Brdf brdf, vec3 normal, vec3 toLight) {
 mediump vec3 diffuseAlbedoScale(Brdf brdf, vec3 normal) {
     return vec3(1.0);
 }
-mediump vec3 indirectSpecular(Brdf brdf, vec3 position, vec3 normal, mediump vec3 gathered) {
+mediump vec3 roughReflection(Brdf brdf, vec3 normal, mediump vec3 gathered) {
     return vec3(0.0);
 }
+void markCone(bool hasCone) {}
 #endif
 
 #ifdef VCT_PUNCTUAL_LIGHTS
@@ -149,12 +162,12 @@ mediump vec3 shadeSunAndIndirect(Brdf brdf, vec3 position, vec3 normal, float co
     if (mode == VCT_VIEW_INDIRECT) return brdf.diffuse * gather.radiance;
     if (mode == VCT_VIEW_IRRADIANCE) return gather.radiance;
     if (mode == VCT_VIEW_CONE_SHADOW) return vec3(light);
-    if (mode == VCT_VIEW_SPECULAR) return indirectSpecular(brdf, position, normal, gather.radiance);
+    if (mode == VCT_VIEW_SPECULAR) return roughReflection(brdf, normal, gather.radiance);
     // Face irradiance includes occlusion, which must not dim the sun.
     if (VCT_SHOWS_INDIRECT_LIGHT && received)
         return light * evaluateBrdf(brdf, normal, frame.directionToLight.xyz) * frame.lightColor.rgb +
                brdf.diffuse * diffuseAlbedoScale(brdf, normal) * gather.radiance +
-               indirectSpecular(brdf, position, normal, gather.radiance);
+               roughReflection(brdf, normal, gather.radiance);
     // The soft shadow is the exact share of the direct light. Other shadows are combined by eq. 4.9.
     mediump float total = light;
     if (!softShadowIsAll)
@@ -173,6 +186,7 @@ void main() {
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) {
         outRadiance = vec4(skyBehind(gl_FragCoord.xy), 0.0);
+        markCone(false);
         return;
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
@@ -183,6 +197,7 @@ void main() {
     Gather gather = indirectDiffuse(position, normals.geometric);
     mediump float light = directLight(position, normals);
     Brdf brdf = brdfAt(pixel, position, albedo.rgb * albedo.rgb);
+    markCone(hasCone(brdf));
     mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normals.shading, cosTheta, light, gather);
     outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normals) + emitted(pixel), 1.0);
 }

@@ -27,6 +27,15 @@ vec3 geometricNormal(ivec2 pixel) {
     return decodeNormal(texelFetch(normalTarget, pixel, 0).rg);
 }
 
+// The normal with the normal map.
+vec3 shadingNormal(ivec2 pixel) {
+#ifdef VCT_MAPPED_NORMALS
+    return decodeOctahedral(texelFetch(normalTarget, pixel, 0).ba, 65534.0);
+#else
+    return geometricNormal(pixel);
+#endif
+}
+
 // `albedoAlpha`: alpha of the albedo.
 SurfaceNormals surfaceNormals(ivec2 pixel, float albedoAlpha) {
     uvec4 code = texelFetch(normalTarget, pixel, 0);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "engine/renderer.h"
 #include "scene/camera.h"
 #include "support/frame_inspector.h"
+#include "support/gl_spy.h"
 #include "support/pictures.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
@@ -67,7 +69,7 @@ glm::dvec3 headOnShare(const glm::dvec3& f0, double roughness) {
     return roughness < 0.2 ? f0 : gltfAlbedo(glm::dvec3(0.0), f0, roughness, 1.0);
 }
 
-// The wall has the radiance 1.
+// The wall has the radiance 1, and reflects nothing.
 TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
     const Context context = openContext(Backend::egl);
     for (const float roughness : {0.0F, 0.2F})
@@ -76,6 +78,7 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
             Scene scene = emptyScene();
             scene.materials.push_back(metal(roughness));
             scene.materials.push_back(scene.materials[0]);
+            scene.materials[2].baseColor = glm::vec4(0, 0, 0, 1);
             scene.materials[2].emissive = glm::vec3(1.0F);
             addQuad(scene, {-0.3, 0, -0.3}, {0, 0, 0.6}, {0.6, 0, 0}, 1);
             addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2);
@@ -94,7 +97,7 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
             const glm::dvec3 right = headOnShare(copper, roughness);
             // A cone loses at most the transmittance at which it ends, rounding to 8 bits, and the gaps of a
             // turned wall (measured).
-            const double missing = settings.gather.threshold + (turnDeg == 0.0 ? 0.02 : 0.08);
+            const double missing = 0.1 + (turnDeg == 0.0 ? 0.02 : 0.08);
             for (int i = 0; i < 3; ++i) {
                 EXPECT_LE(mean[i], right[i] * 1.05);
                 EXPECT_GE(mean[i], right[i] * (1.0 - missing));
@@ -271,6 +274,104 @@ TEST(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
     EXPECT_GT(wall, 500);
     EXPECT_GT(floor, 500);
     EXPECT_GT(changed, floor * 99 / 100);
+}
+
+// A box on a floor in front of a wall, under an emitting ceiling that covers a part of them. All are of one
+// glossy material except for the ceiling.
+Scene edges(float roughness) {
+    Scene scene = emptyScene();
+    scene.materials.push_back(metal(roughness));
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].baseColor = glm::vec4(0, 0, 0, 1);
+    scene.materials[1].emissive = glm::vec3(1.0F);
+    scene.materials[0] = metal(roughness);
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 1, 0});
+    addBox(scene, {0.5, 0.5, 0.5}, {0.1, 0.35, 0.3});
+    addQuad(scene, {-1, 1, -1}, {1.2, 0, 0}, {0, 0, 2}, 1);
+    return finished(scene);
+}
+
+// A roughness of 0.294 is traced in each pixel, and one of 0.302 in every second. The two differ by less than
+// a percent otherwise, also next to the edges between surfaces that reflect other things.
+TEST(Glossy, HalfTheResolutionDoesNotBleedOverEdges) {
+    const Context context = openContext(Backend::egl);
+    for (const glm::ivec2 size : {glm::ivec2(96, 96), glm::ivec2(95, 93)}) {
+        const Settings settings = glossyAt(size);
+        const Camera camera = lookAt({0.6, 1.1, 1.9}, {0.1, 0.2, 0}, 50);
+        FrameInspector full(context, edges(0.294F), noLight(), settings, camera);
+        FrameInspector half(context, edges(0.302F), noLight(), settings, camera);
+        const Image expected = full.view(Output::specularLight), actual = half.view(Output::specularLight);
+        const std::vector<SurfacePixel>& pixels = full.pixels();
+        int bright = 0, dark = 0, bled = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const SurfacePixel& pixel = pixels[y * size.x + x];
+                if (!pixel.surface) continue;
+                float least = 1e9F, most = 0.0F;
+                for (int v = std::max(y - 2, 0); v <= std::min(y + 2, size.y - 1); ++v)
+                    for (int u = std::max(x - 2, 0); u <= std::min(x + 2, size.x - 1); ++u) {
+                        const SurfacePixel& other = pixels[v * size.x + u];
+                        if (!other.surface || glm::dot(other.normal, pixel.normal) < 0.99) continue;
+                        const glm::dvec3 apart = other.positionWorld - pixel.positionWorld;
+                        if (std::abs(glm::dot(apart, pixel.normal)) > 0.02) continue;
+                        least = std::min(least, expected.pixels[v * size.x + u].x);
+                        most = std::max(most, expected.pixels[v * size.x + u].x);
+                    }
+                const float value = actual.pixels[y * size.x + x].x;
+                bled += value < least - 0.05F || value > most + 0.05F ? 1 : 0;
+                bright += most > 0.5F ? 1 : 0;
+                dark += least < 0.1F ? 1 : 0;
+            }
+        EXPECT_GT(bright, 500);
+        EXPECT_GT(dark, 500);
+        EXPECT_LE(bled, 5);
+    }
+}
+
+TEST(Glossy, OnlyGlossySurfacesAddDrawsAndTextures) {
+    const Context context = openContext(Backend::egl);
+    const auto costs = [&](float roughness, Specular specular) {
+        Scene scene = corner();
+        scene.materials[1].roughness = roughness;
+        Settings settings = glossyAt({32, 32});
+        settings.specular = specular;
+        Renderer renderer(scene, lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5))), settings,
+                          context.capabilities, testShaders());
+        const RenderRequest request{{Output::gi}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50), LightSteps::all};
+        renderer.render(request);
+        int draws = 0;
+        {
+            const GlSpy<&gl::DrawArrays> spy([&](GLenum, GLint, GLsizei) { ++draws; });
+            renderer.render(request);
+        }
+        return std::pair(draws, bytesOf(renderer.resources()));
+    };
+    EXPECT_EQ(costs(1.0F, Specular::cone), costs(1.0F, Specular::none));
+    const auto [draws, bytes] = costs(0.5F, Specular::cone);
+    const auto [fewerDraws, fewerBytes] = costs(0.5F, Specular::none);
+    EXPECT_EQ(draws, fewerDraws + 3);
+    // Gloss of the G-buffer and a mask, 2 bytes each; in half the resolution 8 bytes and a mask.
+    EXPECT_EQ(bytes, fewerBytes + 32 * 32 * (2 + 2) + 16 * 16 * (8 + 2));
+}
+
+TEST(Glossy, AResizedPictureIsThatOfANewRenderer) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = corner();
+    scene.materials[1].roughness = 0.4F;
+    const DirectionalLight light = lightFrom(glm::normalize(glm::dvec3(0.3, 1, 0.5)));
+    const RenderRequest request{{Output::gi}, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50), LightSteps::all};
+    Renderer resized = makeRenderer(context, scene, light, glossyAt({32, 32}));
+    resized.render(request);
+    resized.resize({47, 33});
+    resized.render(request);
+    Renderer fresh = makeRenderer(context, scene, light, glossyAt({47, 33}));
+    fresh.render(request);
+    float largest = 0.0F;
+    const Image one = resized.radiance(), other = fresh.radiance();
+    for (std::size_t i = 0; i < one.pixels.size(); ++i)
+        largest = std::max(largest, glm::length(one.pixels[i] - other.pixels[i]));
+    EXPECT_LT(largest, 0.01F);
 }
 
 TEST(Specular, IsRefusedWithThePresetThesis) {

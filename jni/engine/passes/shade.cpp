@@ -29,11 +29,9 @@ gl::ProgramDescription shadeProgram(Output output, ExtraTargets targets, const L
         defines.emplace_back("VCT_SOFT_LIGHTS");
     if (read.softShadow && settings.shadow == Shadow::softMap)
         append({"VCT_SOFT_SHADOW", "VCT_FILTER_TAPS " + std::to_string(settings.filterTaps)});
-    // Emitters matter to reflections only, because face irradiance includes their light.
-    append(lightDefines({false, lights.environment, lights.emitters && reflects}));
+    append(lightDefines({false, lights.environment, false}));  // face irradiance includes emitters
     const bool gathers = read.ambientVisibility || read.indirectLight;
     if (gathers && settings.voxels == Voxels::directional) defines.emplace_back("VCT_FACE_IRRADIANCE");
-    if (reflects) append(gatherDefines(settings.gather));
     return {"shade " + number, {"passes/full_screen.vert", "passes/shade.frag"}, defines};
 }
 
@@ -45,6 +43,7 @@ Shade::Shade(gl::ShaderLibrary shaders, const LightFeatures& lights, const Setti
 void Shade::resize(glm::ivec2 size) {
     radiance_ = gl::Texture::make2d("radiance", GL_RGBA16F, size.x, size.y);
     framebuffer_ = gl::Framebuffer("radiance", {&radiance_}, nullptr);
+    if (gloss_) gloss_->resize(radiance_);
 }
 
 void Shade::useSoftLights() {
@@ -65,8 +64,13 @@ const gl::Program& Shade::program(Output output, const GBuffer::Targets& surface
 const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, const DirectLight& direct,
                                const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
+    const bool reflects = surface.gloss != nullptr && reads(output).reflections;
+    if (reflects && !gloss_) gloss_.emplace(shaders_, lights_, settings_, radiance_);
+    if (reflects) gloss_->traceRough(surface, indirect);
     program(output, surface).use();
-    const gl::RenderPass pass(framebuffer_, gl::Load::invalidate);
+    const gl::RenderPass pass(reflects ? gloss_->framebuffer() : framebuffer_, gl::Load::invalidate,
+                              gl::Store::colors);
+    if (reflects) gl::DepthFunc(GL_ALWAYS);
     surface.albedo->bind(VCT_TEX_G_ALBEDO);
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
@@ -79,11 +83,17 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
         indirect.bricks->bind(VCT_TEX_BRICKS);
         indirect.walls->bind(VCT_TEX_WALLS);
     }
-    if (indirect.faces != nullptr) indirect.faces->bind(VCT_TEX_FACES);
-    if (indirect.faceRange != nullptr) indirect.faceRange->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
     noVertices_.bind();
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    if (reflects) gloss_->add(surface, indirect);
     return radiance_;
+}
+
+Resources Shade::resources() const {
+    Resources resources;
+    add(resources, radiance_);
+    if (gloss_) add(resources, gloss_->resources());
+    return resources;
 }
 
 }  // namespace vct

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "engine/output.h"
 #include "engine/passes/g_buffer.h"
+#include "engine/passes/gloss.h"
 #include "engine/passes/shadow_map.h"
 #include "engine/programs.h"
 #include "engine/voxel_volume.h"
@@ -30,6 +32,7 @@ class Shade {
     // From now on punctual lights may have a size of their own.
     void useSoftLights();
     const gl::Texture& texture() const { return radiance_; }
+    Resources resources() const;
 
   private:
     const gl::Program& program(Output output, const GBuffer::Targets& surface);
@@ -38,6 +41,7 @@ class Shade {
     LightFeatures lights_;
     Settings settings_;
     std::map<std::tuple<Output, bool, bool, bool>, gl::Program> programs_;  // compiled on first use
+    std::optional<Gloss> gloss_;  // if an output shows reflections, and a surface is glossy
     gl::Texture radiance_;
     gl::Framebuffer framebuffer_;
     gl::VertexArray noVertices_;

@@ -1,0 +1,55 @@
+// Reflections of glossy surfaces by cones: a part of the last pass. Rough surfaces have wide lobes, so their
+// cones are traced in half the resolution first; a second draw traces those of smooth surfaces and adds both
+// to the picture. Both take scenes with glossy materials only.
+#pragma once
+
+#include <map>
+
+#include "engine/passes/g_buffer.h"
+#include "engine/programs.h"
+#include "engine/voxel_volume.h"
+#include "gl/program.h"
+
+namespace vct {
+
+gl::ProgramDescription glossProgram(bool mappedNormals, const LightFeatures& lights,
+                                    const Settings& settings);
+gl::ProgramDescription markGlossProgram();
+gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures& lights,
+                                        const Settings& settings);
+
+class Gloss {
+  public:
+    Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings,
+          const gl::Texture& picture);
+
+    // Traces the cones of rough surfaces. `surface` has gloss.
+    void traceRough(const GBuffer::Targets& surface, const VoxelLight& light);
+    // The picture, and a depth target that the caller sets above 0.5 in pixels that have a cone. It is lost
+    // after the render pass.
+    const gl::Framebuffer& framebuffer() const { return pictureAndMask_; }
+    // Adds all reflections to the picture. Call it in a render pass into framebuffer(), with the inputs of
+    // traceRough().
+    void add(const GBuffer::Targets& surface, const VoxelLight& light);
+
+    // Recreates the targets for a picture of another size.
+    void resize(const gl::Texture& picture);
+    Resources resources() const;
+
+  private:
+    struct Programs {
+        gl::Program mark, half, full;
+    };
+    const Programs& programs(bool mappedNormals);
+
+    gl::ShaderLibrary shaders_;
+    LightFeatures lights_;
+    Settings settings_;
+    std::map<bool, Programs> programs_;  // by mapped normals; compiled on first use
+    gl::Texture half_;                   // RGBA16F, see gloss_half.frag
+    gl::Texture halfMask_, mask_;        // depth targets, above 0.5 in pixels that have a cone
+    gl::Framebuffer halfFramebuffer_, pictureAndMask_;
+    gl::VertexArray noVertices_;
+};
+
+}  // namespace vct

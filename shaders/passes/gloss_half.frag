@@ -1,0 +1,21 @@
+// Reflections of rough surfaces in half the resolution: one cone for each block of 2 x 2 pixels that shows a
+// surface whose lobe is so wide that passes/gloss.frag can interpolate between the cones of neighbouring
+// blocks. The other blocks are 0 (passes/gloss_mark.frag).
+#include "shared/counters.glsl"
+#include "passes/rough_pixel.glsl"
+#define VCT_REFLECTION_COUNTER VCT_COUNTER_GLOSS_HALF_STEP
+#include "passes/reflection.glsl"
+
+layout(early_fragment_tests) in;
+// rgb: light from around the mirror direction, relative to E/pi; a: 1 + the index of the pixel in the block.
+layout(location = 0) out mediump vec4 outSample;
+
+void main() {
+    COUNT(VCT_COUNTER_GLOSS_HALF);
+    ivec2 block = ivec2(gl_FragCoord.xy);
+    int index = roughPixel(block);
+    ivec2 pixel = pixelOf(block, index);
+    vec3 position = surfacePosition(vec2(pixel) + 0.5, surfaceDepth(pixel));
+    mediump float roughness = texelFetch(glossTarget, pixel, 0).g;
+    outSample = vec4(reflectedLight(position, shadingNormal(pixel), roughness), float(index + 1));
+}
