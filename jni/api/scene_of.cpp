@@ -136,6 +136,8 @@ Mesh meshOf(const MeshDescription& description, const std::vector<Material>& mat
     return mesh;
 }
 
+}  // namespace
+
 DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
     light.directionToLight = direction(sun.directionToSun, "the direction towards the sun");
@@ -147,8 +149,6 @@ DirectionalLight lightOf(const Sun& sun) {
     light.intensity = sun.illuminance;
     return light;
 }
-
-}  // namespace
 
 PunctualLight lightOf(const LightDescription& description, const std::string& name) {
     using Type = LightDescription::Type;

@@ -27,17 +27,19 @@ std::shared_ptr<const Environment> environmentOf(const SkyPicture& sky) {
     return std::make_shared<const Environment>(image, "SceneDescription::sky");
 }
 
+glm::vec3 skyRadianceOf(const std::array<float, 3>& radiance) {
+    for (const float component : radiance)
+        if (!(component >= 0.0F && component <= 1e30F))
+            throw Error("the sky's radiance: give numbers between 0 and 1e30");
+    return {radiance[0], radiance[1], radiance[2]};
+}
+
 Settings settingsOf(const Options& options, const SceneDescription& scene) {
     Settings settings = presetSettings(options.preset);
     if (options.grid != 0) settings.grid = options.grid;
     settings.size = {options.width, options.height};
     settings.shadowConeAngleDeg = scene.sun.diameterDegrees;
-    for (int i = 0; i < 3; ++i) {
-        const float sky = scene.skyRadiance[i];
-        if (!(sky >= 0.0F && sky <= 1e30F))
-            throw Error("the sky's radiance: give numbers between 0 and 1e30");
-        settings.skyRadiance[i] = sky;
-    }
+    settings.skyRadiance = skyRadianceOf(scene.skyRadiance);
     if (scene.sky) settings.environment = environmentOf(*scene.sky);
     return settings;
 }
@@ -168,6 +170,10 @@ struct GlobalIllumination::Implementation {
         renderer.emplace(scene, scene.lights.front(), settingsOf(options, description), capabilities,
                          shadersOf(options));
         plain.emplace();
+        appearances.resize(pose.worldFromNode.size());
+        for (std::size_t i = 0; i < description.instances.size(); ++i)
+            if (!description.instances[i].isVisible)
+                setAppearance(nodeOf(i, "isVisible = false"), false, 1.0F);
     }
     ~Implementation() {
         const SavedState saved;
@@ -180,6 +186,23 @@ struct GlobalIllumination::Implementation {
         return found == outputs.end()
                    ? 0
                    : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
+    }
+
+    // The node of an instance that moves.
+    int nodeOf(std::size_t instance, const char* function) const {
+        const std::string name = "instance " + std::to_string(instance);
+        if (instance >= nodes.size())
+            throw Error(std::string(function) + ": there is no " + name + "; the scene has " +
+                        std::to_string(nodes.size()) + " instances");
+        if (nodes[instance] < 0)
+            throw Error(std::string(function) + ": " + name +
+                        " was not declared to move; set InstanceDescription::moves");
+        return nodes[instance];
+    }
+
+    void setAppearance(int node, bool isVisible, float emission) {
+        appearances[static_cast<std::size_t>(node)] = {isVisible, emission};
+        renderer->setAppearance(node, isVisible, emission);
     }
 
     void requireLight(std::size_t number, const char* function) const {
@@ -198,7 +221,12 @@ struct GlobalIllumination::Implementation {
     std::vector<Output> outputs;
     std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
-    std::vector<bool> hasLight;  // by number; false: there is room for one
+    struct Appearance {
+        bool isVisible = true;
+        float emission = 1.0F;
+    };
+    std::vector<Appearance> appearances;  // by node
+    std::vector<bool> hasLight;           // by number; false: there is room for one
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
@@ -212,20 +240,51 @@ GlobalIllumination::GlobalIllumination(GlobalIllumination&&) noexcept = default;
 GlobalIllumination& GlobalIllumination::operator=(GlobalIllumination&&) noexcept = default;
 
 void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldFromObject) {
-    const std::vector<int>& nodes = implementation_->nodes;
-    const std::string name = "instance " + std::to_string(instance);
-    if (instance >= nodes.size())
-        throw Error("setTransform: there is no " + name + "; the scene has " + std::to_string(nodes.size()) +
-                    " instances");
-    if (nodes[instance] < 0)
-        throw Error("setTransform: " + name + " was not declared to move; set InstanceDescription::moves");
-    implementation_->pose.worldFromNode[nodes[instance]] =
-        affine(worldFromObject, "setTransform: the transform of " + name);
+    const int node = implementation_->nodeOf(instance, "setTransform");
+    implementation_->pose.worldFromNode[static_cast<std::size_t>(node)] =
+        affine(worldFromObject, "setTransform: the transform of instance " + std::to_string(instance));
     implementation_->renderer->setPose(implementation_->pose);
+}
+
+void GlobalIllumination::setVisible(std::size_t instance, bool isVisible) {
+    const int node = implementation_->nodeOf(instance, "setVisible");
+    const SavedState saved;
+    implementation_->setAppearance(node, isVisible,
+                                   implementation_->appearances[static_cast<std::size_t>(node)].emission);
+}
+
+void GlobalIllumination::setEmission(std::size_t instance, float scale) {
+    const int node = implementation_->nodeOf(instance, "setEmission");
+    if (!(scale >= 0.0F && scale <= 1.0F)) throw Error("setEmission: give a scale between 0 and 1");
+    const SavedState saved;
+    implementation_->setAppearance(
+        node, implementation_->appearances[static_cast<std::size_t>(node)].isVisible, scale);
 }
 
 void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
     implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
+}
+
+void GlobalIllumination::setSunlight(const std::array<float, 3>& color, float illuminance) {
+    Sun sun;
+    sun.color = color;
+    sun.illuminance = illuminance;
+    const DirectionalLight light = lightOf(sun);
+    implementation_->renderer->setSunlight(light.color, light.intensity);
+}
+
+void GlobalIllumination::setSky(const std::array<float, 3>& radiance) {
+    if (implementation_->renderer->settings().environment)
+        throw Error("setSky: the scene was described with a picture of the sky; give a picture");
+    implementation_->renderer->setSky(skyRadianceOf(radiance));
+}
+
+void GlobalIllumination::setSky(const SkyPicture& picture) {
+    if (!implementation_->renderer->settings().environment)
+        throw Error("setSky: the scene was described without a picture of the sky; describe it with one");
+    const std::shared_ptr<const Environment> environment = environmentOf(picture);
+    const SavedState saved;
+    implementation_->renderer->setSky(environment);
 }
 
 std::size_t GlobalIllumination::addLight(const LightDescription& light) {

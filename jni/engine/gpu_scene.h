@@ -32,6 +32,9 @@ class GpuScene {
 
     // Sets the pose for the next draws. Uploads the data of the objects that moved, and no other.
     void setPose(const Pose& pose);
+    // Shows or hides the rigid dynamic object of an animation node in the next draws, and scales its
+    // emission.
+    void setAppearance(int node, bool isVisible, float emissionScale);
     // True if the scene has dynamic objects.
     bool moves() const { return !moving_.empty(); }
     // Placements of the dynamic objects in the present pose.
@@ -77,6 +80,9 @@ class GpuScene {
         std::size_t firstIndex = 0;     // in movingIndices_, where its sorted triangles begin
         Bounds boundsWorld;
         std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid
+        bool isVisible = true;
+        float emissionScale = 1.0F;
+        glm::vec3 emission{0.0F};  // before it is scaled, relative to the radiance unit
     };
     // The mesh of rigid dynamic objects, kept to sort its triangles in each pose.
     struct MovingMesh {
@@ -97,6 +103,9 @@ class GpuScene {
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
+    bool isHidden(const Draw& draw) const {
+        return draw.moving >= 0 && !moving_[static_cast<std::size_t>(draw.moving)].isVisible;
+    }
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);

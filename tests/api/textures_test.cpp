@@ -44,8 +44,8 @@ class Textures : public Embedded {
         loaded.materials[0].vertexColors = true;
         for (std::size_t m = 1; m < 4; ++m)
             for (std::size_t i = 0; i < loaded.meshes[m].vertices.size(); ++i)
-                loaded.meshes[m].vertices[i].uv = loaded.meshes[m].vertices[i].emissiveUv = {
-                    uv_[2 * i], uv_[2 * i + 1]};
+                loaded.meshes[m].vertices[i].uv =
+                    loaded.meshes[m].vertices[i].emissiveUv = {uv_[2 * i], uv_[2 * i + 1]};
         for (std::size_t i = 0; i < colors_.size(); i += 4)
             loaded.meshes[0].extras.emplace_back().color = {colors_[i], colors_[i + 1], colors_[i + 2],
                                                             colors_[i + 3]};
