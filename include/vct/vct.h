@@ -38,6 +38,10 @@ struct Matrix {
     }
 };
 
+struct Box {
+    std::array<double, 3> min, max;
+};
+
 struct MaterialDescription {
     std::array<float, 3> baseColor{1, 1, 1};  // 0 to 1
     std::array<float, 3> emission{0, 0, 0};   // radiance, not negative
@@ -64,6 +68,15 @@ struct MeshDescription {
     std::span<const float> textureCoordinates{};  // u, v per vertex; needed if the material has textures
     // Linear r, g, b, a per vertex, 0 to 1, which multiply baseColor and its alpha; or none.
     std::span<const float> colors{};
+    // True: setVertices() may change it. It then has exactly one instance, and that has `moves`.
+    bool deforms = false;
+};
+
+// Vertices of a mesh in GL buffers of the program. Offsets and strides are in bytes, multiples of 4.
+struct VertexBuffers {
+    unsigned positions = 0, normals = 0;  // names of buffers, or of one; floats as in MeshDescription
+    std::size_t positionOffset = 0, positionStride = 12;
+    std::size_t normalOffset = 0, normalStride = 12;
 };
 
 // A mesh in the world.
@@ -100,10 +113,6 @@ struct LightDescription {
     // Its size, for soft shadows; 0: hard ones, which take less time.
     float radius = 0.0F;           // metres, of a point or spot light
     float diameterDegrees = 0.0F;  // full opening angle of a directional light, at most 170
-};
-
-struct Box {
-    std::array<double, 3> min, max;
 };
 
 // A sky that depends on direction, as an equirectangular picture. Row 0 is at the top, towards +Y. The
@@ -211,6 +220,9 @@ class GlobalIllumination {
     // Moves an instance in the next picture. `instance`: index into SceneDescription::instances, with `moves`
     // set.
     void setTransform(std::size_t instance, const Matrix& worldFromObject);
+    // Replaces the vertices of a mesh with `deforms`, whose number stays. They are copied at once, on the
+    // GPU. `bounds`: around the positions, in object space.
+    void setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds);
     // Shows or hides such an instance. Objects that come and go are described once, hidden, as many as there
     // may be at a time; hidden ones take memory and no time.
     void setVisible(std::size_t instance, bool isVisible);

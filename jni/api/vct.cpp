@@ -141,6 +141,25 @@ void requireTarget(unsigned name, const char* what, glm::ivec2 size, std::initia
                     "; use one of the formats that vct.h lists");
 }
 
+// Throws vct::Error if the buffer has not so many vertices.
+ExternalVertices::Attribute attributeOf(unsigned buffer, std::size_t offset, std::size_t stride,
+                                        std::size_t vertices, const char* member) {
+    const std::string name = std::string("VertexBuffers::") + member;
+    if (offset % 4 != 0 || stride % 4 != 0 || stride < 12)
+        throw Error(name + ": give offset and stride in bytes, multiples of 4, and a stride of 12 or more");
+    GLint bytes = 0;
+    if (gl::IsBuffer(buffer) != GL_FALSE) {
+        gl::BindBuffer(GL_COPY_READ_BUFFER, buffer);
+        gl::GetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    }
+    const std::size_t needed = offset + stride * (vertices - 1) + 12;
+    if (static_cast<std::size_t>(bytes) < needed)
+        throw Error(name + " is " + std::to_string(buffer) + ", a buffer of " + std::to_string(bytes) +
+                    " bytes (0: there is none), and " + std::to_string(vertices) + " vertices need " +
+                    std::to_string(needed));
+    return {buffer, offset / 4, stride / 4};
+}
+
 void requireTextures(const std::vector<MaterialDescription>& materials) {
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const std::string material = "material " + std::to_string(i);
@@ -161,6 +180,9 @@ struct GlobalIllumination::Implementation {
         : outputs(outputsFor(options)) {
         hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
         std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
+        for (const Mesh& mesh : scene.meshes)
+            meshes.push_back(
+                {mesh.deformation ? mesh.deformation->joints[0].node : -1, mesh.vertices.size()});
         for (const Instance& instance : scene.instances) {
             nodes.push_back(instance.node);
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
@@ -219,6 +241,11 @@ struct GlobalIllumination::Implementation {
     }
 
     std::vector<Output> outputs;
+    struct DeformingMesh {
+        int node;  // -1: it does not deform
+        std::size_t vertices;
+    };
+    std::vector<DeformingMesh> meshes;
     std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
     struct Appearance {
@@ -244,6 +271,21 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
     implementation_->pose.worldFromNode[static_cast<std::size_t>(node)] =
         affine(worldFromObject, "setTransform: the transform of instance " + std::to_string(instance));
     implementation_->renderer->setPose(implementation_->pose);
+}
+
+void GlobalIllumination::setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds) {
+    const std::vector<Implementation::DeformingMesh>& meshes = implementation_->meshes;
+    if (mesh >= meshes.size() || meshes[mesh].node < 0)
+        throw Error("setVertices: mesh " + std::to_string(mesh) +
+                    " does not exist or was not declared to deform; set MeshDescription::deforms");
+    const SavedState saved;
+    implementation_->renderer->setVertices(
+        meshes[mesh].node,
+        {attributeOf(vertices.positions, vertices.positionOffset, vertices.positionStride,
+                     meshes[mesh].vertices, "positions"),
+         attributeOf(vertices.normals, vertices.normalOffset, vertices.normalStride, meshes[mesh].vertices,
+                     "normals"),
+         {{bounds.min[0], bounds.min[1], bounds.min[2]}, {bounds.max[0], bounds.max[1], bounds.max[2]}}});
 }
 
 void GlobalIllumination::setVisible(std::size_t instance, bool isVisible) {

@@ -143,8 +143,9 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
         if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
         if (instance.deforms) {
-            addDeforming(mesh, draw);
+            addDeforming(instance, mesh, draw);
             moving_.back().firstVertex = indices.firstVertexOf(instance.mesh);
+            moving_.back().emission = glm::vec3(values.emissive);
         } else if (instance.moves()) {
             addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
             moving_.back().emission = glm::vec3(values.emissive);
@@ -196,8 +197,9 @@ void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32
         movingIndices_.resize(movingIndices_.size() + mesh.indices.size());
 }
 
-void GpuScene::addDeforming(const Mesh& mesh, Draw& draw) {
+void GpuScene::addDeforming(const Instance& instance, const Mesh& mesh, Draw& draw) {
     Moving moving;
+    moving.node = instance.node;
     moving.mesh = deforming_.size();
     deforming_.push_back({mesh.deformation, DeformationBoxes(*mesh.deformation)});
     setForm(moving, stateOf(*mesh.deformation, nullptr));
@@ -311,6 +313,7 @@ void GpuScene::setPose(const Pose& pose) {
         Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
         if (moving.form != nullptr) {
             DeformationState state = stateOf(*deforming_[moving.mesh].deformation, &pose);
+            state.changes = moving.form->changes;
             if (state == *moving.form) continue;
             setForm(moving, std::move(state));
             deformed.push_back(static_cast<std::size_t>(draw.moving));
@@ -333,11 +336,25 @@ void GpuScene::setPose(const Pose& pose) {
            &movingIndices_[indices.begin]);
 }
 
+void GpuScene::setVertices(int node, const ExternalVertices& vertices) {
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        Moving& moving = moving_[i];
+        if (moving.form == nullptr || moving.node != node) continue;
+        deforming_[moving.mesh].boxes = DeformationBoxes(vertices.box);
+        DeformationState state = *moving.form;
+        ++state.changes;
+        setForm(moving, std::move(state));
+        Deformer::begin();
+        deformer_->copyVertices(moving.mesh, vertices);
+        deform({i});
+    }
+}
+
 void GpuScene::setAppearance(int node, bool isVisible, float emissionScale) {
     for (const Draw& draw : draws_) {
         if (draw.moving < 0) continue;
         Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
-        if (moving.form != nullptr || moving.node != node) continue;
+        if (moving.node != node) continue;
         moving.isVisible = isVisible;
         if (moving.emissionScale == emissionScale) continue;
         moving.emissionScale = emissionScale;

@@ -69,6 +69,8 @@ class Renderer {
 
     // Sets the pose of the next frames. The caller moves the camera and the sun accordingly (posed()).
     void setPose(const Pose& pose) { nextPose_ = pose; }
+    // Replaces the vertices of a deforming object in the next frames (GpuScene::setVertices()).
+    void setVertices(int node, const ExternalVertices& vertices) { scene_.setVertices(node, vertices); }
     // Shows or hides the object of an animation node in the next frames, and scales its emission, by 0 to 1.
     void setAppearance(int node, bool isVisible, float emissionScale);
     // Sets the unit vector towards the sun (world space) for the next frames.
