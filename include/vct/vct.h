@@ -38,6 +38,10 @@ struct Matrix {
     }
 };
 
+struct Box {
+    std::array<double, 3> min, max;
+};
+
 struct MaterialDescription {
     std::array<float, 3> baseColor{1, 1, 1};  // 0 to 1
     std::array<float, 3> emission{0, 0, 0};   // radiance, not negative
@@ -62,15 +66,26 @@ struct MeshDescription {
     std::span<const std::uint32_t> indices;       // three per triangle; counter-clockwise is front
     std::size_t material = 0;                     // index into SceneDescription::materials
     std::span<const float> textureCoordinates{};  // u, v per vertex; needed if the material has textures
-    std::span<const float>
-        colors{};  // linear r, g, b, a per vertex, 0 to 1, which multiply baseColor, or none
+    // Linear r, g, b, a per vertex, 0 to 1, which multiply baseColor and its alpha; or none.
+    std::span<const float> colors{};
+    // True: setVertices() may change it. It then has exactly one instance, and that has `moves`.
+    bool deforms = false;
+};
+
+// Vertices of a mesh in GL buffers of the program. Offsets and strides are in bytes, multiples of 4.
+struct VertexBuffers {
+    unsigned positions = 0, normals = 0;  // names of buffers, or of one; floats as in MeshDescription
+    std::size_t positionOffset = 0, positionStride = 12;
+    std::size_t normalOffset = 0, normalStride = 12;
 };
 
 // A mesh in the world.
 struct InstanceDescription {
     std::size_t mesh = 0;  // index into SceneDescription::meshes
     Matrix worldFromObject;
-    bool moves = false;  // true: setTransform() may move it, which costs memory and time
+    // True: setTransform(), setVisible() and setEmission() may change it, which costs memory and time.
+    bool moves = false;
+    bool isVisible = true;  // false needs `moves`
 };
 
 // The sun. Other light comes from `lights`, emission and the sky.
@@ -98,10 +113,6 @@ struct LightDescription {
     // Its size, for soft shadows; 0: hard ones, which take less time.
     float radius = 0.0F;           // metres, of a point or spot light
     float diameterDegrees = 0.0F;  // full opening angle of a directional light, at most 170
-};
-
-struct Box {
-    std::array<double, 3> min, max;
 };
 
 // A sky that depends on direction, as an equirectangular picture. Row 0 is at the top, towards +Y. The
@@ -209,9 +220,21 @@ class GlobalIllumination {
     // Moves an instance in the next picture. `instance`: index into SceneDescription::instances, with `moves`
     // set.
     void setTransform(std::size_t instance, const Matrix& worldFromObject);
-    // Turns the sun in the next picture. `directionToSun`: any length but 0. Colour, illuminance and diameter
-    // are fixed.
+    // Replaces the vertices of a mesh with `deforms`, whose number stays. They are copied at once, on the
+    // GPU. `bounds`: around the positions, in object space.
+    void setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds);
+    // Shows or hides such an instance. Objects that come and go are described once, hidden, as many as there
+    // may be at a time; hidden ones take memory and no time.
+    void setVisible(std::size_t instance, bool isVisible);
+    // Scales the emission of such an instance, by 0 (a lamp that is off) to 1.
+    void setEmission(std::size_t instance, float scale);
+    // Turns the sun in the next picture. `directionToSun`: any length but 0.
     void setSun(const std::array<double, 3>& directionToSun);
+    // Changes colour and illuminance of the sun, with the same limits as in Sun.
+    void setSunlight(const std::array<float, 3>& color, float illuminance);
+    // Changes the sky: its radiance, or its picture if the scene was described with one.
+    void setSky(const std::array<float, 3>& radiance);
+    void setSky(const SkyPicture& picture);
     // Lights of the next pictures. addLight() returns the light's number, which it keeps until it is removed;
     // the scene's own lights have their indices in SceneDescription::lights. Changing only colour or
     // intensity costs less than moving it, because its shadow maps are kept. The first light with a radius or
@@ -232,8 +255,8 @@ class GlobalIllumination {
 
     // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white
     // surface that faces the sun, or 1 if the sun is off. It is more if something is so bright that half
-    // floats could not store it, and less if the sun is off and all light is weak. Lights that are added or
-    // changed later do not change it.
+    // floats could not store it, and less if the sun is off and all light is weak. It stays as it is if
+    // lights, sun or sky change later. Light below a 10,000th of it loses precision.
     double radianceUnit() const;
 
   private:

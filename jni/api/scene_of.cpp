@@ -136,6 +136,31 @@ Mesh meshOf(const MeshDescription& description, const std::vector<Material>& mat
     return mesh;
 }
 
+// The mesh gets a single joint, the node of its instance.
+void makeDeforming(Scene& scene, std::size_t index) {
+    Mesh& mesh = scene.meshes[index];
+    Instance* only = nullptr;
+    std::size_t count = 0;
+    for (Instance& instance : scene.instances)
+        if (instance.mesh == static_cast<int>(index)) {
+            only = &instance;
+            ++count;
+        }
+    require(count == 1 && only->node >= 0,
+            mesh.name + ": it has `deforms`; give it exactly one instance, with `moves`");
+    auto deformation = std::make_shared<Deformation>();
+    deformation->centre = mesh.centre;
+    for (const Vertex& vertex : mesh.vertices) {
+        deformation->positions.push_back(vertex.position);
+        deformation->normals.push_back(vertex.normal);
+    }
+    deformation->joints = {{only->node, only->worldFromObject, glm::dmat4(1.0)}};
+    mesh.deformation = std::move(deformation);
+    only->deforms = true;
+}
+
+}  // namespace
+
 DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
     light.directionToLight = direction(sun.directionToSun, "the direction towards the sun");
@@ -147,8 +172,6 @@ DirectionalLight lightOf(const Sun& sun) {
     light.intensity = sun.illuminance;
     return light;
 }
-
-}  // namespace
 
 PunctualLight lightOf(const LightDescription& description, const std::string& name) {
     using Type = LightDescription::Type;
@@ -234,6 +257,8 @@ Scene sceneOf(const SceneDescription& description) {
                                    affine(instance.worldFromObject, "the transform of " + name),
                                    instance.moves ? movers++ : -1});
     }
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        if (description.meshes[i].deforms) makeDeforming(scene, i);
     require(!scene.instances.empty(), "the scene has no instances; give it at least one");
     scene.lights.push_back(lightOf(description.sun));
     for (const LightDescription& light : description.lights)

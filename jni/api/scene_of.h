@@ -13,6 +13,8 @@ namespace vct {
 // order of the description. The sun is the first light.
 Scene sceneOf(const SceneDescription& description);
 
+// Throws vct::Error that names the first invalid value.
+DirectionalLight lightOf(const Sun& sun);
 // Throws vct::Error that begins with `name` and names the first invalid value.
 PunctualLight lightOf(const LightDescription& description, const std::string& name);
 

@@ -27,17 +27,19 @@ std::shared_ptr<const Environment> environmentOf(const SkyPicture& sky) {
     return std::make_shared<const Environment>(image, "SceneDescription::sky");
 }
 
+glm::vec3 skyRadianceOf(const std::array<float, 3>& radiance) {
+    for (const float component : radiance)
+        if (!(component >= 0.0F && component <= 1e30F))
+            throw Error("the sky's radiance: give numbers between 0 and 1e30");
+    return {radiance[0], radiance[1], radiance[2]};
+}
+
 Settings settingsOf(const Options& options, const SceneDescription& scene) {
     Settings settings = presetSettings(options.preset);
     if (options.grid != 0) settings.grid = options.grid;
     settings.size = {options.width, options.height};
     settings.shadowConeAngleDeg = scene.sun.diameterDegrees;
-    for (int i = 0; i < 3; ++i) {
-        const float sky = scene.skyRadiance[i];
-        if (!(sky >= 0.0F && sky <= 1e30F))
-            throw Error("the sky's radiance: give numbers between 0 and 1e30");
-        settings.skyRadiance[i] = sky;
-    }
+    settings.skyRadiance = skyRadianceOf(scene.skyRadiance);
     if (scene.sky) settings.environment = environmentOf(*scene.sky);
     return settings;
 }
@@ -139,6 +141,25 @@ void requireTarget(unsigned name, const char* what, glm::ivec2 size, std::initia
                     "; use one of the formats that vct.h lists");
 }
 
+// Throws vct::Error if the buffer has not so many vertices.
+ExternalVertices::Attribute attributeOf(unsigned buffer, std::size_t offset, std::size_t stride,
+                                        std::size_t vertices, const char* member) {
+    const std::string name = std::string("VertexBuffers::") + member;
+    if (offset % 4 != 0 || stride % 4 != 0 || stride < 12)
+        throw Error(name + ": give offset and stride in bytes, multiples of 4, and a stride of 12 or more");
+    GLint bytes = 0;
+    if (gl::IsBuffer(buffer) != GL_FALSE) {
+        gl::BindBuffer(GL_COPY_READ_BUFFER, buffer);
+        gl::GetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    }
+    const std::size_t needed = offset + stride * (vertices - 1) + 12;
+    if (static_cast<std::size_t>(bytes) < needed)
+        throw Error(name + " is " + std::to_string(buffer) + ", a buffer of " + std::to_string(bytes) +
+                    " bytes (0: there is none), and " + std::to_string(vertices) + " vertices need " +
+                    std::to_string(needed));
+    return {buffer, offset / 4, stride / 4};
+}
+
 void requireTextures(const std::vector<MaterialDescription>& materials) {
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const std::string material = "material " + std::to_string(i);
@@ -159,6 +180,9 @@ struct GlobalIllumination::Implementation {
         : outputs(outputsFor(options)) {
         hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
         std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
+        for (const Mesh& mesh : scene.meshes)
+            meshes.push_back(
+                {mesh.deformation ? mesh.deformation->joints[0].node : -1, mesh.vertices.size()});
         for (const Instance& instance : scene.instances) {
             nodes.push_back(instance.node);
             if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
@@ -168,6 +192,10 @@ struct GlobalIllumination::Implementation {
         renderer.emplace(scene, scene.lights.front(), settingsOf(options, description), capabilities,
                          shadersOf(options));
         plain.emplace();
+        appearances.resize(pose.worldFromNode.size());
+        for (std::size_t i = 0; i < description.instances.size(); ++i)
+            if (!description.instances[i].isVisible)
+                setAppearance(nodeOf(i, "isVisible = false"), false, 1.0F);
     }
     ~Implementation() {
         const SavedState saved;
@@ -180,6 +208,23 @@ struct GlobalIllumination::Implementation {
         return found == outputs.end()
                    ? 0
                    : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
+    }
+
+    // The node of an instance that moves.
+    int nodeOf(std::size_t instance, const char* function) const {
+        const std::string name = "instance " + std::to_string(instance);
+        if (instance >= nodes.size())
+            throw Error(std::string(function) + ": there is no " + name + "; the scene has " +
+                        std::to_string(nodes.size()) + " instances");
+        if (nodes[instance] < 0)
+            throw Error(std::string(function) + ": " + name +
+                        " was not declared to move; set InstanceDescription::moves");
+        return nodes[instance];
+    }
+
+    void setAppearance(int node, bool isVisible, float emission) {
+        appearances[static_cast<std::size_t>(node)] = {isVisible, emission};
+        renderer->setAppearance(node, isVisible, emission);
     }
 
     void requireLight(std::size_t number, const char* function) const {
@@ -196,9 +241,19 @@ struct GlobalIllumination::Implementation {
     }
 
     std::vector<Output> outputs;
+    struct DeformingMesh {
+        int node;  // -1: it does not deform
+        std::size_t vertices;
+    };
+    std::vector<DeformingMesh> meshes;
     std::vector<int> nodes;  // by instance; -1: it does not move
     Pose pose;
-    std::vector<bool> hasLight;  // by number; false: there is room for one
+    struct Appearance {
+        bool isVisible = true;
+        float emission = 1.0F;
+    };
+    std::vector<Appearance> appearances;  // by node
+    std::vector<bool> hasLight;           // by number; false: there is room for one
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
@@ -212,20 +267,66 @@ GlobalIllumination::GlobalIllumination(GlobalIllumination&&) noexcept = default;
 GlobalIllumination& GlobalIllumination::operator=(GlobalIllumination&&) noexcept = default;
 
 void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldFromObject) {
-    const std::vector<int>& nodes = implementation_->nodes;
-    const std::string name = "instance " + std::to_string(instance);
-    if (instance >= nodes.size())
-        throw Error("setTransform: there is no " + name + "; the scene has " + std::to_string(nodes.size()) +
-                    " instances");
-    if (nodes[instance] < 0)
-        throw Error("setTransform: " + name + " was not declared to move; set InstanceDescription::moves");
-    implementation_->pose.worldFromNode[nodes[instance]] =
-        affine(worldFromObject, "setTransform: the transform of " + name);
+    const int node = implementation_->nodeOf(instance, "setTransform");
+    implementation_->pose.worldFromNode[static_cast<std::size_t>(node)] =
+        affine(worldFromObject, "setTransform: the transform of instance " + std::to_string(instance));
     implementation_->renderer->setPose(implementation_->pose);
+}
+
+void GlobalIllumination::setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds) {
+    const std::vector<Implementation::DeformingMesh>& meshes = implementation_->meshes;
+    if (mesh >= meshes.size() || meshes[mesh].node < 0)
+        throw Error("setVertices: mesh " + std::to_string(mesh) +
+                    " does not exist or was not declared to deform; set MeshDescription::deforms");
+    const SavedState saved;
+    implementation_->renderer->setVertices(
+        meshes[mesh].node,
+        {attributeOf(vertices.positions, vertices.positionOffset, vertices.positionStride,
+                     meshes[mesh].vertices, "positions"),
+         attributeOf(vertices.normals, vertices.normalOffset, vertices.normalStride, meshes[mesh].vertices,
+                     "normals"),
+         {{bounds.min[0], bounds.min[1], bounds.min[2]}, {bounds.max[0], bounds.max[1], bounds.max[2]}}});
+}
+
+void GlobalIllumination::setVisible(std::size_t instance, bool isVisible) {
+    const int node = implementation_->nodeOf(instance, "setVisible");
+    const SavedState saved;
+    implementation_->setAppearance(node, isVisible,
+                                   implementation_->appearances[static_cast<std::size_t>(node)].emission);
+}
+
+void GlobalIllumination::setEmission(std::size_t instance, float scale) {
+    const int node = implementation_->nodeOf(instance, "setEmission");
+    if (!(scale >= 0.0F && scale <= 1.0F)) throw Error("setEmission: give a scale between 0 and 1");
+    const SavedState saved;
+    implementation_->setAppearance(
+        node, implementation_->appearances[static_cast<std::size_t>(node)].isVisible, scale);
 }
 
 void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
     implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
+}
+
+void GlobalIllumination::setSunlight(const std::array<float, 3>& color, float illuminance) {
+    Sun sun;
+    sun.color = color;
+    sun.illuminance = illuminance;
+    const DirectionalLight light = lightOf(sun);
+    implementation_->renderer->setSunlight(light.color, light.intensity);
+}
+
+void GlobalIllumination::setSky(const std::array<float, 3>& radiance) {
+    if (implementation_->renderer->settings().environment)
+        throw Error("setSky: the scene was described with a picture of the sky; give a picture");
+    implementation_->renderer->setSky(skyRadianceOf(radiance));
+}
+
+void GlobalIllumination::setSky(const SkyPicture& picture) {
+    if (!implementation_->renderer->settings().environment)
+        throw Error("setSky: the scene was described without a picture of the sky; describe it with one");
+    const std::shared_ptr<const Environment> environment = environmentOf(picture);
+    const SavedState saved;
+    implementation_->renderer->setSky(environment);
 }
 
 std::size_t GlobalIllumination::addLight(const LightDescription& light) {

@@ -73,9 +73,16 @@ gl::ProgramDescription sortAxesProgram() {
     return {"sort_axes", {"passes/sort_axes.comp"}, {}};
 }
 
+gl::ProgramDescription copyVerticesProgram() {
+    return {"copy_vertices", {"passes/copy_vertices.comp"}, {}};
+}
+
 Deformer::Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bool sorts,
                    const glm::dmat4& volumeFromWorld)
-    : deform_(shaders, deformProgram()), volumeFromWorld_(volumeFromWorld), parts_(std::move(parts)) {
+    : deform_(shaders, deformProgram()),
+      shaders_(shaders),
+      volumeFromWorld_(volumeFromWorld),
+      parts_(std::move(parts)) {
     if (sorts) sort_.emplace(shaders, sortAxesProgram());
     std::vector<shared::DeformSource> sources;
     std::vector<glm::vec3> displacements;
@@ -101,6 +108,26 @@ void Deformer::begin() {
 
 void Deformer::end() {
     gl::MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+}
+
+void Deformer::copyVertices(std::size_t index, const ExternalVertices& vertices) {
+    const gl::DebugGroup group("copy vertices");
+    const Deformation& deformation = *parts_[index].deformation;
+    if (!copy_) copy_.emplace(shaders_, copyVerticesProgram());
+    copy_->use();
+    sources_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_DEFORM_SOURCES);
+    gl::BindBufferBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COPY_POSITIONS, vertices.positions.buffer);
+    gl::BindBufferBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_COPY_NORMALS, vertices.normals.buffer);
+    setRange(VCT_DEFORM_COUNT, deformation.positions.size());
+    setRange(VCT_COPY_FIRST_POSITION, vertices.positions.firstFloat);
+    setRange(VCT_COPY_POSITION_STRIDE, vertices.positions.strideFloats);
+    setRange(VCT_DEFORM_FIRST_SOURCE, first_[index].source);
+    setRange(VCT_COPY_FIRST_NORMAL, vertices.normals.firstFloat);
+    setRange(VCT_COPY_NORMAL_STRIDE, vertices.normals.strideFloats);
+    const glm::vec3 centre(deformation.centre);
+    gl::Uniform4f(VCT_UNIFORM_COPY_CENTRE, centre.x, centre.y, centre.z, 0.0F);
+    dispatchOver(deformation.positions.size());
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Deformer::deform(std::size_t index, const DeformationState& state, const gl::Buffer& vertices,

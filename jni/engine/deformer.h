@@ -15,6 +15,18 @@ namespace vct {
 gl::ProgramDescription deformProgram();
 gl::ProgramDescription sortAxesProgram();
 
+gl::ProgramDescription copyVerticesProgram();
+
+// Undeformed vertices in buffers of the embedding program, three floats for each.
+struct ExternalVertices {
+    struct Attribute {
+        GLuint buffer;
+        std::size_t firstFloat, strideFloats;
+    };
+    Attribute positions, normals;  // object space
+    Bounds box;                    // around the positions
+};
+
 class Deformer {
   public:
     // The mesh's position in the vertex and index buffers.
@@ -32,6 +44,8 @@ class Deformer {
     Deformer(const gl::ShaderLibrary& shaders, std::vector<Part> parts, bool sorts,
              const glm::dmat4& volumeFromWorld);
 
+    // Replaces the undeformed vertices of `part`, between begin() and deform().
+    void copyVertices(std::size_t part, const ExternalVertices& vertices);
     // Deforms `part`. A vertex has `vertexFloats` floats and begins with its position and its normal.
     void deform(std::size_t part, const DeformationState& state, const gl::Buffer& vertices,
                 const gl::Buffer& indices, std::size_t vertexFloats) const;
@@ -46,7 +60,8 @@ class Deformer {
               std::size_t vertexFloats) const;
 
     gl::Program deform_;
-    std::optional<gl::Program> sort_;
+    gl::ShaderLibrary shaders_;
+    std::optional<gl::Program> sort_, copy_;  // `copy_` is compiled on first use
     glm::dmat4 volumeFromWorld_;
     std::vector<Part> parts_;
     struct First {

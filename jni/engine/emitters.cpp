@@ -297,34 +297,40 @@ Emitters::Emitters(const Scene& scene, const std::vector<EmitterPart>& parts, co
         const Instance& instance = scene.instances[part.instance];
         parts_.push_back({part, instance.node, glm::inverse(instance.worldFromObject)});
     }
-    upload(nullptr);
+    upload();
 }
 
 void Emitters::setPose(const Pose& pose) {
-    upload(&pose);
+    pose_ = pose;
+    upload();
 }
 
-void Emitters::upload(const Pose* pose) const {
+void Emitters::setScale(int node, float scale) {
+    for (Placed& part : parts_)
+        if (part.node == node) part.scale = scale;
+    upload();
+}
+
+void Emitters::upload() const {
     shared::EmitterBlock block{};
-    block.count.x = static_cast<int>(parts_.size());
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const Placed& placed = parts_[i];
+    for (const Placed& placed : parts_) {
+        if (placed.scale == 0.0F) continue;
         const EmitterPart& part = placed.part;
         glm::dmat4 moved(1.0);
-        if (pose != nullptr && placed.node >= 0)
-            moved = pose->worldFromNode.at(static_cast<std::size_t>(placed.node)) * placed.objectFromWorld;
+        if (pose_ && placed.node >= 0)
+            moved = pose_->worldFromNode.at(static_cast<std::size_t>(placed.node)) * placed.objectFromWorld;
         const glm::dmat3 m(moved);
         const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
         const double larger = std::cbrt(std::abs(glm::determinant(m)));
         const glm::dvec3 facing = cofactors * part.facing / (volume_.side * volume_.side);
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
-        shared::EmitterPartUniforms& to = block.part[i];
+        shared::EmitterPartUniforms& to = block.part[block.count.x++];
         to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
                                 part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
-        to.radiance = glm::vec4(glm::vec3(part.radiance / double{radianceUnit_}),
+        to.radiance = glm::vec4(placed.scale * glm::vec3(part.radiance / double{radianceUnit_}),
                                 (halfDepth * volume_.grid + freeVoxels) / volume_.grid);
     }
     uniforms_.bind(GL_UNIFORM_BUFFER);

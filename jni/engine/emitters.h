@@ -4,6 +4,7 @@
 // cones of the gather hit them often enough.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/resource.h"
@@ -45,6 +46,8 @@ class Emitters {
 
     // Uploads the parts in that pose at once.
     void setPose(const Pose& pose);
+    // Scales the radiance of the parts that this animation node moves; 0: they are off and cost nothing.
+    void setScale(int node, float scale);
     void bind() const { uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_EMITTERS); }
     // For each of the scene's instances: true if it is a compact emitter.
     const std::vector<bool>& instances() const { return instances_; }
@@ -55,10 +58,12 @@ class Emitters {
         EmitterPart part;
         int node;                    // animation node that moves the part, or -1
         glm::dmat4 objectFromWorld;  // rest pose
+        float scale = 1.0F;
     };
-    void upload(const Pose* pose) const;
+    void upload() const;
 
     std::vector<Placed> parts_;
+    std::optional<Pose> pose_;
     std::vector<bool> instances_;
     Volume volume_;
     float radianceUnit_;

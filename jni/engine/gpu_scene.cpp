@@ -54,6 +54,12 @@ shared::DrawUniforms materialUniforms(const Material& material, bool isEmitter, 
     return uniforms;
 }
 
+void upload(const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
+    buffer.bind(GL_COPY_WRITE_BUFFER);
+    gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first), static_cast<GLsizeiptr>(size),
+                      data);
+}
+
 void drawTriangles(std::size_t firstIndex, int indexCount) {
     gl::DrawElements(GL_TRIANGLES, indexCount, GL_UNSIGNED_INT,
                      reinterpret_cast<const void*>(firstIndex * sizeof(std::uint32_t)));
@@ -137,10 +143,12 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
         if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
         if (instance.deforms) {
-            addDeforming(mesh, draw);
+            addDeforming(instance, mesh, draw);
             moving_.back().firstVertex = indices.firstVertexOf(instance.mesh);
+            moving_.back().emission = glm::vec3(values.emissive);
         } else if (instance.moves()) {
             addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
+            moving_.back().emission = glm::vec3(values.emissive);
         } else if (voxelization == Voxelization::sortedAxes) {
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
             std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
@@ -189,8 +197,9 @@ void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32
         movingIndices_.resize(movingIndices_.size() + mesh.indices.size());
 }
 
-void GpuScene::addDeforming(const Mesh& mesh, Draw& draw) {
+void GpuScene::addDeforming(const Instance& instance, const Mesh& mesh, Draw& draw) {
     Moving moving;
+    moving.node = instance.node;
     moving.mesh = deforming_.size();
     deforming_.push_back({mesh.deformation, DeformationBoxes(*mesh.deformation)});
     setForm(moving, stateOf(*mesh.deformation, nullptr));
@@ -263,7 +272,8 @@ std::vector<Placement> GpuScene::placements() const {
             moving.form != nullptr
                 ? deforming_[moving.mesh].boxes.around(*moving.form, volumeFromWorld_)
                 : boundsOf(movingMeshes_[moving.mesh].corners, volumeFromWorld_ * moving.worldFromObject);
-        placements.push_back({moving.worldFromObject, box, moving.form});
+        placements.push_back(
+            {moving.worldFromObject, box, moving.form, moving.isVisible, moving.emissionScale});
     }
     return placements;
 }
@@ -271,7 +281,7 @@ std::vector<Placement> GpuScene::placements() const {
 Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
     Bounds bounds = boundsWorld;
     for (const Moving& moving : moving_)
-        bounds = united(bounds, moving.boundsWorld);
+        if (moving.isVisible) bounds = united(bounds, moving.boundsWorld);
     return bounds;
 }
 
@@ -303,6 +313,7 @@ void GpuScene::setPose(const Pose& pose) {
         Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
         if (moving.form != nullptr) {
             DeformationState state = stateOf(*deforming_[moving.mesh].deformation, &pose);
+            state.changes = moving.form->changes;
             if (state == *moving.form) continue;
             setForm(moving, std::move(state));
             deformed.push_back(static_cast<std::size_t>(draw.moving));
@@ -318,16 +329,41 @@ void GpuScene::setPose(const Pose& pose) {
     deform(deformed);
     if (bytes.end == 0) return;
     sortVisibleDraws();
-    const auto upload = [](const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
-        buffer.bind(GL_COPY_WRITE_BUFFER);
-        gl::BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first), static_cast<GLsizeiptr>(size),
-                          data);
-    };
     upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
     if (movingIndices_.empty()) return;
     constexpr std::size_t size = sizeof movingIndices_[0];
     upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
            &movingIndices_[indices.begin]);
+}
+
+void GpuScene::setVertices(int node, const ExternalVertices& vertices) {
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        Moving& moving = moving_[i];
+        if (moving.form == nullptr || moving.node != node) continue;
+        deforming_[moving.mesh].boxes = DeformationBoxes(vertices.box);
+        DeformationState state = *moving.form;
+        ++state.changes;
+        setForm(moving, std::move(state));
+        Deformer::begin();
+        deformer_->copyVertices(moving.mesh, vertices);
+        deform({i});
+    }
+}
+
+void GpuScene::setAppearance(int node, bool isVisible, float emissionScale) {
+    for (const Draw& draw : draws_) {
+        if (draw.moving < 0) continue;
+        Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
+        if (moving.node != node) continue;
+        moving.isVisible = isVisible;
+        if (moving.emissionScale == emissionScale) continue;
+        moving.emissionScale = emissionScale;
+        shared::DrawUniforms values;
+        std::memcpy(&values, &uniformBytes_[draw.uniformOffset], sizeof values);
+        values.emissive = glm::vec4(emissionScale * moving.emission, values.emissive.w);
+        std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
+        upload(uniforms_, draw.uniformOffset, sizeof values, &values);
+    }
 }
 
 void GpuScene::bindDraw(const Draw& draw, const gl::Program*& current,
@@ -357,6 +393,7 @@ void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
     const gl::Program* current = nullptr;
     for (std::size_t i = 0; i < draws_.size(); ++i) {
         const Draw& draw = draws_[culling == Culling::backFaces ? visibleDraws_[i] : i];
+        if (isHidden(draw)) continue;
         bindDraw(draw, current, programs);
         (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
         drawTriangles(draw.triangles.first, draw.triangles.count);
@@ -370,6 +407,7 @@ void GpuScene::drawForVoxels(const MaterialPrograms& programs, ScenePart part) c
     for (const Draw& draw : draws_) {
         const bool isDynamic = draw.moving >= 0;
         if (part != ScenePart::all && isDynamic != (part == ScenePart::dynamicOnly)) continue;
+        if (isHidden(draw)) continue;
         bindDraw(draw, current, programs);
         if (voxelization_ == Voxelization::geometryShader) {
             drawTriangles(draw.triangles.first, draw.triangles.count);

@@ -32,6 +32,11 @@ class GpuScene {
 
     // Sets the pose for the next draws. Uploads the data of the objects that moved, and no other.
     void setPose(const Pose& pose);
+    // Replaces the vertices of the deforming object of an animation node, which follows that node alone.
+    void setVertices(int node, const ExternalVertices& vertices);
+    // Shows or hides the dynamic object of an animation node in the next draws, and scales its
+    // emission.
+    void setAppearance(int node, bool isVisible, float emissionScale);
     // True if the scene has dynamic objects.
     bool moves() const { return !moving_.empty(); }
     // Placements of the dynamic objects in the present pose.
@@ -70,13 +75,17 @@ class GpuScene {
     };
     // A dynamic object in the present pose.
     struct Moving {
-        int node = -1;  // animation node; -1: the mesh deforms, and its vertices are in volume space
+        int node = -1;  // animation node that moves the object; -1: the mesh deforms by other nodes
         glm::dmat4 worldFromObject{1.0};
         std::size_t mesh = 0;           // index into movingMeshes_, or into deforming_ if the mesh deforms
         std::uint32_t firstVertex = 0;  // the mesh's first vertex in the vertex buffer
         std::size_t firstIndex = 0;     // in movingIndices_, where its sorted triangles begin
         Bounds boundsWorld;
-        std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid
+        std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid; else
+                                                                 // the vertices are in volume space
+        bool isVisible = true;
+        float emissionScale = 1.0F;
+        glm::vec3 emission{0.0F};  // before it is scaled, relative to the radiance unit
     };
     // The mesh of rigid dynamic objects, kept to sort its triangles in each pose.
     struct MovingMesh {
@@ -90,13 +99,16 @@ class GpuScene {
         DeformationBoxes boxes;
     };
 
-    void addDeforming(const Mesh& mesh, Draw& draw);
+    void addDeforming(const Instance& instance, const Mesh& mesh, Draw& draw);
     void makeDeformer(const gl::ShaderLibrary& shaders, std::vector<std::uint32_t>& indices);
     void setForm(Moving& moving, DeformationState state);
     void deform(const std::vector<std::size_t>& changed) const;
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
+    bool isHidden(const Draw& draw) const {
+        return draw.moving >= 0 && !moving_[static_cast<std::size_t>(draw.moving)].isVisible;
+    }
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);

@@ -118,6 +118,29 @@ void Renderer::setPunctualLight(std::size_t index, const std::optional<PunctualL
     ++lightChanges_;
 }
 
+void Renderer::setAppearance(int node, bool isVisible, float emissionScale) {
+    scene_.setAppearance(node, isVisible, emissionScale);
+    if (emitters_) emitters_->setScale(node, isVisible ? emissionScale : 0.0F);
+    ++lightChanges_;
+}
+
+void Renderer::setSunlight(const glm::vec3& color, float illuminance) {
+    light_.color = color;
+    light_.intensity = illuminance;
+    ++lightChanges_;
+}
+
+void Renderer::setSky(const glm::vec3& radiance) {
+    settings_.skyRadiance = radiance;
+    ++lightChanges_;
+}
+
+void Renderer::setSky(std::shared_ptr<const Environment> environment) {
+    environment_ = environment->texture(radianceUnit_);
+    settings_.environment = std::move(environment);
+    ++lightChanges_;
+}
+
 void Renderer::uploadFrameUniforms(const Camera& camera) {
     shared::FrameUniforms values = frameUniforms(camera, light_, radianceUnit_, boundsWorld_, volume_,
                                                  settings_, scene_.boundsWith(boundsWorld_));

@@ -69,9 +69,18 @@ class Renderer {
 
     // Sets the pose of the next frames. The caller moves the camera and the sun accordingly (posed()).
     void setPose(const Pose& pose) { nextPose_ = pose; }
-    // Sets the unit vector towards the sun (world space) for the next frames. The sun's irradiance is fixed,
-    // because emission is stored relative to it.
+    // Replaces the vertices of a deforming object in the next frames (GpuScene::setVertices()).
+    void setVertices(int node, const ExternalVertices& vertices) { scene_.setVertices(node, vertices); }
+    // Shows or hides the object of an animation node in the next frames, and scales its emission, by 0 to 1.
+    void setAppearance(int node, bool isVisible, float emissionScale);
+    // Sets the unit vector towards the sun (world space) for the next frames.
     void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
+    // Sets colour and illuminance of the sun for the next frames. radianceScale() stays.
+    void setSunlight(const glm::vec3& color, float illuminance);
+    // Sets the radiance of a sky of one colour for the next frames. The scene must have no picture of a sky.
+    void setSky(const glm::vec3& radiance);
+    // Replaces the picture of the sky for the next frames. The scene must have one already.
+    void setSky(std::shared_ptr<const Environment> environment);
     // Switches one of Scene::punctualLights on or off for the next frames.
     void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
     // Replaces a punctual light for the next frames, or removes it. `index`: below the number of the scene's

@@ -21,7 +21,7 @@ namespace vct::gl {
     X(ClearBufferfv) X(ClearBufferuiv) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) \
     X(CreateShader) X(CullFace) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries)   \
     X(DeleteSamplers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask)    \
-    X(DepthRangef) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
+    X(DepthRangef) X(GetBufferParameteriv) X(GetFloatv) X(GetTexLevelParameteriv)                                                  \
     X(Disable) X(DispatchCompute) X(DispatchComputeIndirect) X(DrawArrays) X(DrawBuffers) X(DrawElements)  \
     X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                    \
     X(FenceSync) X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \

@@ -37,7 +37,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
                                                  listFacesProgram(),       clearLevelProgram(),
                                                  resetListsProgram(),      directionalMipmapperProgram(),
                                                  shadowMomentsProgram(),   nextShadowMomentsProgram(),
-                                                 deformProgram(),          sortAxesProgram()};
+                                                 deformProgram(),          copyVerticesProgram(),
+                                                 sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {

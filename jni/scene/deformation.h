@@ -50,9 +50,11 @@ struct Deformation {
 struct DeformationState {
     std::vector<glm::dmat4> worldFromObject;  // one per joint
     std::vector<float> weights;               // one per target
+    std::uint64_t changes = 0;                // number of changes of the undeformed vertices
 
     bool operator==(const DeformationState& other) const {
-        return worldFromObject == other.worldFromObject && weights == other.weights;
+        return worldFromObject == other.worldFromObject && weights == other.weights &&
+               changes == other.changes;
     }
 };
 // Returns the state in `pose`, or at rest if it is null.
@@ -70,6 +72,8 @@ DeformedVertex deformedVertex(const Deformation& deformation, const DeformationS
 class DeformationBoxes {
   public:
     explicit DeformationBoxes(const Deformation& deformation);
+    // `box`: around all undeformed vertices, which follow the only joint; there are no targets.
+    explicit DeformationBoxes(const Bounds& box) : jointBoxes_{box} {}
     // Returns a box around all vertices, transformed from world space by `fromWorld`.
     Bounds around(const DeformationState& state, const glm::dmat4& fromWorld) const;
 

@@ -61,6 +61,8 @@ using glm::vec4;
 #define VCT_SSBO_DEFORM_SOURCES 1
 #define VCT_SSBO_DEFORM_DISPLACEMENTS 2
 #define VCT_SSBO_DEFORM_STATE 3
+#define VCT_SSBO_COPY_POSITIONS 0
+#define VCT_SSBO_COPY_NORMALS 2
 #define VCT_SSBO_SORT_CORNERS 1
 #define VCT_SSBO_SORT_SORTED 2
 
@@ -200,8 +202,8 @@ using glm::vec4;
 #define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
 #define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
 #define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
-// An array of uniforms for passes/deform.comp and passes/sort_axes.comp: positions of a mesh in their
-// buffers. The numbers are the elements of the array.
+// An array of uniforms for passes/copy_vertices.comp, passes/deform.comp and passes/sort_axes.comp: positions
+// of a mesh in their buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
 #define VCT_DEFORM_COUNT 0               // number of vertices, or of triangles to sort
 #define VCT_DEFORM_FIRST_FLOAT 1         // first float of the vertices in the bound range
@@ -211,10 +213,15 @@ using glm::vec4;
 #define VCT_DEFORM_TARGETS 5             // number of morph targets
 #define VCT_DEFORM_FIRST_STATE 6         // first row of the joints' matrices, three rows each
 #define VCT_DEFORM_FIRST_WEIGHT 7        // first weight of the morph targets
+#define VCT_COPY_FIRST_POSITION 1        // first float of the positions in their buffer
+#define VCT_COPY_POSITION_STRIDE 2       // floats from one position to the next
+#define VCT_COPY_FIRST_NORMAL 4          // first float of the normals in their buffer
+#define VCT_COPY_NORMAL_STRIDE 5         // floats from one normal to the next
 #define VCT_SORT_FIRST_VERTEX 3          // vertex index of the mesh's first vertex
 #define VCT_SORT_FIRST_CORNER 4          // first index of the mesh in the bound range
 #define VCT_SORT_FIRST_SORTED 5          // first sorted index in the bound range
 #define VCT_DEFORM_RANGES 8
+#define VCT_UNIFORM_COPY_CENTRE 8  // xyz: the origin of the undeformed vertices
 
 // ES 3.1 guarantees 16 KiB for a uniform block, so that not all of the lights can have six maps.
 #define VCT_MAX_PUNCTUAL_LIGHTS 64

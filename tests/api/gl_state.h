@@ -14,10 +14,11 @@ namespace vct::test {
 using GlState = std::map<std::string, std::vector<double>>;
 
 template <class Function>
-Function entryPoint(Function, const char* name) {
+Function entryPoint(const char* name) {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
-#define VCT_ENTRY_POINT(NAME) ::vct::test::entryPoint(&::gl##NAME, "gl" #NAME)
+// An entry point that gl/api.h does not have.
+#define VCT_ENTRY_POINT(NAME) ::vct::test::entryPoint<decltype(&::gl##NAME)>("gl" #NAME)
 
 // A buffer binding point with an index: how many there are, and the names of its three queries.
 struct IndexedTarget {

@@ -172,10 +172,14 @@ TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
         expectSame("render()");
         light.setSun({1, 1, 1});
         light.setTransform(1, {});
+        light.setEmission(1, 0.5F);
+        light.setVisible(1, false);
+        light.setSunlight({1, 1, 1}, 2);
+        light.setSky(*described_.scene.sky);
         light.addLight({});
         light.setLight(1, described_.scene.lights[0]);
         light.removeLight(1);
-        expectSame("setSun(), setTransform() and the lights' functions");
+        expectSame("a change of the scene");
         light.render(view, GlobalIllumination::Light::converged);
         expectSame("render() after a change");
         EXPECT_THROW(light.resize(0, 0), Error);
