@@ -334,7 +334,7 @@ def build():
     add_row(town, "DDCDDDBADDD", -59.5, 36, -1, 0)
     add_square(town)
     add_interior(town)
-    glb.point_light("stair lamp", (STAIRS[0] - 1.2, 2 * STOREY + 2.5, STAIRS[1] + 2.9), (1, 0.85, 0.6), 40.0, range=25)
+    glb.point_light("stair lamp", (STAIRS[0] - 1.2, 2 * STOREY + 1.5, STAIRS[1] + 2.5), (1, 0.85, 0.6), 15.0, range=25)
     for x, z in ((-12, -4.2), (4, 4.2), (28, -4.2), (-38, 6)):
         town.place("street lamp", street_lamp, (x, 0, z))
     for name, place, color in (("square lamp", (-33, 3.0, 23), (1, 0.7, 0.4)), ("south lamp", (20, 2.2, 10), (1, 0.85, 0.6)),
