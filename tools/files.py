@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-ANIMATED = {"moving", "walker"}  # scenes without one picture that could have a reference
+WITHOUT_REFERENCE = {"moving", "walker", "town"}  # of the first camera at rest: they move, or have references by camera
 SCALED = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}  # the same picture at another scale, so the same references
 
 
@@ -22,7 +22,7 @@ class Failed(Exception):
 
 def static_scenes() -> list[Path]:
     """The scenes of assets/ that have references of their own."""
-    return [path for path in sorted((ROOT / "assets").glob("*.glb")) if path.stem not in ANIMATED | SCALED.keys()]
+    return [path for path in sorted((ROOT / "assets").glob("*.glb")) if path.stem not in WITHOUT_REFERENCE | SCALED.keys()]
 
 
 def find_scene(text: str) -> Path:
@@ -34,8 +34,13 @@ def find_scene(text: str) -> Path:
     return path
 
 
-def reference_folder(scene: Path, root: Path = ROOT / "references") -> Path:
-    return root / SCALED.get(scene.stem, scene.stem)
+def view_name(scene: Path, camera: str | None) -> str:
+    """Names the results of a scene, or of one of its cameras."""
+    return f"{scene.stem}-{camera}" if camera else scene.stem
+
+
+def reference_folder(scene: Path, root: Path = ROOT / "references", camera: str | None = None) -> Path:
+    return root / view_name(scene.with_stem(SCALED.get(scene.stem, scene.stem)), camera)
 
 
 def file_sha256(path: Path) -> str:

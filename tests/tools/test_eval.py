@@ -56,6 +56,15 @@ def test_errors_are_those_of_the_pictures_at_their_own_size(measured):
     assert 0 < results(measured)["render-contact-mobile"]["camera"]["errors"]["indirect"]["relmse"] < 0.02
 
 
+def test_a_camera_has_a_row_and_a_reference_of_its_own(program, tmp_path):
+    done = evaluate("render town --cameras court --measures gi --presets mobile --size 32x32 --out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "| town-court | mobile, 64³ | " in done.stdout
+    assert results(tmp_path)["render-town-court-mobile"]["reference"] == "references/town-court/full.exr"
+    done = evaluate("render cornell --cameras side --presets mobile --out", tmp_path)
+    assert done.returncode == 1 and "references assets/cornell.glb --cameras side" in done.stderr
+
+
 def test_a_scene_of_any_name_has_its_picture_on_the_page(tmp_path):
     address = re.search('src="([^"]*)"', report.picture(Store(tmp_path), '50% "off" #2', b"drawn"))[1]
     assert (tmp_path / unquote(urlsplit(address).path)).read_bytes() == b"drawn"

@@ -38,6 +38,24 @@ def test_two_runs_give_the_same_bytes_and_a_changed_one_is_found(tmp_path):
     assert changed.returncode == 1 and "differs: full.exr (" in changed.stdout
 
 
+def test_each_camera_has_references_of_its_own(program, tmp_path):
+    scene, options = ROOT / "assets/courtyard.glb", ("--size", "24x16", "--spp", "4", "--kinds", "coverage,full", "--out", tmp_path)
+    assert run(scene, *options).returncode == 0
+    made = run(scene, "--cameras", "gate,corner", *options)
+    assert made.returncode == 0, made.stderr
+    first, gate, corner = (read_exr(tmp_path / name / "full.exr") for name in ("courtyard", "courtyard-gate", "courtyard-corner"))
+    np.testing.assert_allclose(gate.mean(), first.mean(), rtol=1e-3)  # the first camera, by name
+    assert np.abs(corner - first).mean() > 0.05 * first.mean()
+    assert json.loads((tmp_path / "courtyard-corner/reference.json").read_text())["camera"]["name"] == "corner"
+    wrong = run(scene, "--cameras", "roof", *options)
+    assert wrong.returncode == 1 and "roof" in wrong.stderr and "Traceback" not in wrong.stderr
+
+
+def test_every_camera_of_the_town_has_references():
+    for camera in ("street", "court", "interior", "stairs"):
+        assert (reference_folder(ROOT / "assets/town.glb", camera=camera) / "reference.json").is_file(), camera
+
+
 @pytest.mark.parametrize("arguments, words", [
     (["missing.glb"], "no scene 'missing.glb'"),
     (["a.glb", "--size", "0x4"], "0x4"),
@@ -68,16 +86,19 @@ def test_a_stored_reference_is_of_the_scene_as_it_is_now(path):
     assert hashlib.sha256(scene.read_bytes()).hexdigest() == facts["scene_sha256"]
     loaded = load_scene(scene)
     gloss = {"glossy"} if scene.stem == "glossy" else set()
-    assert set(facts["kinds"]) == {*references.KINDS, *gloss}
+    large = scene.stem == "town"  # all bounces alone, of several cameras
+    assert "full" in facts["kinds"] if large else set(facts["kinds"]) == {*references.KINDS, *gloss}
     assert facts["ao_distance_world"] == pytest.approx(loaded.ao_distance_world)
     np.testing.assert_allclose(facts["light"]["towards"], loaded.sun.towards, atol=1e-8)
     pictures = {kind: read_exr(path.parent / f"{kind}.exr") for kind in facts["kinds"]}
     for kind, picture in pictures.items():
         assert picture.shape == (facts["size"][1], facts["size"][0], 3)
         assert np.isfinite(picture).all() and picture.min() >= 0, kind
-        assert facts["kinds"][kind]["noise_relmse"] < 1e-3, kind
-    for kind in ("coverage", "ao", "shadow"):
+        assert facts["kinds"][kind]["noise_relmse"] < (2e-3 if large else 1e-3), kind
+    for kind in {"coverage", "ao", "shadow"} & pictures.keys():
         assert pictures[kind].max() <= 1
+    if large:
+        return
     # More light is never darker in the mean, by more than noise.
     if gloss:  # all kinds except `full` and `glossy` have Lambert surfaces
         assert pictures["full"].mean() >= pictures["glossy"].mean()

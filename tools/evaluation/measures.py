@@ -13,7 +13,7 @@ import numpy as np
 
 import metrics
 import program
-from files import ROOT, SCALED, Failed, file_sha256, reference_folder, scene_sha256, shown
+from files import ROOT, SCALED, Failed, file_sha256, reference_folder, scene_sha256, shown, view_name
 from truth.exr import read_exr
 from truth.scene import sky_file
 
@@ -41,14 +41,14 @@ STATES = {"camera": [], "changing": ["--revoxelize"]}  # options of vct render
 
 
 class References:
-    """A scene's path-traced pictures in references/."""
+    """Path-traced pictures in references/, of a scene or of one of its cameras."""
 
-    def __init__(self, scene: Path, root: Path = ROOT / "references") -> None:
-        self.folder = reference_folder(scene, root)
+    def __init__(self, scene: Path, root: Path = ROOT / "references", camera: str | None = None) -> None:
+        self.folder = reference_folder(scene, root, camera)
         about = self.folder / "reference.json"
-        remedy = f"run: tools/eval.py references {shown(scene)}"
+        remedy = f"run: tools/eval.py references {shown(scene)}" + (f" --cameras {camera}" if camera else "")
         if not about.is_file():
-            raise Failed(f"{scene.name} has no references in {shown(self.folder)}; {remedy}")
+            raise Failed(f"{view_name(scene, camera)} has no references in {shown(self.folder)}; {remedy}")
         self.about = json.loads(about.read_text())
         if scene.stem not in SCALED and self.about["scene_sha256"] != file_sha256(scene):
             raise Failed(f"{shown(self.folder)} was made from another version of {scene.name}; {remedy}")
@@ -95,16 +95,18 @@ def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[st
     return result
 
 
-def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str) -> Task:
+def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str,
+         camera: str | None = None) -> Task:
     """One preset's picture of a scene that has references."""
-    references = References(scene)
+    references, name = References(scene, camera=camera), view_name(scene, camera)
     size, sky = size or references.size, sky_file(scene)
-    options = [*(["--environment", str(sky)] if sky else []), *(["--grid", grid] if grid else [])]
+    given = {"--camera": camera, "--environment": sky and str(sky), "--grid": grid}
+    options = [word for option, value in given.items() if value for word in (option, value)]
 
     def measure(folder: Path) -> Result:
         result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options)
-        return result | {"reference": shown(references.folder / "full.exr"),
+        return result | {"scene": name, "reference": shown(references.folder / "full.exr"),
                          "noise": {name: references.noise(MEASURES[name].references) for name in names}}
-    return Task(kind, f"{scene.stem}-{preset}" + (f"-{grid}" if grid else ""),
+    return Task(kind, f"{name}-{preset}" + (f"-{grid}" if grid else ""),
                 {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
                  "metrics": file_sha256(Path(metrics.__file__))}, measure, preset)

@@ -36,6 +36,11 @@ def names(known: Collection[str], kind: str) -> Callable[[str], list[str]]:
     return parse
 
 
+def add_cameras(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--cameras", type=lambda text: text.split(","), default=[None], metavar="NAMES",
+                        help="cameras of the scene, with commas (default: its first)")
+
+
 def add_store(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", type=Path, default=ROOT / "out/eval", help="folder of the results (default: out/eval)")
 

@@ -1,8 +1,9 @@
 """Path-traced references of glTF scenes, by Mitsuba 3: for the scene's first camera (or the view that `vct` chooses, where it
-has none) and all its lights.
+has none), or those of `--cameras`, and all its lights.
 
     tools/eval.py references                                        every static scene of assets/
     tools/eval.py references my.glb --size 400x400 --out out/ref    one scene, elsewhere
+    tools/eval.py references town --cameras court,stairs            references/town-court and references/town-stairs
     tools/eval.py references --check                                do the stored ones come out again?
 
 Kinds, all linear RGB without tone mapping, box filter, Lambert surfaces of the base colour (except for `full` and `glossy`).
@@ -37,14 +38,17 @@ Two runs on one machine give the same bytes. So do other x86 processors, except 
 which Embree decides differently with AVX2 and AVX-512: `--check` then prints a relMSE far below the noise.
 """
 import argparse
+import itertools
 import json
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
+import program
 from files import ROOT, Failed, file_sha256, find_scene, reference_folder, static_scenes, write_whole
 from metrics import noise_of_halves, relmse
+from truth.asked import seen_by
 from truth.exr import read_exr, write_exr
 from truth.scene import load_scene, sky_file
 
@@ -70,12 +74,13 @@ SEED = 0
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help=".glb or .gltf, or a name in assets/ (default: all)")
+    options.add_cameras(parser)
     parser.add_argument("--size", type=options.size, default=(256, 256), help="WIDTHxHEIGHT (default: 256x256)")
     parser.add_argument("--spp", type=options.samples, help="samples per pixel of every kind (default: depends on the kind)")
     parser.add_argument("--kinds", type=options.names((*KINDS, GLOSSY), "kind"), default=list(KINDS),
                         help=f"with commas (default: {','.join(KINDS)})")
     parser.add_argument("--out", type=Path, default=ROOT / "references",
-                        help="folder; a scene's references go into OUT/NAME (default: references)")
+                        help="folder; a scene's references go into OUT/NAME or OUT/NAME-CAMERA (default: references)")
     parser.add_argument("--check", action="store_true", help="make them again, compare with the stored ones, write nothing")
 
 
@@ -127,8 +132,10 @@ def rounded(value):
     return [rounded(inner) for inner in value] if isinstance(value, list) else value
 
 
-def make(path: Path, out: Path, asked: argparse.Namespace) -> None:
+def make(path: Path, camera: str | None, out: Path, asked: argparse.Namespace) -> None:
     scene, kinds = load_scene(path, asked.size), asked.kinds
+    if camera:
+        scene = seen_by(scene, program.camera(path, asked.size, "--camera", camera))
     if kinds == list(KINDS) and any(scene.materials[i].glossy for i in set(scene.material_of.tolist())):
         kinds = [*kinds, GLOSSY]
     drawn = draw_kinds(scene, kinds, asked.size, asked.spp)
@@ -160,14 +167,15 @@ def differing(stored: Path, made: Path) -> list[str]:
 def run(asked: argparse.Namespace) -> int:
     scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
     different = False
-    for path in scenes:
-        out = reference_folder(path, asked.out)
+    for path, camera in itertools.product(scenes, asked.cameras):
+        out = reference_folder(path, asked.out, camera)
         if not asked.check:
-            make(path, out, asked)
+            make(path, camera, out, asked)
             continue
         with tempfile.TemporaryDirectory() as folder:
-            make(path, Path(folder), asked)
+            make(path, camera, Path(folder), asked)
             changed = differing(out, Path(folder))
-        print(f"{path.name}: {'differs: ' + ', '.join(changed) if changed else 'the same, bit for bit'}", flush=True)
+        shown = f"{path.name} from {camera}" if camera else path.name
+        print(f"{shown}: {'differs: ' + ', '.join(changed) if changed else 'the same, bit for bit'}", flush=True)
         different |= bool(changed)
     return 1 if different else 0

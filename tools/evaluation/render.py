@@ -4,6 +4,7 @@
     tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
     tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
     tools/eval.py render cornell courtyard --sheet out/presets.png
+    tools/eval.py render town --cameras court,stairs --measures gi
 
 The measure `gi` is that mode's picture, `indirect` one bounce of light alone, and `soft` mode gi-cone-shadow under a sun of 5
 degrees. As root mean square errors, `shadow` is the visible share of that sun and `ao` ambient occlusion. Compare times of a
@@ -33,6 +34,7 @@ def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_store(parser)
     options.add_presets(parser)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in assets/, or files (default: all that have references)")
+    options.add_cameras(parser)
     parser.add_argument("--size", type=options.size, help="WIDTHxHEIGHT (default: that of the references)")
     parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=["gi", "indirect"],
                         help=f"of {','.join(MEASURES)}, or all (default: gi,indirect)")
@@ -92,8 +94,8 @@ def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str 
     measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(
         ["gi", *(["indirect"] if asked.plot else []), *([] if show is headline else asked.measures)]))
     scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
-    tasks = [task(scene, preset, measures, asked.size, grid, kind)
-             for scene in scenes for preset in asked.presets for grid in grids]
+    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera)
+             for scene in scenes for camera in asked.cameras for preset in asked.presets for grid in grids]
     store = Store(asked.out)
     if results := store.run(tasks, again=show is headline):  # times of one table are of one run
         print(f"{machine(results)}\n{show(results)}{noise_note(results)}", end="")

@@ -19,8 +19,8 @@ def seen_by(scene: Scene, view: dict) -> Scene:
     """`view`: as `vct info --print-camera` prints it."""
     eye = np.array(view["eye_world"])
     return dataclasses.replace(scene, camera=dataclasses.replace(
-        scene.camera, axes=np.array(view["right_up_back"]), eye_world=eye, eye=(eye - scene.centre_world) / scene.side_world,
-        vertical_fov_rad=view["vertical_fov_rad"]))
+        scene.camera, name=view["name"], axes=np.array(view["right_up_back"]), eye_world=eye,
+        eye=(eye - scene.centre_world) / scene.side_world, vertical_fov_rad=view["vertical_fov_rad"]))
 
 
 def lit_by(scene: Scene, light: str | None, sky: str | None, environment: pathlib.Path | None, emission: float) -> Scene:
