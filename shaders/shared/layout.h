@@ -152,7 +152,7 @@ using glm::vec4;
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
 #define VCT_TEX_EMISSIVE 1
-#define VCT_TEX_WALLS 1  // shared with VCT_TEX_EMISSIVE; no pass needs both
+#define VCT_TEX_WALLS 1       // shared with VCT_TEX_EMISSIVE; no pass needs both
 #define VCT_TEX_HALF_GLOSS 1  // shared with VCT_TEX_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
