@@ -97,6 +97,13 @@ CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
         ->check(positive)
         ->excludes(gridOption)
         ->group(voxelGroup);
+    command
+        .add_option(
+            "--cascades", cascades,
+            "Nested cubes of voxels around the camera, each half as wide as the next (default: 1, the "
+            "volume around the scene, or as many as --voxel-size needs)")
+        ->check(CLI::Range(1, VCT_MAX_CASCADES))
+        ->group(voxelGroup);
     addSize(command, size);
     command.add_option(
         "--camera", camera,
@@ -125,6 +132,7 @@ Settings SceneOptions::settings(const std::string& preset) const {
     Settings result = presetSettings(preset);
     result.size = size;
     if (grid && *grid != "auto") result.grid = std::stoi(*grid);
+    if (cascades) result.cascades = *cascades;
     return result;
 }
 

@@ -18,7 +18,7 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
                          true, found >= needed});
     };
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
-            faces ? DirectionalVoxels::blocksX * settings.grid : settings.grid,
+            faces ? std::max(DirectionalVoxels::blocksX, settings.cascades) * settings.grid : settings.grid,
             "needed for the voxels at " + cubed + (faces ? ", with six faces per voxel" : "") +
                 "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
@@ -49,8 +49,9 @@ void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities
 }
 
 std::size_t voxelBytes(const Settings& settings, int grid) {
-    return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
-                                             : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
+    return settings.voxels == Voxels::packed
+               ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
+               : DirectionalVoxels::bytesFor(grid, settings.cascades, settings.activeVoxelLimit);
 }
 
 std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities& capabilities,

@@ -16,12 +16,13 @@ int levelsOf(int grid) {
     return static_cast<int>(std::log2(grid)) + 1;
 }
 
-shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
-    const auto cube = [grid](int level) {
+shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind,
+                                         int cascades) {
+    const auto voxels = [=](int level) {
         const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
-        return side * side * side;
+        return side * side * side * static_cast<std::uint64_t>(cascades);
     };
-    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid;
+    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid * cascades;
     shared::CommandLists commands{};
     commands.dynamicList = VCT_LIST_DYNAMIC;
     std::uint32_t firstEntry = 0;
@@ -31,7 +32,7 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
-        c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(isDynamic ? 0 : list)));
+        c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(isDynamic ? 0 : list)));
         firstEntry += c.capacity;
     }
     return commands;
@@ -54,11 +55,14 @@ gl::ProgramDescription packedClearProgram() {
     return {"packed/clear", {"packed/clear.comp"}, {}};
 }
 
-VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity, Kind kind)
+VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity, Kind kind,
+                           int cascades)
     : grid_(grid),
+      cascades_(cascades),
       levels_(levelsOf(grid)),
-      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, textureLevels(grid, kind))),
-      initialCommands_(makeInitialCommands(grid, baseCapacity, kind)),
+      texture_(
+          gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind))),
+      initialCommands_(makeInitialCommands(grid, baseCapacity, kind, cascades)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
       activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
@@ -67,9 +71,9 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
     clearTexture();
 }
 
-std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind) {
-    return gl::textureBytes(GL_R32UI, grid, grid, grid, textureLevels(grid, kind)) +
-           listBytes(makeInitialCommands(grid, baseCapacity, kind));
+std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind, int cascades) {
+    return gl::textureBytes(GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind)) +
+           listBytes(makeInitialCommands(grid, baseCapacity, kind, cascades));
 }
 
 Resources VoxelPyramid::resources() const {

@@ -35,11 +35,13 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
 
 // Irradiance by all emitters, relative to E.
 vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
-    float grid = float(frame.gridSide);
+    int cascade = cascadeOf(start.voxel);
+    float grid = voxelsAlongVolume(cascade);
+    vec3 position = volumeFromVoxels(start.position, cascade);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        vec3 offset = part.position.xyz - start.position / grid;
+        vec3 offset = part.position.xyz - position;
         float distance = max(length(offset), 1e-6);
         vec3 towards = offset / distance;
         float area = projectedArea(part, towards);
@@ -49,12 +51,13 @@ vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
         vec3 light = part.radiance.rgb * share;
         if (max(light.r, max(light.g, light.b)) < minStoredLight) continue;
         float toOpposite = distanceToOpposite(start, towards);
-        if (toOpposite >= 0.0 && toOpposite < (distance - part.radiance.w) * grid) continue;
+        float end = endOfCones(part);
+        if (toOpposite >= 0.0 && toOpposite < (distance - end) * grid) continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
         // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
         float rising = clamp(area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
-        float reach = (distance - part.radiance.w / rising) * grid;
-        Cone cone = coneFrom(start.position, plane.normal, ownBelow, towards, false);
+        float reach = (distance - end / rising) * grid;
+        Cone cone = coneFrom(start.position, cascade, plane.normal, ownBelow, towards, false);
         sum += light * transmittanceTo(cone, reach, coneWidth * part.position.w / distance);
     }
     return sum;

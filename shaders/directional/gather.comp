@@ -60,12 +60,13 @@ mediump vec4 thinWallOnRay(vec2 thinWalls, int axis, vec3 start, vec3 direction)
     int wallAxis = (axis + (isFirst ? 1 : 2)) % 3;
     // The wall's faces look against the ray.
     int side = (isFirst ? along.x : along.y) > 0.0 ? 1 : 0;
-    ivec3 last = ivec3(frame.gridSide - 1);
-    ivec3 voxel = clamp(ivec3(start + direction * distance), ivec3(0), last);
+    ivec3 from = ivec3(start),
+          voxel = clampToCascade(ivec3(start + direction * distance), from, frame.gridSide);
     mediump vec4 wall = texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
     if (wall.a > 0.0) return wall;
     // The plane of the wall's middle may be in the voxel behind its surface.
-    voxel[wallAxis] = clamp(voxel[wallAxis] + (side == 1 ? -1 : 1), 0, last.x);
+    voxel[wallAxis] += side == 1 ? -1 : 1;
+    voxel = clampToCascade(voxel, from, frame.gridSide);
     return texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
 }
 
@@ -84,7 +85,8 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
     int place = indexInBlock(voxel, face >> 1);
     int first = int(firstDirection) + place;
     // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
-    float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
+    int cascade = cascadeOf(voxel);
+    float reach = (occlusion ? frame.aoDistance : 2.0) * voxelsAlongVolume(cascade);
     const float behindVoxel = 0.8;  // half a voxel is the middle of the next voxel's faces
     Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -114,7 +116,8 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
         float begin = VCT_GATHER_FIRST_SAMPLE;
         if (start.opposite != vec3(0.0))
             begin = max(begin, distanceOutOfVoxel(start, direction) + behindVoxel);
-        ConeResult cone = traceCone(start.position, plane.normal, ownBelow, direction, begin, reach, spread);
+        ConeResult cone =
+            traceCone(start.position, cascade, plane.normal, ownBelow, direction, begin, reach, spread);
         gathered.light += cone.radiance;
         // The solid angle that one direction of the set stands for: pi / (N cos), by the density above.
         float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);

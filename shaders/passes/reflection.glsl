@@ -45,7 +45,7 @@ EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
         }
         met.radiance += share * part.radiance.rgb;
         met.coverage += share;
-        met.distance += share * (along - part.radiance.w) * float(frame.gridSide);
+        met.distance += share * (along - endOfCones(part)) * float(frame.gridSide);
     }
     met.distance /= max(met.coverage, 1e-6);
     float most = 1.0 / max(met.coverage, 1.0);

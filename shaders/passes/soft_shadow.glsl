@@ -19,8 +19,9 @@ const int blockerTaps = 7;
 // or curvedSlack.
 float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
-    vec3 receiver = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
-    vec2 mapFromCone = frame.shadowConeRadius;
+    SunMap map = sunMapAt(positionVolume);
+    vec3 receiver = inSunMap(map, positionVolume);
+    vec2 mapFromCone = map.coneRadius;
 
     // The slope of the receiver's plane: depth per length across the light. Rows of the matrix are the map's
     // axes; mapFromCone is tan(half angle) times the ratio of their lengths.
@@ -28,7 +29,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     const float roundingBias = 1e-4;  // as in shadow.glsl
     float sine2 = frame.shadowConeSine * frame.shadowConeSine;
     float tan2 = sine2 / (1.0 - sine2);
-    vec3 across = mat3(frame.shadowFromVolume) * normal;
+    vec3 across = mat3(map.fromVolume) * normal;
     vec2 coneFromMap = 1.0 / mapFromCone;
     vec2 slope = across.xy * (-tan2 / across.z) * coneFromMap;
     float perSteepness = inversesqrt(max(dot(slope, slope), 1e-12));
@@ -85,7 +86,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     float coneInTexels = toNearPlane * max(mapFromCone.x, mapFromCone.y) * size;
     // The bias hides a blocker that touches the receiver in a crease. The hard shadow has none, and decides
     // where no blocker was found or the penumbra is narrower than a texel.
-    vec2 hardSlope = shadowSlope(normal);
+    vec2 hardSlope = shadowSlope(map, normal);
     bool isDark =
         shadowFootprintLight(shadowDepth, receiver, hardSlope, sunSlack(hardSlope, slackShare), 2.0) <= 0.0;
     if (search.weight == 0.0 && isDark) return 0.0;
@@ -108,7 +109,7 @@ float softShadow(vec3 positionVolume, vec3 normal, float slackShare) {
     // the middle is chosen so that the variance of the whole kernel is that of a disc, R^2/4. The variance of
     // the filter alone is .42 wide^2.
     float radius = penumbra * coneInTexels;
-    float wide = clamp(0.5 * radius, 2.0, size / 16.0);  // in texels of the map
+    float wide = clamp(0.5 * radius, 2.0, size / (cascades == 1 ? 16.0 : 32.0));  // in texels of the map
     float level = log2(0.5 * wide);
     float relativeWidth = wide / max(radius, 1e-6);
     float distance =

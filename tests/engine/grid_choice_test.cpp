@@ -109,10 +109,10 @@ TEST(GridChoice, IsLimitedByThePresetAndTheMemory) {
     EXPECT_EQ(choose(scene, "quality").grid, 256);
     EXPECT_EQ(choose(floorWith(1, {2, 2, 2}), "quality").grid, 128);
 
-    const GridChoice small = choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0) - 1);
+    const GridChoice small = choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 1, 0) - 1);
     EXPECT_EQ(small.grid, 64);
     expectMentions(small.reason, {"the finest that memory allows"});
-    EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0)).grid, 128);
+    EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 1, 0)).grid, 128);
 }
 
 TEST(GridChoice, WarnsOfPartsSmallerThanAVoxel) {
