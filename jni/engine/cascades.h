@@ -1,6 +1,6 @@
 // Nested cubes of voxels around the camera, for scenes too large for one cube (docs/voxel-cone-tracing.md,
-// "Large scenes"). Cascade 0 is the finest. Each cascade has as many voxels as the others and is twice as wide
-// as the one before. The last one is the volume itself and does not move.
+// "Large scenes"). Cascade 0 is the finest. Each cascade has as many voxels as the others and is twice as
+// wide as the one before. The last one is the volume itself and does not move.
 #pragma once
 
 #include <array>

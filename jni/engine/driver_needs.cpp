@@ -48,6 +48,11 @@ void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities
                     ") does not support these settings:" + missing);
 }
 
+bool isPossible(const Settings& settings, const gl::Capabilities& capabilities) {
+    const std::vector<gl::Requirement> needs = needsOf(settings, capabilities);
+    return std::all_of(needs.begin(), needs.end(), [](const gl::Requirement& need) { return need.met; });
+}
+
 std::size_t voxelBytes(const Settings& settings, int grid) {
     return settings.voxels == Voxels::packed
                ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
@@ -60,10 +65,7 @@ std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities&
     for (const int grid : allGrids()) {
         Settings there = settings;
         there.grid = grid;
-        const std::vector<gl::Requirement> needs = needsOf(there, capabilities);
-        const auto isMet = [](const gl::Requirement& need) { return need.met; };
-        if (voxelBytes(there, grid) <= bytes && std::all_of(needs.begin(), needs.end(), isMet))
-            grids.push_back(grid);
+        if (voxelBytes(there, grid) <= bytes && isPossible(there, capabilities)) grids.push_back(grid);
     }
     return grids;
 }

@@ -1,6 +1,7 @@
-// Nested cubes of voxels around the camera, for scenes too large for one cube (jni/engine/cascades.h). Cascade
-// 0 is the finest, each is twice as wide as the one before, and the last one is the volume. VCT_CASCADES:
-// their number; without it there is one, and these functions reduce to a product with frame.gridSide.
+// Nested cubes of voxels around the camera, for scenes too large for one cube (jni/engine/cascades.h).
+// Cascade 0 is the finest, each is twice as wide as the one before, and the last one is the volume.
+// VCT_CASCADES: their number; without it there is one, and these functions reduce to a product with
+// frame.gridSide.
 //
 // The cascades lie one behind the other along z in all textures, in the lists of voxels and faces, and in
 // "positions in voxels": those of cascade c have z from c * gridSide to (c + 1) * gridSide.
