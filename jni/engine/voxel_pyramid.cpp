@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "core/error.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/driver_faults.h"
 
 namespace vct {
 
@@ -45,6 +47,11 @@ std::size_t listBytes(const shared::CommandLists& commands) {
     return entries * sizeof(std::uint32_t);
 }
 
+// Drivers with this fault dispatch by copies of the commands.
+bool missesCounts() {
+    return !gl::faultsOf(gl::glString(GL_RENDERER), gl::glString(GL_VERSION)).indirectDispatches.empty();
+}
+
 int textureLevels(int grid, VoxelPyramid::Kind kind) {
     return kind == VoxelPyramid::Kind::packed ? levelsOf(grid) : 1;
 }
@@ -67,6 +74,9 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
                 GL_DYNAMIC_COPY),
       activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
                     GL_DYNAMIC_COPY) {
+    if (missesCounts())
+        dispatched_.emplace("dispatched commands", GL_COPY_WRITE_BUFFER, sizeof initialCommands_,
+                            &initialCommands_, GL_DYNAMIC_COPY);
     if (kind == Kind::packed) sparseClear_ = gl::Program(shaders, packedClearProgram());
     clearTexture();
 }
@@ -81,6 +91,7 @@ Resources VoxelPyramid::resources() const {
     add(resources, texture_);
     add(resources, activeVoxels_);
     add(resources, commands_);
+    if (dispatched_) add(resources, *dispatched_);
     return resources;
 }
 
@@ -118,15 +129,24 @@ void VoxelPyramid::bindLists() const {
 
 void VoxelPyramid::dispatchOverLevel(std::uint32_t list) const {
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
-    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-    gl::DispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(shared::LevelCommands) +
-                                                      offsetof(shared::LevelCommands, groupsX)));
+    dispatch(list * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));
 }
 
 void VoxelPyramid::dispatchOverFaces(int level) const {
-    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
-                                                      offsetof(shared::LevelCommands, faceGroupsX)));
+    dispatch(static_cast<std::size_t>(level) * sizeof(shared::LevelCommands) +
+             offsetof(shared::LevelCommands, faceGroupsX));
+}
+
+void VoxelPyramid::dispatch(std::size_t offset) const {
+    const auto at = static_cast<GLintptr>(offset);
+    if (dispatched_) {
+        gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        commands_.bind(GL_COPY_READ_BUFFER);
+        dispatched_->bind(GL_COPY_WRITE_BUFFER);
+        gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, at, at, 3 * sizeof(GLuint));
+    }
+    (dispatched_ ? *dispatched_ : commands_).bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(at);
 }
 
 shared::CommandLists VoxelPyramid::readCommands() const {

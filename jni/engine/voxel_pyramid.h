@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/resource.h"
@@ -72,10 +73,14 @@ class VoxelPyramid {
     std::uint32_t firstEntry(int level) const { return initialCommands_.lists[level].firstEntry; }
 
   private:
+    // Dispatches the current compute program by the command at an offset of commands_, in bytes.
+    void dispatch(std::size_t offset) const;
+
     int grid_, cascades_, levels_;
     gl::Texture texture_;
     shared::CommandLists initialCommands_;
     gl::Buffer commands_, activeVoxels_;
+    std::optional<gl::Buffer> dispatched_;  // copies of commands; only for drivers that need it (dispatch())
     gl::Program sparseClear_;
 };
 
