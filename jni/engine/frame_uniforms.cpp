@@ -79,6 +79,14 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
                               glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);
     frame.shadowConeRadius = glm::vec2(radius);
     frame.shadowConeSine = static_cast<float>(std::sin(halfAngleRad));
+    frame.shadowConeTexel = glm::vec2(1.0 / (radius * static_cast<double>(settings.shadowMapSize)));
+    const double tangent = std::tan(halfAngleRad);
+    // The sun is less than a degree above a steeper surface: n.l is below 1/64.
+    frame.steepestShadowSlope = static_cast<float>(64.0 * tangent);
+    // Rows of the matrix are the map's axes; `radius` is the tangent times the ratio of their lengths.
+    const glm::dvec3 perRow(tangent * tangent / radius, 1.0);
+    frame.shadowSlopeFromNormal =
+        glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(axes[0] * perRow.x, axes[1] * perRow.y, axes[2]))));
     frame.aoDistance = settings.aoDistance;
     frame.gridSide = volume.grid;
     return frame;

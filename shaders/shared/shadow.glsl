@@ -117,6 +117,21 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
                      contact);
 }
 
+// True if no part of the sun can be visible: shadowFootprintLight() <= 0 for a footprint that is known, of
+// the sun's map. `farthest`: maximum of `four.above`.
+bool isHardShadow(ShadowFootprint four, float farthest, vec3 receiver, vec2 size, vec2 slope, float slack) {
+    bool hasBlockers = four.closest < -slack;
+    vec4 blocked = vec4(lessThan(four.above, vec4(-slack)));
+    // The signs, as in tieBreakTexel().
+    vec2 aside =
+        clamp(hasBlockers ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope * 1e12, -1.0, 1.0);
+    vec2 next = mix(four.corner + 0.5 + 1.5 * aside, floor(four.texel + 0.5), equal(aside, vec2(0.0)));
+    float depth = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r;
+    float above = depth - receiver.z - dot(slope, next - four.texel);
+    bool isCrease = hasBlockers ? above > slack : farthest >= slack && above < -slack;
+    return farthest < -slack || isCrease;
+}
+
 // The number of texels around a receiver that show its own surface, and the number of texels that block the
 // light. The others are farther: they lie beyond the border of the surface and tell nothing about its shadow.
 vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
