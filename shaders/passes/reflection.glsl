@@ -92,18 +92,19 @@ mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, float level
 // by its texel size: a wall's coverage then adds up to 1 over the samples, wherever they lie. Otherwise the
 // distances of the samples would show as rings.
 //
-// Each turn of the loop looks up one level. Empty space is passed in larger steps: a texel four times as
-// wide, ahead of the cone, tells whether there are faces.
+// Each turn of the loop looks up one level. Of two levels to blend, the wider comes first: where it is empty,
+// so is the finer. Empty space is passed in larger steps: a texel four times as wide, ahead of the cone,
+// tells whether there are faces.
 mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
     const mediump float threshold = 0.1;  // a cone with less transmittance ends
     float grid = float(frame.gridSide), rise = dot(direction, normal);
     FaceRay ray = faceRayFrom(normal, direction);
     EmitterHit hit = emittersAlongRay(start, direction, tangent);
     mediump vec3 radiance = vec3(0.0);
-    mediump vec4 finer;
+    mediump vec4 wider;
     mediump float transmittance = 1.0;
     float distance = VCT_GATHER_FIRST_SAMPLE, level = 0.0, texel = 1.0, sampledTo = 0.0;
-    bool isWider = false;
+    bool hasWider = false;
     while (distance < 2.0 * grid) {
         COUNT(VCT_REFLECTION_COUNTER);
         // The footprint is limited to a quarter of the volume's side.
@@ -120,6 +121,8 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
             hit.coverage = 0.0;
         }
         bool looksAhead = distance >= sampledTo;
+        mediump float blend = clamp(footprint / texel, 1.0, 2.0) - 1.0;
+        bool isWider = blend > 0.0 && !hasWider;
         float coarser = looksAhead ? 2.0 : isWider ? 1.0 : 0.0;
         float width = (looksAhead ? 4.0 : isWider ? 2.0 : 1.0) * texel;
         vec3 position = (start + direction * (looksAhead ? distance + 0.5 * width : distance)) / grid;
@@ -138,14 +141,14 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
                 distance += width - texel;
             continue;
         }
-        mediump float blend = min(footprint / texel, 2.0) - 1.0;
-        if (blend > 0.0 && !isWider) {
-            finer = met;
-            isWider = true;
+        // Near its own surface the wider look-up leaves out faces that the finer one may meet.
+        if (isWider && (met.a > 0.0 || isNear)) {
+            wider = met;
+            hasWider = true;
             continue;
         }
-        if (isWider) met = mix(finer, 0.5 * met, blend);
-        isWider = false;
+        if (hasWider) met = mix(met, 0.5 * wider, blend);
+        hasWider = false;
         mediump float taken = min(VCT_GATHER_STEP * (1.0 + blend) * met.a, transmittance);
         radiance += met.rgb * (taken / max(met.a, 1e-4));
         transmittance -= taken;
