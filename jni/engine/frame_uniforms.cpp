@@ -41,11 +41,11 @@ glm::dmat4 orthographic(const LightAxes& axes, const glm::dvec3& centre, double 
 }
 
 // The radius of the sun's cone per depth, in map coordinates, of an orthographic projection.
-glm::vec2 coneRadius(const glm::dmat4& shadowFromVolume, double halfAngleRad) {
+glm::dvec2 coneRadius(const glm::dmat4& shadowFromVolume, double halfAngleRad) {
     // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
     const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
-    return glm::vec2(std::tan(halfAngleRad) * glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) /
-                     glm::length(axes[2]));
+    return std::tan(halfAngleRad) * glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) /
+           glm::length(axes[2]);
 }
 
 // The tile of the shadow map around a cascade. Depths are those of the scene's whole map, so that objects
@@ -115,10 +115,20 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
             : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
     frame.largestSky = sky / radianceUnit;
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
-    frame.shadowConeRadius = coneRadius(shadowFromVolume, halfAngleRad);
+    const glm::dvec2 radius = coneRadius(shadowFromVolume, halfAngleRad);
+    frame.shadowConeRadius = glm::vec2(radius);
     frame.shadowConeSine = static_cast<float>(std::sin(halfAngleRad));
     frame.aoDistance =
         settings.aoDistance * static_cast<float>(Cascades(settings.cascades, volume.grid).side(0));
+    frame.shadowConeTexel = glm::vec2(1.0 / (radius * static_cast<double>(settings.shadowMapSize)));
+    const double tangent = std::tan(halfAngleRad);
+    // The sun is less than a degree above a steeper surface: n.l is below 1/64.
+    frame.steepestShadowSlope = static_cast<float>(64.0 * tangent);
+    // Rows of the matrix are the map's axes; `radius` is the tangent times the ratio of their lengths.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
+    const glm::dvec3 perRow(tangent * tangent / radius, 1.0);
+    frame.shadowSlopeFromNormal =
+        glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(axes[0] * perRow.x, axes[1] * perRow.y, axes[2]))));
     frame.gridSide = volume.grid;
     return frame;
 }
@@ -148,8 +158,8 @@ void setCascades(shared::FrameUniforms& frame, const Cascades& now, const Cascad
             shadowTileFromWorld(axes, boundsWorld, volume, now, cascade, settings.shadowMapSize) *
             worldFromVolume;
         frame.shadowTileFromVolume[tile] = glm::mat4(mapFromVolume);
-        frame.shadowTileConeRadius[tile] =
-            glm::vec4(coneRadius(mapFromVolume, 0.5 * settings.shadowConeAngleDeg * pi / 180.0), 0.0F, 0.0F);
+        const glm::vec2 radius(coneRadius(mapFromVolume, 0.5 * settings.shadowConeAngleDeg * pi / 180.0));
+        frame.shadowTileCone[tile] = glm::vec4(radius, 1.0F / (radius * (2.0F * settings.shadowMapSize)));
     }
 }
 

@@ -44,7 +44,9 @@ vec2 thinWallsBeside(ivec3 voxel, int face) {
     if ((brickAt(block, axis, face & 1) & VCT_BRICK_HAS_WALLS) == 0u) return vec2(noWall);
     ivec3 texel = faceTexel(block, axis, face & 1, frame.gridSide >> VCT_BRICK_LEVEL);
     vec2 first = acrossFaces(vec3(block * VCT_BRICK_SIDE - 1), axis);
-    return first + wallsBeside(texelFetch(walls, texel, 0).r, acrossFaces(vec3(voxel) + 0.5, axis) - first);
+    WallsBeside found =
+        wallsBeside(texelFetch(walls, texel, 0).r, acrossFaces(vec3(voxel) + 0.5, axis) - first);
+    return mix(vec2(noWall), first + found.position, found.crosses);
 }
 
 // Radiance and coverage of a thin wall that a ray meets near its start, from a face along `axis`. A cone's

@@ -40,7 +40,8 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
     ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
     uint brick = texelFetch(bricks, texel, 0).r;
     if ((brick & VCT_BRICK_HAS_WALLS) != 0u)
-        inBrick = besideWalls(texelFetch(walls, texel, 0).r, inBrick, axis);
+        inBrick =
+            besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
     return irradianceInBrick(brick, inBrick);
 }
 

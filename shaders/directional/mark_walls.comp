@@ -60,10 +60,10 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
         ivec3 texel = faceTexel(block, faceAxis, face & 1, blocks);
         if (imageLoad(brickSlots, texel).r == 0u) continue;
         uint word = uint(middle * wallUnits + 0.5) << (8u * second);
-        word |= 1u << (16u + 4u * second + uint(voxel[other] & (VCT_BRICK_SIDE - 1)));
+        word |= layerBits(uint(voxel[other] & (VCT_BRICK_SIDE - 1))) << (16u + 6u * second);
         float texelMiddle = floor(middle) + 0.5;
         if (from - first < texelMiddle + nearWall && to - first > texelMiddle - nearWall)
-            word |= 1u << (24u + second);
+            word |= 1u << (28u + second);
         imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
         uint before = imageLoad(walls, texel).r;
         for (;;) {

@@ -271,22 +271,25 @@ struct FrameUniforms {
     vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
     vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec4 background;   // rgb: as skyRadiance, for pixels without a surface
-    vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
-    float shadowConeSine;      // sine of half the cone's angle
-    float aoDistance;          // in sides of the volume; with cascades, of the finest one
-    float faceSumUnits;        // fixed-point units of a fully covered face (directional/face_sums.glsl)
-    float largestSky;          // upper bound of irradiance by the sky, relative to E
-    float largestBounceShare;  // upper bound of the share of light that a bounce reflects
-    int gridSide;              // voxels along a side of the volume or a cascade, a power of two
-    float emissionRange;       // emission that the sums store as 1, relative to E/pi
-    float unused0, unused1, unused2;
+    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates
+    float shadowConeSine;        // sine of half the cone's angle
+    float aoDistance;            // in sides of the volume; with cascades, of the finest one
+    float faceSumUnits;          // fixed-point units of a fully covered face (directional/face_sums.glsl)
+    float largestSky;            // upper bound of irradiance by the sky, relative to E
+    float largestBounceShare;    // upper bound of the share of light that a bounce reflects
+    int gridSide;                // voxels along a side of the volume or a cascade, a power of two
+    float emissionRange;         // emission that the sums store as 1, relative to E/pi
+    float steepestShadowSlope;   // bound of the slopes below
+    vec2 shadowConeTexel;        // width of the shadow map's texels, in radii of the sun's cone per depth
+    mat4 shadowSlopeFromNormal;  // xy / -z of the product: a plane's depth in the shadow map per radius
     // Only with cascades (directional/cascades.glsl). xyz: corner with the smallest coordinates, volume
     // space; w: voxels per side of the volume. `lastCascade`: before the camera moved in this frame.
     vec4 cascade[VCT_MAX_CASCADES];
     vec4 lastCascade[VCT_MAX_CASCADES];
-    // The same as shadowFromVolume and shadowConeRadius for the tiles of the shadow map (shared/shadow.glsl).
+    // The same as shadowFromVolume, shadowConeRadius (xy) and shadowConeTexel (zw) for the tiles of the
+    // shadow map (shared/shadow.glsl).
     mat4 shadowTileFromVolume[VCT_SHADOW_TILES];
-    vec4 shadowTileConeRadius[VCT_SHADOW_TILES];  // xy
+    vec4 shadowTileCone[VCT_SHADOW_TILES];
 };
 
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the

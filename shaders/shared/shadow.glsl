@@ -10,16 +10,18 @@ layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
 struct SunMap {
     mat4 fromVolume;  // texture coordinates and depth
     vec2 coneRadius;  // radius of the sun's cone per depth, in texture coordinates
+    vec2 coneTexel;   // width of the texels, in radii of the sun's cone per depth
 };
 SunMap sunMapAt(vec3 positionVolume) {
-    if (cascades == 1) return SunMap(frame.shadowFromVolume, frame.shadowConeRadius);
+    if (cascades == 1) return SunMap(frame.shadowFromVolume, frame.shadowConeRadius, frame.shadowConeTexel);
     int tile = 0;
     for (; tile < VCT_SHADOW_TILES - 1; ++tile) {
         vec2 map = (frame.shadowTileFromVolume[tile] * vec4(positionVolume, 1.0)).xy;
         vec2 fromCentre = abs(map * 2.0 - vec2(tile & 1, tile >> 1) - 0.5);
         if (max(fromCentre.x, fromCentre.y) < 0.5 - VCT_SHADOW_TILE_MARGIN) break;
     }
-    return SunMap(frame.shadowTileFromVolume[tile], frame.shadowTileConeRadius[tile].xy);
+    vec4 cone = frame.shadowTileCone[tile];
+    return SunMap(frame.shadowTileFromVolume[tile], cone.xy, cone.zw);
 }
 vec3 inSunMap(SunMap map, vec3 positionVolume) {
     return (map.fromVolume * vec4(positionVolume, 1.0)).xyz;
@@ -137,6 +139,21 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
     vec2 next = tieBreakTexel(four, slope);
     return edgeLight(four, next, textureLod(map, (next + 0.5) / size, 0.0).r, receiver, slope, slack,
                      contact);
+}
+
+// True if no part of the sun can be visible: shadowFootprintLight() <= 0 for a footprint that is known, of
+// the sun's map. `farthest`: maximum of `four.above`.
+bool isHardShadow(ShadowFootprint four, float farthest, vec3 receiver, vec2 size, vec2 slope, float slack) {
+    bool hasBlockers = four.closest < -slack;
+    vec4 blocked = vec4(lessThan(four.above, vec4(-slack)));
+    // The signs, as in tieBreakTexel().
+    vec2 aside =
+        clamp(hasBlockers ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope * 1e12, -1.0, 1.0);
+    vec2 next = mix(four.corner + 0.5 + 1.5 * aside, floor(four.texel + 0.5), equal(aside, vec2(0.0)));
+    float depth = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r;
+    float above = depth - receiver.z - dot(slope, next - four.texel);
+    bool isCrease = hasBlockers ? above > slack : farthest >= slack && above < -slack;
+    return farthest < -slack || isCrease;
 }
 
 // The number of texels around a receiver that show its own surface, and the number of texels that block the
