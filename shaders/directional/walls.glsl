@@ -37,8 +37,8 @@ struct WallsBeside {
 // The word's walls, and whether they cross the layers of the point `across`.
 WallsBeside wallsBeside(uint word, vec2 across) {
     uvec2 layer = uvec2(across.yx);
-    return WallsBeside(vec2(uvec2(word) >> uvec2(0u, 8u) & 0xFFu) * (1.0 / wallUnits),
-                       notEqual(uvec2(word) >> uvec2(16u, 22u) >> layer & 1u, uvec2(0u)));
+    return WallsBeside(vec2(word & 0xFFu, word >> 8 & 0xFFu) * (1.0 / wallUnits),
+                       bvec2((word >> (16u + layer.x) & 1u) != 0u, (word >> (22u + layer.y) & 1u) != 0u));
 }
 
 // Moves a position in a brick away from the walls of the word, to where the filter reads texels of the
@@ -47,7 +47,7 @@ vec3 besideWalls(uint word, vec3 inBrick, vec3 along) {
     vec2 across = vec2(dot(inBrick, along.zxy), dot(inBrick, along.yzx));  // acrossFaces()
     WallsBeside walls = wallsBeside(word, across);
     // At the middle of its texel, a wall keeps both sides from reading it.
-    bvec2 keepsOff = notEqual(uvec2(word) & uvec2(1u << 28u, 1u << 29u), uvec2(0u));
+    bvec2 keepsOff = bvec2((word & 1u << 28u) != 0u, (word & 1u << 29u) != 0u);
     vec2 at = mix(walls.position, floor(walls.position) + 0.5, keepsOff);
     vec4 moved = max(vec4(-across, across), floor(vec4(-at, at) + 0.5) + 0.5);
     vec2 beside = mix(-moved.xy, moved.zw, greaterThan(across, walls.position));

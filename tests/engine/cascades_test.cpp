@@ -1,9 +1,18 @@
-// Places of the nested cubes of voxels.
+// The nested cubes of voxels: their places, the light across their borders, and how it changes as they move.
 #include "engine/cascades.h"
 
 #include <gtest/gtest.h>
 
-namespace vct {
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scene/camera.h"
+#include "support/frame_inspector.h"
+#include "support/renderers.h"
+#include "support/scenes.h"
+
+namespace vct::test {
 namespace {
 
 TEST(Cascades, HalveAndSurroundTheEye) {
@@ -51,5 +60,126 @@ TEST(Cascades, OneIsTheVolumeWhereverTheEyeIs) {
     EXPECT_EQ(cascades.corner(0), glm::dvec3(0.0));
 }
 
+Settings withCascades(int pixels, int cascades) {
+    Settings settings = mobileAt(pixels);
+    settings.cascades = cascades;
+    return settings;
+}
+
+// A plane through three cascades. A border would show as a step.
+TEST(CascadesOnAPlane, SeeTheWholeSkyAndNotThemselves) {
+    const Context context = openContext(Backend::egl);
+    const Scene plane = lonePlane(0.0);
+    const Camera camera = lookAt({0.1, 0.6, 0.5}, {0, 0, 0}, 80);
+    Settings settings = withCascades(96, 3);
+    FrameInspector dark(context, plane, lightFrom({1, 2, 3}), settings, camera);
+    EXPECT_EQ(dark.spreadOf(Output::irradiance).max, 0.0);
+    settings.skyRadiance = glm::vec3(1.0F);
+    FrameInspector lit(context, plane, noLight(), settings, camera);
+    const Spread spread = lit.spreadOf(Output::irradiance);
+    ASSERT_GT(spread.count, 5000);
+    EXPECT_NEAR(spread.min, spread.mean, 0.01 * spread.mean);
+    EXPECT_NEAR(spread.max, spread.mean, 0.01 * spread.mean);
+}
+
+// A room of 24 x 6 x 8 m, seen from inside, with a panel that emits light in its ceiling.
+Scene hall() {
+    Scene scene = emptyScene();
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[0].baseColor = glm::vec4(0.7F, 0.7F, 0.7F, 1.0F);
+    scene.materials[1].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    scene.materials[1].emissive = glm::vec3(1.0F);
+    addQuad(scene, {0, 0, 0}, {0, 0, 8}, {24, 0, 0});
+    addQuad(scene, {0, 6, 0}, {24, 0, 0}, {0, 0, 8});
+    addQuad(scene, {0, 0, 0}, {24, 0, 0}, {0, 6, 0});
+    addQuad(scene, {0, 0, 8}, {0, 6, 0}, {24, 0, 0});
+    addQuad(scene, {0, 0, 0}, {0, 6, 0}, {0, 0, 8});
+    addQuad(scene, {24, 0, 0}, {0, 0, 8}, {0, 6, 0});
+    addQuad(scene, {8, 5.8, 2}, {8, 0, 0}, {0, 0, 4}, 1);
+    return finished(std::move(scene));
+}
+
+class Walk {
+  public:
+    static constexpr int pixels = 96;
+
+    explicit Walk(const Context& context)
+        : scene_(hall()), renderer_(makeRenderer(context, scene_, noLight(), withCascades(pixels, 3))) {}
+
+    static Camera at(double x) { return lookAt({x, 1.7, 4}, {x + 1, 1.6, 4.1}, 75); }
+
+    // The irradiance at each of the points, on the nearest pixel; below 0 if it is not in the picture.
+    std::vector<double> see(double x, LightSteps steps, const std::vector<glm::dvec3>& points) {
+        const Camera camera = at(x);
+        renderer_.render({{Output::irradiance}, camera, steps});
+        const Image image = renderer_.radiance();
+        const glm::dmat4 clip = clipFromWorld(camera, scene_.boundsWorld, 1.0);
+        std::vector<double> found;
+        for (const glm::dvec3& point : points) {
+            const glm::dvec4 p = clip * glm::dvec4(point, 1.0);
+            const glm::dvec2 ndc = glm::dvec2(p) / p.w;
+            const bool isInside = p.w > 0.0 && std::max(std::abs(ndc.x), std::abs(ndc.y)) < 0.95;
+            const glm::ivec2 pixel(glm::dvec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * double{pixels});
+            found.push_back(isInside ? image.pixels[static_cast<std::size_t>(pixel.x + pixels * pixel.y)].x
+                                     : -1.0);
+        }
+        return found;
+    }
+
+  private:
+    Scene scene_;
+    Renderer renderer_;
+};
+
+// Points of the floor and of the two long walls, away from their edges.
+std::vector<glm::dvec3> pointsOfTheHall() {
+    std::vector<glm::dvec3> points;
+    for (double x = 5.0; x < 23.0; x += 0.25)
+        for (double across = 0.75; across < 5.5; across += 0.25) {
+            points.push_back({x, 0.0, across + 1.0});
+            points.push_back({x, across, 0.0});
+            points.push_back({x, across, 8.0});
+        }
+    return points;
+}
+
+// Walks 4 m, over five steps of the finest cascade and two of the next, at 7 cm a frame.
+TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
+    const Context context = openContext(Backend::egl);
+    Walk walk(context);
+    const std::vector<glm::dvec3> points = pointsOfTheHall();
+    std::vector<double> last = walk.see(4.0, LightSteps::all, points);
+    double worstRms = 0.0, worst99 = 0.0;
+    for (double x = 4.07; x < 8.0; x += 0.07) {
+        const std::vector<double> now = walk.see(x, LightSteps::one, points);
+        std::vector<double> changes;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (now[i] <= 0.0 || last[i] <= 0.0) continue;
+            changes.push_back(std::abs(now[i] / last[i] - 1.0));
+            squares += changes.back() * changes.back();
+        }
+        ASSERT_GT(changes.size(), 500U);
+        std::sort(changes.begin(), changes.end());
+        worstRms = std::max(worstRms, std::sqrt(squares / static_cast<double>(changes.size())));
+        worst99 = std::max(worst99, changes[changes.size() * 99 / 100]);
+        last = now;
+    }
+    EXPECT_LE(worstRms, 0.015);
+    EXPECT_LE(worst99, 0.05);
+
+    // A camera that stands still sees what a new renderer shows there.
+    const std::vector<double> still = walk.see(8.0, LightSteps::all, points);
+    Walk fresh(context);
+    const std::vector<double> right = fresh.see(8.0, LightSteps::all, points);
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (right[i] <= 0.0) continue;
+        difference += std::abs(still[i] - right[i]);
+        sum += right[i];
+    }
+    EXPECT_LE(difference, 0.01 * sum);
+}
+
 }  // namespace
-}  // namespace vct
+}  // namespace vct::test

@@ -21,10 +21,10 @@ void main() {
     ConeResult cone = traceCone(vec3(32.0, VCT_GATHER_START, 32.0), up, vec3(0.0), up,
                                 VCT_GATHER_FIRST_SAMPLE, 128.0, 1.0);
     found[0] = vec4(cone.radiance.g, cone.transmittance, cone.nearness, 0.0);
-    found[1] = sampleFaces(vec3(0.5, 0.9, 0.5), slanted, slanted, 0.0);
+    found[1] = sampleFaces(vec3(0.5, 0.9, 0.5), slanted, slanted, 0, 0.0);
     // On the border of the volume, half of a texel is inside.
-    Cone fading = coneFrom(vec3(32.0, 60.0, 32.0), up, vec3(0.0), up, true);
-    found[2] = sampleLevel(fading, 4.0, vec3(0.5, 1.0, 0.5), 0.0);
+    Cone fading = coneFrom(vec3(32.0, 60.0, 32.0), 0, up, vec3(0.0), up, true);
+    found[2] = sampleLevel(fading, 4.0, vec3(0.5, 1.0, 0.5), 0, 0.0);
 }
 )";
 
