@@ -81,6 +81,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     frame.shadowConeSine = static_cast<float>(std::sin(halfAngleRad));
     frame.aoDistance = settings.aoDistance;
     frame.gridSide = volume.grid;
+    frame.volumeInWorld = glm::vec4(volume.minWorld, 1.0 / volume.side);
     return frame;
 }
 

@@ -274,6 +274,7 @@ struct FrameUniforms {
     int gridSide;              // voxels along a side, a power of two
     float emissionRange;       // emission that the sums store as 1, relative to E/pi
     float unused0, unused1, unused2;
+    vec4 volumeInWorld;  // xyz: the volume's first corner, in metres; w: 1 / its side
 };
 
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the
