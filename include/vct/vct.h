@@ -145,6 +145,9 @@ struct SceneDescription {
 struct Options {
     std::string preset = "mobile";  // "thesis", "mobile" or "quality"; docs/embedding.md has their cost
     int grid = 0;                   // voxels along a side: 64, 128, 256 or 512; 0: the preset's
+    // Largest size of voxels around the camera, in metres; replaces `grid`. In a scene too large for one cube
+    // of such voxels, nested cubes follow the camera (not with "thesis"). 0: no limit.
+    float voxelSize = 0.0F;
     int width = 400, height = 400;  // size of the pictures in pixels
     // The pictures that render() draws. Pictures that are not requested cost nothing.
     bool radiance = true, irradiance = false, ambientVisibility = false, sunVisibility = false,

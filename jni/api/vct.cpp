@@ -10,6 +10,7 @@
 #include "api/saved_state.h"
 #include "api/scene_of.h"
 #include "engine/environment.h"
+#include "engine/grid_choice.h"
 #include "engine/renderer.h"
 #include "shared/layout.h"
 
@@ -35,9 +36,15 @@ glm::vec3 skyRadianceOf(const std::array<float, 3>& radiance) {
     return {radiance[0], radiance[1], radiance[2]};
 }
 
-Settings settingsOf(const Options& options, const SceneDescription& scene) {
+Settings settingsOf(const Options& options, const SceneDescription& scene, const Bounds& boundsWorld) {
     Settings settings = presetSettings(options.preset);
     if (options.grid != 0) settings.grid = options.grid;
+    if (!(options.voxelSize >= 0.0F)) throw Error("Options::voxelSize must be 0 or above");
+    if (options.voxelSize > 0.0F) {
+        const GridChoice choice = chooseForVoxelSize(boundsWorld, settings, double{options.voxelSize});
+        settings.grid = choice.grid;
+        settings.cascades = choice.cascades;
+    }
     settings.size = {options.width, options.height};
     settings.shadowConeAngleDeg = scene.sun.diameterDegrees;
     settings.skyRadiance = skyRadianceOf(scene.skyRadiance);
@@ -192,8 +199,8 @@ struct GlobalIllumination::Implementation {
         }
         const SavedState saved;
         requireTextures(description.materials);
-        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description), capabilities,
-                         shadersOf(options));
+        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description, scene.boundsWorld),
+                         capabilities, shadersOf(options));
         plain.emplace();
         appearances.resize(pose.worldFromNode.size());
         for (std::size_t i = 0; i < description.instances.size(); ++i)

@@ -76,6 +76,10 @@ ShowRequest showRequestFromText(const std::string& text) {
                {"preset", [&](const auto& value) { choosePreset(choices, value); }},
                {"mode", [&](const auto& value) { choices.mode = modesFromText(value).front(); }},
                {"grid", [&](const auto& value) { grid = wholeNumberFromText("show: grid", value, 100000); }},
+               {"cascades",
+                [&](const auto& value) {
+                    choices.cascades = wholeNumberFromText("show: cascades", value, VCT_MAX_CASCADES);
+                }},
                {"cone-angle",
                 [&](const auto& value) {
                     choices.coneAngleDeg = static_cast<float>(numberFromText("show: cone-angle", value));
@@ -104,6 +108,7 @@ bool scaleFollowsTime(const Choices& choices) {
 Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor) {
     Settings settings = presetSettings(choices.preset);
     settings.grid = choices.grid;
+    settings.cascades = choices.cascades;
     settings.shadowConeAngleDeg = choices.coneAngleDeg;
     settings.revoxelize = choices.revoxelize;
     const Resolution& resolution = resolutionOf(choices);

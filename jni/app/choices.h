@@ -35,6 +35,7 @@ struct Choices {
     std::string preset = defaultPreset;
     Output mode = Output::giConeShadow;
     int grid = presetSettings(preset).grid;  // voxels per side
+    int cascades = 1;                        // Settings::cascades
     float coneAngleDeg = 5.0F;
     int resolution = 0;  // index into resolutions()
     // Direction to the sun: degrees from +Z towards +X, and degrees above the horizon. Empty: as in the
@@ -49,10 +50,10 @@ struct Choices {
     bool operator==(const Choices& other) const = default;
 };
 
-// The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64 cone-angle=5
-// pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3". Each word but the first
-// may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or thesis; `time` stops the
-// animation at this second; `lights-off` has the numbers of lights besides the sun, counted from 1.
+// The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64 cascades=1
+// cone-angle=5 pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3". Each word but
+// the first may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or thesis; `time`
+// stops the animation at this second; `lights-off` has the numbers of lights besides the sun, counted from 1.
 struct ShowRequest {
     std::string scene;
     Choices choices;

@@ -304,6 +304,7 @@ void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, 
     features_ = featuresOf(*scene_);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
+    choices_.cascades = look.cascades.value_or(choices_.cascades);
     exposure_ = {};
     aspect_ = aspectOf(sizeIn(window));
     view_.emplace(*scene_, defaults_.camera, aspect_);

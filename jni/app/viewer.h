@@ -34,6 +34,7 @@ struct ViewDefaults {
     std::optional<glm::vec3> background;  // of the scene's own sky; see Settings
     std::optional<float> exposure;        // empty: chosen by the picture
     std::optional<int> grid;              // empty: as in Choices
+    std::optional<int> cascades;          // empty: as in Choices
 };
 
 // Services of the platform that the viewer runs on.

@@ -50,10 +50,11 @@ void bench(BenchOptions& options) {
     options.sky.applyTo(sky);
     options.sky.lightScene(*scene, camera, aspectOf(given.size), given.light, light, sky);
     const Context context = given.backend.open();
-    if (given.grid || given.voxelSize) {
+    if (given.grid || given.voxelSize || given.cascades) {
         Settings settings = given.settings(request.presets.front());
         given.fitGrid(settings, *scene, context.capabilities);
         request.grid = settings.grid;
+        request.cascades = settings.cascades;
     }
     BenchRun run({request,
                   scene,

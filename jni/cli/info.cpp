@@ -76,7 +76,7 @@ void printScene(const InfoOptions& options) {
     std::printf("%s: %zu triangles, %zu instances, %d materials, %.3g x %.3g x %.3g m\n", scene.path.c_str(),
                 scene.triangleCount(), scene.instances.size(), features.materials, extent.x, extent.y,
                 extent.z);
-    std::printf("volume:    %s\n", gridText(scene.boundsWorld, settings.grid).c_str());
+    std::printf("volume:    %s\n", gridText(scene.boundsWorld, settings.grid, settings.cascades).c_str());
     const std::pair<const char*, bool> rows[] = {
         {"textures", features.has(featureBaseColorTexture)},
         {"alpha masks", features.has(featureAlphaMask)},

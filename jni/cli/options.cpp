@@ -83,19 +83,28 @@ CLI::Option* SceneOptions::addTo(CLI::App& command) {
 
 CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
     CLI::Option* sceneOption = addFileTo(command);
-    CLI::Option* gridOption =
-        command
-            .add_option(
-                "--grid", grid,
-                "Voxels per side of the volume around the scene, or auto, which chooses by the scene's "
-                "narrowest parts (default: the preset's)")
-            ->check(CLI::IsMember({"64", "128", "256", "512", "auto"}))
-            ->group(voxelGroup);
+    CLI::Option* gridOption = command
+                                  .add_option("--grid", grid,
+                                              "Voxels per side of the volume around the scene, or auto, "
+                                              "which chooses grid and cascades by the "
+                                              "scene's narrowest parts (default: the preset's)")
+                                  ->check(CLI::IsMember({"64", "128", "256", "512", "auto"}))
+                                  ->group(voxelGroup);
     command
-        .add_option("--voxel-size", voxelSize,
-                    "Largest voxel size in metres; selects the smallest grid that satisfies it")
+        .add_option(
+            "--voxel-size", voxelSize,
+            "Largest voxel size in metres around the camera; selects the smallest grid that satisfies it, "
+            "or cascades if the scene is too large for one")
         ->check(positive)
         ->excludes(gridOption)
+        ->group(voxelGroup);
+    command
+        .add_option(
+            "--cascades", cascades,
+            "Nested cubes of voxels around the camera, each half as wide as the next (default: 1, the "
+            "volume around the scene, or as many as --voxel-size needs)")
+        ->check(CLI::Range(1, VCT_MAX_CASCADES))
+        ->excludes("--voxel-size")
         ->group(voxelGroup);
     addSize(command, size);
     command.add_option(
@@ -125,6 +134,7 @@ Settings SceneOptions::settings(const std::string& preset) const {
     Settings result = presetSettings(preset);
     result.size = size;
     if (grid && *grid != "auto") result.grid = std::stoi(*grid);
+    if (cascades) result.cascades = *cascades;
     return result;
 }
 
@@ -136,14 +146,19 @@ void SceneOptions::fitGrid(Settings& settings, const Scene& loaded,
             capabilities.texturesInMainMemory ? availableMemory() : std::numeric_limits<std::size_t>::max();
         const GridChoice choice = chooseGrid(loaded, settings, capabilities, bytes);
         settings.grid = choice.grid;
+        settings.cascades = choice.cascades;
         say(choice.reason);
         return;
     }
-    if (voxelSize)
-        settings.grid = parsed(
-            "--voxel-size", [&](double metres) { return gridForVoxelSize(loaded.boundsWorld, metres); },
+    if (voxelSize) {
+        const GridChoice choice = parsed(
+            "--voxel-size",
+            [&](double metres) { return chooseForVoxelSize(loaded.boundsWorld, settings, metres); },
             *voxelSize);
-    say(gridText(loaded.boundsWorld, settings.grid));
+        settings.grid = choice.grid;
+        settings.cascades = choice.cascades;
+    }
+    say(gridText(loaded.boundsWorld, settings.grid, settings.cascades));
     const std::string warning = coarseGridWarning(loaded, settings);
     if (!warning.empty()) say(warning);
 }

@@ -57,6 +57,7 @@ struct SceneOptions : SceneFileOption {
     glm::ivec2 size{400, 400};
     std::optional<std::string> grid;  // a number or "auto"
     std::optional<double> voxelSize;  // metres
+    std::optional<int> cascades;
     BackendOption backend;
 
     // Both return the option of the scene's path.

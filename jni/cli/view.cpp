@@ -86,6 +86,7 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
     const Settings& settings = seen.settings;
     std::string line = "vct render '" + seen.path + "' --out out --samples 1 --preset " + choices.preset +
                        " --mode " + outputName(choices.mode) + " --grid " + std::to_string(settings.grid) +
+                       (settings.cascades > 1 ? " --cascades " + std::to_string(settings.cascades) : "") +
                        " --size " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
                        " --cone-angle " + numberText(settings.shadowConeAngleDeg) + " --camera " +
                        seen.cameraOption;
@@ -126,6 +127,7 @@ bool view(const ViewOptions& options) {
     app::Choices& choices = request.show.choices;
     app::choosePreset(choices, options.preset);
     choices.grid = options.scene.settings(options.preset).grid;
+    choices.cascades = options.scene.cascades.value_or(1);
     const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();
@@ -175,10 +177,11 @@ bool view(const ViewOptions& options) {
         look.background = settings.background;
         look.environment = settings.environment;
         if (options.exposure != "auto") look.exposure = std::stof(options.exposure);
-        if (named && (options.scene.grid || options.scene.voxelSize)) {
+        if (named && (options.scene.grid || options.scene.voxelSize || options.scene.cascades)) {
             Settings fitted = options.scene.settings(options.preset);
             options.scene.fitGrid(fitted, scene, {});
             look.grid = fitted.grid;
+            look.cascades = fitted.cascades;
         }
         return look;
     };

@@ -18,7 +18,7 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
                          true, found >= needed});
     };
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
-            faces ? DirectionalVoxels::blocksX * settings.grid : settings.grid,
+            faces ? std::max(DirectionalVoxels::blocksX, settings.cascades) * settings.grid : settings.grid,
             "needed for the voxels at " + cubed + (faces ? ", with six faces per voxel" : "") +
                 "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
@@ -48,9 +48,15 @@ void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities
                     ") does not support these settings:" + missing);
 }
 
+bool isPossible(const Settings& settings, const gl::Capabilities& capabilities) {
+    const std::vector<gl::Requirement> needs = needsOf(settings, capabilities);
+    return std::all_of(needs.begin(), needs.end(), [](const gl::Requirement& need) { return need.met; });
+}
+
 std::size_t voxelBytes(const Settings& settings, int grid) {
-    return settings.voxels == Voxels::packed ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
-                                             : DirectionalVoxels::bytesFor(grid, settings.activeVoxelLimit);
+    return settings.voxels == Voxels::packed
+               ? VoxelPyramid::bytesFor(grid, settings.activeVoxelLimit)
+               : DirectionalVoxels::bytesFor(grid, settings.cascades, settings.activeVoxelLimit);
 }
 
 std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities& capabilities,
@@ -59,10 +65,7 @@ std::vector<int> possibleGrids(const Settings& settings, const gl::Capabilities&
     for (const int grid : allGrids()) {
         Settings there = settings;
         there.grid = grid;
-        const std::vector<gl::Requirement> needs = needsOf(there, capabilities);
-        const auto isMet = [](const gl::Requirement& need) { return need.met; };
-        if (voxelBytes(there, grid) <= bytes && std::all_of(needs.begin(), needs.end(), isMet))
-            grids.push_back(grid);
+        if (voxelBytes(there, grid) <= bytes && isPossible(there, capabilities)) grids.push_back(grid);
     }
     return grids;
 }

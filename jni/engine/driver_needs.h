@@ -14,6 +14,9 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
 // Throws vct::Error that names every requirement that is not met.
 void requireNeeds(const Settings& settings, const gl::Capabilities& capabilities);
 
+// True if the driver meets every requirement of the settings.
+bool isPossible(const Settings& settings, const gl::Capabilities& capabilities);
+
 // Bytes of the voxels' textures and lists at a grid. The sums and the face irradiance are not included,
 // because their size depends on the scene.
 std::size_t voxelBytes(const Settings& settings, int grid);

@@ -12,8 +12,6 @@ namespace {
 
 // Largest radius of a part, in voxels; a larger part is divided.
 constexpr double maxRadius = 5.0;
-// Cones towards a part end this many voxels before its surface, because nearer voxels may be the emitter's.
-constexpr double freeVoxels = 2.0;
 // An instance with more parts than this is no compact emitter.
 constexpr std::size_t maxPartsPerEmitter = 16;
 // Triangles are cut into pieces, about this many per instance, before the pieces are grouped into parts.
@@ -330,8 +328,7 @@ void Emitters::upload() const {
                                 part.radius * larger / volume_.side);
         to.facing = glm::vec4(facing, std::max(area - glm::length(facing), 0.0) / 4.0);
         to.side = glm::vec4(m * part.side / volume_.side, 0.0);
-        to.radiance = glm::vec4(placed.scale * glm::vec3(part.radiance / double{radianceUnit_}),
-                                (halfDepth * volume_.grid + freeVoxels) / volume_.grid);
+        to.radiance = glm::vec4(placed.scale * glm::vec3(part.radiance / double{radianceUnit_}), halfDepth);
     }
     uniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/frame_uniforms.h"
 #include "engine/renderer.h"
 #include "gl/debug.h"
 
@@ -26,10 +27,13 @@ void Renderer::render(const RenderRequest& request) {
     if (nextPose_) timer_.timeOnCpu(Step::voxelize, [&] { applyPose(*nextPose_); });
     nextPose_.reset();
     const SceneState now = state();
-    uploadFrameUniforms(request.camera);
-    if (std::any_of(request.outputs.begin(), request.outputs.end(),
-                    [](Output output) { return reads(output).voxels; }))
-        voxels().prepare(scene_);
+    const bool readsVoxels = std::any_of(request.outputs.begin(), request.outputs.end(),
+                                         [](Output output) { return reads(output).voxels; });
+    // Nested cubes of voxels follow the camera, if the scene has more than one.
+    const Cascades lastCascades = cascades_;
+    if (readsVoxels) cascades_.follow(eyeInVolume(request.camera, volume_));
+    uploadFrameUniforms(request.camera, lastCascades);
+    if (readsVoxels) voxels().prepare(scene_);
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
     // light through them. The sun's map is drawn once for a state. For an output with a soft shadow, update()
@@ -37,7 +41,7 @@ void Renderer::render(const RenderRequest& request) {
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())
-            direct.sun = shadowMap().update(scene_, now, output, settings_.revoxelize, timer_);
+            direct.sun = shadowMap().update(scene_, now, cascades_, output, settings_.revoxelize, timer_);
     if (punctualLights_) punctualLights_->update(scene_, now, settings_.revoxelize, timer_);
 
     // The G-buffer: albedo, normal and depth of the visible surfaces (thesis 4.3, "render data").
@@ -61,6 +65,7 @@ void Renderer::render(const RenderRequest& request) {
                                      .light = direct,
                                      .surface = surface,
                                      .now = now,
+                                     .cascades = cascades_,
                                      .output = output,
                                      .lightSteps = indirect && indirectTookSteps ? 0 : lightSteps,
                                      .allBounces = request.allBounces,

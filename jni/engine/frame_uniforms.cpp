@@ -12,14 +12,67 @@
 namespace vct {
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
-}
 
-glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
+constexpr double pi = 3.14159265358979323846;
+constexpr double depthMargin = 1.01;
+
+struct LightAxes {
+    glm::dvec3 right, up, towards;  // unit vectors, world space; `towards` the light
+};
+
+LightAxes lightAxes(const DirectionalLight& light) {
     const glm::dvec3 towards = light.directionToLight;
     const glm::dvec3 helper = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(helper, towards));
-    const glm::dvec3 up = glm::cross(towards, right);
+    return {right, glm::cross(towards, right), towards};
+}
+
+// Projects the box around `centre` along the light to [0, 1]^3.
+glm::dmat4 orthographic(const LightAxes& axes, const glm::dvec3& centre, double halfWidth, double halfHeight,
+                        double range) {
+    glm::dmat4 m(1.0);
+    for (int i = 0; i < 3; ++i) {
+        m[i][0] = axes.right[i] / (2.0 * halfWidth);
+        m[i][1] = axes.up[i] / (2.0 * halfHeight);
+        m[i][2] = -axes.towards[i] / range;
+    }
+    m[3] = glm::dvec4(glm::dvec3(0.5) - glm::dmat3(m) * centre, 1.0);
+    return m;
+}
+
+// The radius of the sun's cone per depth, in map coordinates, of an orthographic projection.
+glm::dvec2 coneRadius(const glm::dmat4& shadowFromVolume, double halfAngleRad) {
+    // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
+    return std::tan(halfAngleRad) * glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) /
+           glm::length(axes[2]);
+}
+
+// The tile of the shadow map around a cascade. Depths are those of the scene's whole map, so that objects
+// between the sun and the cascade cast shadows. The tile moves in steps of whole texels, so that edges of
+// shadows do not crawl while the camera moves.
+glm::dmat4 shadowTileFromWorld(const LightAxes& axes, const Bounds& boundsWorld, const Volume& volume,
+                               const Cascades& cascades, int cascade, int tileSize) {
+    const double side = cascades.side(cascade) * volume.side;
+    const glm::dvec3 cubeCentre = volume.minWorld + cascades.corner(cascade) * volume.side + 0.5 * side;
+    const glm::dvec3 centre = 0.5 * (boundsWorld.min + boundsWorld.max);
+    const double share = 0.5 / (1.0 - 2.0 * VCT_SHADOW_TILE_MARGIN);
+    const auto halfAlong = [&](const glm::dvec3& axis) {
+        return share * side * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+    };
+    const double halfWidth = halfAlong(axes.right), halfHeight = halfAlong(axes.up);
+    const auto snapped = [&](const glm::dvec3& axis, double half) {
+        const double texel = 2.0 * half / tileSize;
+        return texel * std::round(glm::dot(axis, cubeCentre - centre) / texel) * axis;
+    };
+    return orthographic(axes, centre + snapped(axes.right, halfWidth) + snapped(axes.up, halfHeight),
+                        halfWidth, halfHeight, glm::length(boundsWorld.max - boundsWorld.min) * depthMargin);
+}
+
+}  // namespace
+
+glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWorld, int shadowMapSize) {
+    const LightAxes axes = lightAxes(light);
     const glm::dvec3 centre = 0.5 * (boundsWorld.min + boundsWorld.max);
     const glm::dvec3 half = 0.5 * (boundsWorld.max - boundsWorld.min);
     const double diagonal = 2.0 * glm::length(half);
@@ -27,18 +80,9 @@ glm::dmat4 shadowFromWorld(const DirectionalLight& light, const Bounds& boundsWo
     // seen edge-on still gets a map of finite size.
     const double margin = 1.0 + 2.0 / shadowMapSize;
     const double smallest = 1e-3 * (diagonal > 0.0 ? diagonal : 1.0);
-    const double halfWidth = std::max(glm::dot(glm::abs(right), half), smallest) * margin;
-    const double halfHeight = std::max(glm::dot(glm::abs(up), half), smallest) * margin;
-    const double range = (diagonal > 0.0 ? diagonal : 1.0) * 1.01;
-
-    glm::dmat4 m(1.0);
-    for (int i = 0; i < 3; ++i) {
-        m[i][0] = right[i] / (2.0 * halfWidth);
-        m[i][1] = up[i] / (2.0 * halfHeight);
-        m[i][2] = -towards[i] / range;
-    }
-    m[3] = glm::dvec4(glm::dvec3(0.5) - glm::dmat3(m) * centre, 1.0);
-    return m;
+    const double halfWidth = std::max(glm::dot(glm::abs(axes.right), half), smallest) * margin;
+    const double halfHeight = std::max(glm::dot(glm::abs(axes.up), half), smallest) * margin;
+    return orthographic(axes, centre, halfWidth, halfHeight, (diagonal > 0.0 ? diagonal : 1.0) * depthMargin);
 }
 
 shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight& light, float radianceUnit,
@@ -48,8 +92,6 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
     const glm::dmat4 clipFromVolume =
         clipFromWorld(camera, boundsWorld, aspect, visibleWorld) * worldFromVolume;
-    const glm::dvec4 eye = volume.volumeFromWorld() * camera.worldFromCamera[3];
-
     shared::FrameUniforms frame{};
     frame.clipFromVolume = glm::mat4(clipFromVolume);
     // Window coordinates are gl_FragCoord's xy and the depth buffer's depth.
@@ -60,7 +102,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     const glm::dmat4 shadowFromVolume =
         shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;
     frame.shadowFromVolume = glm::mat4(shadowFromVolume);
-    frame.eye = glm::vec4(eye);
+    frame.eye = glm::vec4(glm::vec3(eyeInVolume(camera, volume)), 1.0F);
     frame.directionToLight = glm::vec4(glm::vec3(light.directionToLight), 0.0F);
     const float sun = sunlitRadiance(light) / radianceUnit;
     frame.lightColor = glm::vec4(sun * light.color, sun > 0.0F ? sun : 1.0F);
@@ -73,16 +115,53 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
             : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
     frame.largestSky = sky / radianceUnit;
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
-    // The columns are the map's axes in volume space; their lengths are map coordinates per volume side.
-    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
-    const glm::dvec2 radius = std::tan(halfAngleRad) *
-                              glm::dvec2(glm::length(axes[0]), glm::length(axes[1])) / glm::length(axes[2]);
+    const glm::dvec2 radius = coneRadius(shadowFromVolume, halfAngleRad);
     frame.shadowConeRadius = glm::vec2(radius);
     frame.shadowConeSine = static_cast<float>(std::sin(halfAngleRad));
-    frame.aoDistance = settings.aoDistance;
+    frame.aoDistance =
+        settings.aoDistance * static_cast<float>(Cascades(settings.cascades, volume.grid).side(0));
+    frame.shadowConeTexel = glm::vec2(1.0 / (radius * static_cast<double>(settings.shadowMapSize)));
+    const double tangent = std::tan(halfAngleRad);
+    // The sun is less than a degree above a steeper surface: n.l is below 1/64.
+    frame.steepestShadowSlope = static_cast<float>(64.0 * tangent);
+    // Rows of the matrix are the map's axes; `radius` is the tangent times the ratio of their lengths.
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(shadowFromVolume));
+    const glm::dvec3 perRow(tangent * tangent / radius, 1.0);
+    frame.shadowSlopeFromNormal =
+        glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(axes[0] * perRow.x, axes[1] * perRow.y, axes[2]))));
     frame.gridSide = volume.grid;
     frame.volumeInWorld = glm::vec4(volume.minWorld, 1.0 / volume.side);
     return frame;
+}
+
+glm::dvec3 eyeInVolume(const Camera& camera, const Volume& volume) {
+    return glm::dvec3(volume.volumeFromWorld() * camera.worldFromCamera[3]);
+}
+
+void setCascades(shared::FrameUniforms& frame, const Cascades& now, const Cascades& last,
+                 const DirectionalLight& light, const Bounds& boundsWorld, const Volume& volume,
+                 const Settings& settings) {
+    for (int i = 0; i < now.count(); ++i) {
+        const double voxels = frame.gridSide / now.side(i);
+        frame.cascade[i] = glm::vec4(now.corner(i), voxels);
+        frame.lastCascade[i] = glm::vec4(last.corner(i), voxels);
+    }
+    if (now.count() == 1) return;
+    const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
+    const LightAxes axes = lightAxes(light);
+    for (int tile = 0; tile < VCT_SHADOW_TILES; ++tile) {
+        const int cascade = std::max(now.count() - VCT_SHADOW_TILES + tile, 0);
+        const glm::dvec3 offset(tile & 1, tile >> 1, 0.0), scale(0.5, 0.5, 1.0);
+        const glm::dmat4 mapFromTile =
+            glm::scale(glm::dmat4(1.0), scale) * glm::translate(glm::dmat4(1.0), offset);
+        const glm::dmat4 mapFromVolume =
+            mapFromTile *
+            shadowTileFromWorld(axes, boundsWorld, volume, now, cascade, settings.shadowMapSize) *
+            worldFromVolume;
+        frame.shadowTileFromVolume[tile] = glm::mat4(mapFromVolume);
+        const glm::vec2 radius(coneRadius(mapFromVolume, 0.5 * settings.shadowConeAngleDeg * pi / 180.0));
+        frame.shadowTileCone[tile] = glm::vec4(radius, 1.0F / (radius * (2.0F * settings.shadowMapSize)));
+    }
 }
 
 }  // namespace vct

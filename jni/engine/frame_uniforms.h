@@ -1,6 +1,7 @@
 // Fills the uniforms that all passes of a frame share: camera, sun, volume and settings.
 #pragma once
 
+#include "engine/cascades.h"
 #include "engine/settings.h"
 #include "engine/volume.h"
 #include "scene/scene.h"
@@ -23,5 +24,15 @@ inline shared::FrameUniforms frameUniforms(const Camera& camera, const Direction
                                            const Volume& volume, const Settings& settings) {
     return frameUniforms(camera, light, radianceUnit, boundsWorld, volume, settings, boundsWorld);
 }
+
+// The camera's position in volume space.
+glm::dvec3 eyeInVolume(const Camera& camera, const Volume& volume);
+
+// Fills the uniforms of cascades: their places in this frame and before the camera moved, and the tiles of
+// the shadow map, each of settings.shadowMapSize texels along a side. The last tile shows the whole volume,
+// the others the next finer cascades.
+void setCascades(shared::FrameUniforms& frame, const Cascades& now, const Cascades& last,
+                 const DirectionalLight& light, const Bounds& boundsWorld, const Volume& volume,
+                 const Settings& settings);
 
 }  // namespace vct

@@ -40,6 +40,14 @@ std::string lengthText(double metres) {
     return text;
 }
 
+// The fewest cascades whose finest voxels are not larger than this, or as many as there may be.
+int cascadesFor(const Bounds& boundsWorld, int grid, double metres) {
+    int cascades = 1;
+    while (cascades < maxCascadesFor(grid) && std::ldexp(voxelSize(boundsWorld, grid), 1 - cascades) > metres)
+        ++cascades;
+    return cascades;
+}
+
 struct Narrow {
     double across = HUGE_VAL;  // metres
     bool isPart = false;
@@ -89,26 +97,38 @@ Narrow narrowest(const Scene& scene, Voxels voxels, double longest) {
 
 }  // namespace
 
-std::string gridText(const Bounds& boundsWorld, int grid) {
-    return "grid " + std::to_string(grid) + ": voxels of " + lengthText(voxelSize(boundsWorld, grid));
+std::string gridText(const Bounds& boundsWorld, int grid, int cascades) {
+    const double coarsest = voxelSize(boundsWorld, grid);
+    if (cascades == 1) return "grid " + std::to_string(grid) + ": voxels of " + lengthText(coarsest);
+    return "grid " + std::to_string(grid) + ", " + std::to_string(cascades) + " cascades: voxels of " +
+           lengthText(std::ldexp(coarsest, 1 - cascades)) + " around the camera to " + lengthText(coarsest) +
+           " far from it";
 }
 
 std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
-    const double voxel = voxelSize(scene.boundsWorld, settings.grid);
+    const double voxel = std::ldexp(voxelSize(scene.boundsWorld, settings.grid), 1 - settings.cascades);
     const Narrow narrow = narrowest(scene, settings.voxels, voxel);
     if (narrow.across <= 0.0 || narrow.across >= voxel) return {};
     return "warning: " + narrow.text(settings.voxels) +
-           ", less than a voxel, so their light and shadow are wrong; use a finer grid, or remove distant "
-           "objects from the scene";
+           ", less than a voxel, so their light and shadow are wrong; use a finer grid, cascades, or "
+           "remove distant objects from the scene";
 }
 
-int gridForVoxelSize(const Bounds& boundsWorld, double metres) {
-    for (const int grid : allGrids())
-        if (voxelSize(boundsWorld, grid) <= metres) return grid;
-    const int finest = allGrids().back();
-    throw Error("no grid has voxels of " + lengthText(metres) + ": the finest, " + std::to_string(finest) +
-                "^3, gives this scene voxels of " + lengthText(voxelSize(boundsWorld, finest)) +
-                "; ask for voxels of that size or larger, or render a part of the scene");
+GridChoice chooseForVoxelSize(const Bounds& boundsWorld, const Settings& settings, double metres) {
+    const bool directional = settings.voxels == Voxels::directional;
+    for (const int grid : allGrids()) {
+        if (directional && grid > settings.gridRange.finest) break;
+        if (voxelSize(boundsWorld, grid) <= metres) return {grid, gridText(boundsWorld, grid), 1};
+    }
+    const int grid = directional ? settings.gridRange.coarsest : allGrids().back();
+    const int cascades = directional ? cascadesFor(boundsWorld, grid, metres) : 1;
+    const double finest = std::ldexp(voxelSize(boundsWorld, grid), 1 - cascades);
+    if (finest > metres)
+        throw Error("no grid has voxels of " + lengthText(metres) + ": the finest, " + std::to_string(grid) +
+                    "^3" + (directional ? " with " + std::to_string(cascades) + " cascades" : "") +
+                    ", gives this scene voxels of " + lengthText(finest) +
+                    "; ask for voxels of that size or larger, or render a part of the scene");
+    return {grid, gridText(boundsWorld, grid, cascades), cascades};
 }
 
 GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Capabilities& capabilities,
@@ -137,14 +157,27 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
         }
         chosen = grid;
     }
-    if (limit.empty() && !enough(chosen)) limit = ", the finest of this preset";
-    std::string reason = gridText(scene.boundsWorld, chosen) + limit;
+    int cascades = 1;
+    if (settings.voxels == Voxels::directional && !enough(chosen)) {
+        Settings nested = settings;
+        nested.grid = settings.gridRange.coarsest;
+        nested.cascades = cascadesFor(scene.boundsWorld, nested.grid, needed);
+        if (isPossible(nested, capabilities) && voxelBytes(nested, nested.grid) <= bytes &&
+            std::ldexp(voxelSize(scene.boundsWorld, nested.grid), 1 - nested.cascades) <
+                voxelSize(scene.boundsWorld, chosen)) {
+            chosen = nested.grid;
+            cascades = nested.cascades;
+            limit.clear();
+        }
+    }
+    if (limit.empty() && !enough(chosen) && cascades == 1) limit = ", the finest of this preset";
+    std::string reason = gridText(scene.boundsWorld, chosen, cascades) + limit;
     if (needed > 0.0)
         reason += needed < coarsest
                       ? "; " + narrow.text(settings.voxels) + ", which need voxels of " + lengthText(needed)
                       : std::string("; less than 2 % of the surface belongs to parts that are ") +
                             (settings.voxels == Voxels::packed ? "thinner" : "narrower") + " than two voxels";
-    return {chosen, reason};
+    return {chosen, reason, cascades};
 }
 
 }  // namespace vct

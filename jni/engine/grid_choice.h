@@ -13,20 +13,26 @@ namespace vct {
 struct GridChoice {
     int grid = 0;
     std::string reason;  // for the user: "grid 128: voxels of 6.5 cm; ..."
+    int cascades = 1;    // Settings::cascades
 };
 
-// For the user: "grid 64: voxels of 3.39 cm".
-std::string gridText(const Bounds& boundsWorld, int grid);
+// For the user: "grid 64: voxels of 3.39 cm", or "grid 64, 5 cascades: voxels of 13.4 cm around the camera to
+// 2.14 m far from it".
+std::string gridText(const Bounds& boundsWorld, int grid, int cascades = 1);
 // A warning for the user that names parts of the scene that are narrower than a voxel of Settings::grid, and
 // the remedy. Empty if there are none.
 std::string coarseGridWarning(const Scene& scene, const Settings& settings);
 
-// The coarsest grid whose voxels are not larger than this. Throws vct::Error if the finest grid's are.
-int gridForVoxelSize(const Bounds& boundsWorld, double metres);
+// The coarsest grid whose voxels are not larger than this. If those of the finest grid of Settings::gridRange
+// are, and voxels are directional, the fewest cascades whose finest voxels are not larger. Throws vct::Error
+// if there is no such choice.
+GridChoice chooseForVoxelSize(const Bounds& boundsWorld, const Settings& settings, double metres);
 
 // The coarsest grid of Settings::gridRange with two voxels across the narrowest parts of the scene. If the
 // driver does not support it, or it needs more than `bytes`, a coarser one. If the driver supports none, the
-// coarsest one, for which the constructor of Renderer reports what the driver lacks. The narrowest parts
+// coarsest one, for which the constructor of Renderer reports what the driver lacks. If directional voxels of
+// the finest grid are larger than the narrowest parts need, cascades of the coarsest grid, as many as are
+// needed and allowed, because a fine cube of a whole large scene costs too much. The narrowest parts
 // make up 2 % of the surface, because otherwise a single screw could decide.
 //
 // The width of a part is that of the box around it (scene/parts.h), or less where rays find less

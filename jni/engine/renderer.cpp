@@ -45,6 +45,12 @@ float largestEmission(const Scene& scene) {
 // Cones of a look-up in the air (docs/embedding.md has the measurement); a power of two.
 constexpr int lookUpDirections = 8;
 
+// The volume with voxels of the finest cascade's size.
+Volume finestVoxels(Volume volume, int cascades) {
+    volume.grid <<= cascades - 1;
+    return volume;
+}
+
 // The scene's compact emitters; none for packed voxels, which have no cones for them.
 std::optional<Emitters> compactEmitters(const Scene& scene, const Volume& volume, const Settings& settings,
                                         float radianceUnit) {
@@ -70,8 +76,9 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       radianceUnit_(radianceUnit(scene, light, settings)),
       emissionRange_(largestEmission(scene) / radianceUnit_),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
+      cascades_(settings.cascades, settings.grid),
       softLights_(std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), hasSize)),
-      emitters_(compactEmitters(scene, volume_, settings, radianceUnit_)),
+      emitters_(compactEmitters(scene, finestVoxels(volume_, settings.cascades), settings, radianceUnit_)),
       scene_(shaders_, scene, emitters_ ? emitters_->instances() : std::vector<bool>(), volume_,
              radianceUnit_, capabilities.uniformBufferOffsetAlignment, voxelization_),
       frameUniforms_("frame uniforms", GL_UNIFORM_BUFFER, sizeof(shared::FrameUniforms), nullptr,
@@ -145,7 +152,7 @@ void Renderer::setSky(std::shared_ptr<const Environment> environment) {
     ++lightChanges_;
 }
 
-void Renderer::uploadFrameUniforms(const Camera& camera) {
+void Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {
     shared::FrameUniforms values = frameUniforms(camera, light_, radianceUnit_, boundsWorld_, volume_,
                                                  settings_, scene_.boundsWith(boundsWorld_));
     if (pictureShift_ != glm::vec2(0.0F)) {
@@ -153,6 +160,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera) {
         values.clipFromVolume = glm::translate(glm::mat4(1.0F), ndc) * values.clipFromVolume;
         values.volumeFromWindow = glm::translate(values.volumeFromWindow, -glm::vec3(pictureShift_, 0.0F));
     }
+    setCascades(values, cascades_, last, light_, boundsWorld_, volume_, settings_);
     values.faceSumUnits = faceSumUnits(triangles_);
     values.emissionRange = emissionRange_;
     values.largestBounceShare = largestBounceShare_;
@@ -194,7 +202,8 @@ GBuffer& Renderer::gBuffer() {
 
 ShadowMap& Renderer::shadowMap() {
     if (!shadowMap_)
-        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.shadow == Shadow::softMap);
+        shadowMap_.emplace(shaders_, scene_, settings_.shadowMapSize, settings_.shadow == Shadow::softMap,
+                           settings_.cascades);
     return *shadowMap_;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cascades.h"
 #include "engine/directional/directional_volume.h"
 #include "engine/driver_needs.h"
 #include "engine/emitters.h"
@@ -134,7 +135,7 @@ class Renderer {
 
   private:
     LightFeatures lightFeatures() const;
-    void uploadFrameUniforms(const Camera& camera);
+    void uploadFrameUniforms(const Camera& camera, const Cascades& last);
     void invalidateCaches();
     void applyPose(const Pose& pose);
     SceneState state() const;  // a copy, which later frames are compared with
@@ -153,6 +154,7 @@ class Renderer {
     std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
     float largestBounceShare_, radianceUnit_, emissionRange_;
     Volume volume_;
+    Cascades cascades_;                 // their places in the last frame that read voxels
     bool softLights_;                   // a punctual light has a size of its own
     std::optional<Emitters> emitters_;  // compact emitters; directional voxels only
     GpuScene scene_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "shared/layout.h"
 
 namespace vct {
 
@@ -92,6 +93,10 @@ std::string presetList() {
     return names;
 }
 
+int maxCascadesFor(int grid) {
+    return std::min(VCT_MAX_CASCADES, VCT_MAX_STACKED_VOXELS / grid);
+}
+
 void validate(const Settings& settings) {
     const auto require = [](bool ok, const std::string& message) {
         if (!ok) throw Error(message);
@@ -118,6 +123,12 @@ void validate(const Settings& settings) {
             "the specular 'cone' does not work with the preset thesis; use another preset, or none");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "the distance of ambient occlusion must be above 0 and at most 1, in sides of the voxel volume");
+    const int maxCascades = maxCascadesFor(grid);
+    require(settings.cascades >= 1 && settings.cascades <= maxCascades,
+            "the number of cascades at a grid of " + std::to_string(grid) + " must be between 1 and " +
+                std::to_string(maxCascades));
+    require(settings.voxels == Voxels::directional || settings.cascades == 1,
+            "cascades do not work with the preset thesis; use another preset");
     require(!settings.environment || settings.skyRadiance == glm::vec3(0.0F),
             "the sky has a radiance and a picture; give either its radiance or a picture");
 }

@@ -90,14 +90,15 @@ struct Settings {
     int lightFrames = 16;                // light steps after a change; refinement may follow them
     int grid = 256;                      // voxels along a side of the volume, one of allGrids()
     GridRange gridRange;                 // bounds for chooseGrid()
-    glm::ivec2 size{400, 400};           // pixels
-    int shadowMapSize = 512;             // texels along a side
-    float shadowConeAngleDeg = 5.0F;     // full opening angle of the sun's disc
-    float lightRadius = 0.0F;            // metres, of point and spot lights in mode 5; 0: hard shadows
-    Shadow shadow = Shadow::cone;        // mode 5
-    int filterTaps = 8;                  // samples per penumbra of Shadow::softMap; a multiple of 4
-    float aoDistance = 0.045F;           // relative to the volume's side
-    glm::vec3 skyRadiance{0.0F};         // light from outside of the volume; the scene's radiance unit
+    int cascades = 1;                 // nested cubes of `grid` voxels (cascades.h); directional voxels only
+    glm::ivec2 size{400, 400};        // pixels
+    int shadowMapSize = 512;          // texels along a side
+    float shadowConeAngleDeg = 5.0F;  // full opening angle of the sun's disc
+    float lightRadius = 0.0F;         // metres, of point and spot lights in mode 5; 0: hard shadows
+    Shadow shadow = Shadow::cone;     // mode 5
+    int filterTaps = 8;               // samples per penumbra of Shadow::softMap; a multiple of 4
+    float aoDistance = 0.045F;        // relative to the volume's side
+    glm::vec3 skyRadiance{0.0F};      // light from outside of the volume; the scene's radiance unit
     // A sky that depends on direction, in the scene's radiance unit. It replaces skyRadiance.
     std::shared_ptr<const Environment> environment;
     // Radiance behind the scene, without effect on its light; empty: the sky's. For skies of one colour.
@@ -108,6 +109,7 @@ struct Settings {
 };
 
 const std::vector<int>& allGrids();  // 64, 128, 256, 512
+int maxCascadesFor(int grid);        // bound of Settings::cascades
 
 // The preset if none is named: a picture takes seconds on a CPU, a frame takes milliseconds on a phone.
 constexpr const char* defaultPreset = "mobile";

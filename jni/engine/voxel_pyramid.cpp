@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "core/error.h"
 #include "engine/programs.h"
 #include "gl/debug.h"
+#include "gl/driver_faults.h"
 
 namespace vct {
 
@@ -16,12 +18,13 @@ int levelsOf(int grid) {
     return static_cast<int>(std::log2(grid)) + 1;
 }
 
-shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind) {
-    const auto cube = [grid](int level) {
+shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind,
+                                         int cascades) {
+    const auto voxels = [=](int level) {
         const std::uint64_t side = static_cast<std::uint64_t>(grid) >> level;
-        return side * side * side;
+        return side * side * side * static_cast<std::uint64_t>(cascades);
     };
-    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid;
+    const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid * cascades;
     shared::CommandLists commands{};
     commands.dynamicList = VCT_LIST_DYNAMIC;
     std::uint32_t firstEntry = 0;
@@ -31,7 +34,7 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
-        c.capacity = static_cast<std::uint32_t>(std::min(wanted, cube(isDynamic ? 0 : list)));
+        c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(isDynamic ? 0 : list)));
         firstEntry += c.capacity;
     }
     return commands;
@@ -44,6 +47,11 @@ std::size_t listBytes(const shared::CommandLists& commands) {
     return entries * sizeof(std::uint32_t);
 }
 
+// Drivers with this fault dispatch by copies of the commands.
+bool missesCounts() {
+    return !gl::faultsOf(gl::glString(GL_RENDERER), gl::glString(GL_VERSION)).indirectDispatches.empty();
+}
+
 int textureLevels(int grid, VoxelPyramid::Kind kind) {
     return kind == VoxelPyramid::Kind::packed ? levelsOf(grid) : 1;
 }
@@ -54,22 +62,28 @@ gl::ProgramDescription packedClearProgram() {
     return {"packed/clear", {"packed/clear.comp"}, {}};
 }
 
-VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity, Kind kind)
+VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity, Kind kind,
+                           int cascades)
     : grid_(grid),
+      cascades_(cascades),
       levels_(levelsOf(grid)),
-      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid, textureLevels(grid, kind))),
-      initialCommands_(makeInitialCommands(grid, baseCapacity, kind)),
+      texture_(
+          gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind))),
+      initialCommands_(makeInitialCommands(grid, baseCapacity, kind, cascades)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
       activeVoxels_("active voxels", GL_SHADER_STORAGE_BUFFER, listBytes(initialCommands_), nullptr,
                     GL_DYNAMIC_COPY) {
+    if (missesCounts())
+        dispatched_.emplace("dispatched commands", GL_COPY_WRITE_BUFFER, sizeof initialCommands_,
+                            &initialCommands_, GL_DYNAMIC_COPY);
     if (kind == Kind::packed) sparseClear_ = gl::Program(shaders, packedClearProgram());
     clearTexture();
 }
 
-std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind) {
-    return gl::textureBytes(GL_R32UI, grid, grid, grid, textureLevels(grid, kind)) +
-           listBytes(makeInitialCommands(grid, baseCapacity, kind));
+std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind, int cascades) {
+    return gl::textureBytes(GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind)) +
+           listBytes(makeInitialCommands(grid, baseCapacity, kind, cascades));
 }
 
 Resources VoxelPyramid::resources() const {
@@ -77,6 +91,7 @@ Resources VoxelPyramid::resources() const {
     add(resources, texture_);
     add(resources, activeVoxels_);
     add(resources, commands_);
+    if (dispatched_) add(resources, *dispatched_);
     return resources;
 }
 
@@ -114,15 +129,24 @@ void VoxelPyramid::bindLists() const {
 
 void VoxelPyramid::dispatchOverLevel(std::uint32_t list) const {
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
-    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-    gl::DispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(shared::LevelCommands) +
-                                                      offsetof(shared::LevelCommands, groupsX)));
+    dispatch(list * sizeof(shared::LevelCommands) + offsetof(shared::LevelCommands, groupsX));
 }
 
 void VoxelPyramid::dispatchOverFaces(int level) const {
-    commands_.bind(GL_DISPATCH_INDIRECT_BUFFER);
-    gl::DispatchComputeIndirect(static_cast<GLintptr>(level * sizeof(shared::LevelCommands) +
-                                                      offsetof(shared::LevelCommands, faceGroupsX)));
+    dispatch(static_cast<std::size_t>(level) * sizeof(shared::LevelCommands) +
+             offsetof(shared::LevelCommands, faceGroupsX));
+}
+
+void VoxelPyramid::dispatch(std::size_t offset) const {
+    const auto at = static_cast<GLintptr>(offset);
+    if (dispatched_) {
+        gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        commands_.bind(GL_COPY_READ_BUFFER);
+        dispatched_->bind(GL_COPY_WRITE_BUFFER);
+        gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, at, at, 3 * sizeof(GLuint));
+    }
+    (dispatched_ ? *dispatched_ : commands_).bind(GL_DISPATCH_INDIRECT_BUFFER);
+    gl::DispatchComputeIndirect(at);
 }
 
 shared::CommandLists VoxelPyramid::readCommands() const {

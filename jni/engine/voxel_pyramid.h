@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/resource.h"
@@ -24,13 +25,16 @@ class VoxelPyramid {
         staticAndDynamicFaces,
     };
     // `baseCapacity`: entries of the base level's list; 0 means 16 grid^2, where a closed surface that fills
-    // the volume needs about 6 grid^2. A parent has at least one active child, so no level needs more.
+    // the volume needs about 6 grid^2, all times the number of cascades. A parent has at least one active
+    // child, so no level needs more. `cascades`: cubes of grid^3 voxels, one behind the other along z
+    // (shaders/directional/cascades.glsl).
     VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint32_t baseCapacity,
-                 Kind kind = Kind::packed);
+                 Kind kind = Kind::packed, int cascades = 1);
 
     Resources resources() const;
     // Bytes of the texture and of the lists.
-    static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed);
+    static std::size_t bytesFor(int grid, std::uint32_t baseCapacity, Kind kind = Kind::packed,
+                                int cascades = 1);
 
     int grid() const { return grid_; }
     int levels() const { return levels_; }  // log2(grid) + 1
@@ -42,7 +46,7 @@ class VoxelPyramid {
     // before and after.
     void clear();
     // Clears the whole texture.
-    void clearTexture() const { gl::clearTexture3d(texture_, grid_); }
+    void clearTexture() const { gl::clearTexture3d(texture_, grid_ * cascades_); }
 
     // The commands of empty lists.
     const shared::CommandLists& initialCommands() const { return initialCommands_; }
@@ -69,10 +73,14 @@ class VoxelPyramid {
     std::uint32_t firstEntry(int level) const { return initialCommands_.lists[level].firstEntry; }
 
   private:
-    int grid_, levels_;
+    // Dispatches the current compute program by the command at an offset of commands_, in bytes.
+    void dispatch(std::size_t offset) const;
+
+    int grid_, cascades_, levels_;
     gl::Texture texture_;
     shared::CommandLists initialCommands_;
     gl::Buffer commands_, activeVoxels_;
+    std::optional<gl::Buffer> dispatched_;  // copies of commands; only for drivers that need it (dispatch())
     gl::Program sparseClear_;
 };
 

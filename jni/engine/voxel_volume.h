@@ -1,6 +1,7 @@
 // The interface of a scene's lit voxels, packed (the thesis's) or directional.
 #pragma once
 
+#include "engine/cascades.h"
 #include "engine/gpu_scene.h"
 #include "engine/output.h"
 #include "engine/passes/g_buffer.h"
@@ -32,10 +33,11 @@ class VoxelVolume {
         DirectLight light;
         const GBuffer::Targets& surface;  // the visible surfaces
         SceneState now;
-        Output output;      // decides which light is needed
-        int lightSteps;     // largest number of light steps to take
-        bool allBounces;    // false: the first bounce only
-        bool forceRebuild;  // rebuild the voxels even if nothing has changed
+        const Cascades& cascades;  // their places in this frame
+        Output output;             // decides which light is needed
+        int lightSteps;            // largest number of light steps to take
+        bool allBounces;           // false: the first bounce only
+        bool forceRebuild;         // rebuild the voxels even if nothing has changed
     };
     // Allocates the buffers that updates need, and waits for the GPU if their sizes are unknown. Call it
     // before the first pass of a frame.

@@ -46,6 +46,11 @@ DriverFaults faultsOf(const std::string& renderer, const std::string& version) {
     // Source: Skia, GrGLCaps.cpp, fShaderDerivativeSupport (crbug 1197152, b/187364475).
     if (startsWith(renderer, "PowerVR Rogue") && isRogueBefore(version, 1, 16))
         faults.derivatives = "wrong on PowerVR Rogue before driver 1.16 (Skia, crbug 1197152)";
+    // Observed on an H100 with driver 580.159.04. Some dispatches read the counts that the CPU uploaded,
+    // although shaders have written others; glFinish() and all bits of glMemoryBarrier() do not help, while
+    // mapping the buffer shows the right counts.
+    if (version.find("NVIDIA") != std::string::npos)
+        faults.indirectDispatches = "they miss counts that shaders wrote, on NVIDIA's driver 580";
     return faults;
 }
 

@@ -59,6 +59,7 @@ BenchRequest benchRequestFromText(const std::string& text) {
                  {{"scene", [&](const auto& value) { request.scene = value; }},
                   {"preset", [&](const auto& value) { request.presets = separated(value); }},
                   {"grid", [&](const auto& value) { request.grid = number("grid", value); }},
+                  {"cascades", [&](const auto& value) { request.cascades = number("cascades", value); }},
                   {"size", [&](const auto& value) { request.size = sizeFromText(value); }},
                   {"shadow-map", [&](const auto& value) { request.shadowMap = number("shadow-map", value); }},
                   {"repeat", [&](const auto& value) { request.repeat = number("repeat", value); }},
@@ -111,6 +112,7 @@ BenchRun::BenchRun(Input input, std::string folder)
 Settings BenchRun::settingsFor(const BenchConfig& config) const {
     Settings settings = presetSettings(config.preset);
     settings.grid = config.grid;
+    if (settings.voxels == Voxels::directional) settings.cascades = input_.request.cascades;
     settings.size = input_.request.size;
     settings.shadowMapSize = input_.request.shadowMap;
     settings.shadowConeAngleDeg = static_cast<float>(config.coneAngleDeg);

@@ -21,15 +21,16 @@ struct BenchRequest {
     // The preset thesis alone, at its own grid, gives the thesis's tables. Otherwise presets are compared.
     std::vector<std::string> presets{"thesis"};
     std::optional<int> grid;  // for all presets; empty: each preset's own
+    int cascades = 1;         // for all presets with directional voxels
     glm::ivec2 size{400, 400};
     int shadowMap = 512;
     int repeat = 3;
     std::string camera, light;  // texts as in `vct render`; the caller applies the light
 };
 
-// Parses "bench scene=cornell.glb preset=thesis grid=256 size=400x400 shadow-map=512 repeat=3 camera=...
-// light=...". Each word but the first may be left out; several presets are separated by commas. Throws
-// vct::Error.
+// Parses "bench scene=cornell.glb preset=thesis grid=256 cascades=1 size=400x400 shadow-map=512 repeat=3
+// camera=... light=...". Each word but the first may be left out; several presets are separated by commas.
+// Throws vct::Error.
 BenchRequest benchRequestFromText(const std::string& text);
 
 // The folder for a measurement's files. The file `done` or `failed` is written last and atomically, so a

@@ -57,6 +57,7 @@ ordered_json settingsJson(const TimingsReport& report, const gl::Capabilities& c
     const Settings& s = report.settings;
     return {{"preset", report.preset},
             {"grid", s.grid},
+            {"cascades", s.cascades},
             {"width", s.size.x},
             {"height", s.size.y},
             {"voxelization", voxelizationName(voxelizationFor(s.voxels, capabilities))},

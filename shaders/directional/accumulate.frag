@@ -15,7 +15,7 @@ void main() {
     vec4 baseColor = materialBaseColor();
     if (materialIsHole(baseColor.a)) discard;
     ivec3 voxel = fragmentVoxel();
-    uint cell = texelFetch(index, voxel, 0).r;
+    uint cell = texelFetch(index, listedVoxel(voxel), 0).r;
     vec3 albedo = materialIsUnlit ? vec3(0.0) : baseColor.rgb;
     vec3 emission = materialEmissive() * (draw.surface.w / frame.emissionRange);
     vec3 normal = safeNormalize(fragmentNormal);

@@ -1,5 +1,7 @@
 // Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
-// the mean of a neighbouring voxel's faces, dynamic in the last pose or static.
+// the mean of a neighbouring voxel's faces, dynamic in the last pose or static. If cascades have moved with
+// the camera, a face that the same cascade did not hold takes over the history of a coarser one.
+#include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
@@ -27,6 +29,26 @@ void add(inout History history, uint cell, int face, uint firstId, uint endId) {
     history.weight += 1.0;
 }
 
+// The voxel's place before the cascades moved, in its own cascade or in a coarser one.
+struct LastPlace {
+    ivec3 voxel;
+    bool isSame;  // in its own cascade
+};
+LastPlace lastPlaceOf(ivec3 voxel) {
+    if (cascades == 1) return LastPlace(voxel, true);
+    int own = cascadeOf(voxel), cascade = own;
+    vec3 middle = volumeFromVoxels(vec3(voxel) + 0.5, own);
+    while (cascade < cascades - 1 && voxelsInside(middle, frame.lastCascade[cascade]) <= 0.0)
+        ++cascade;
+    vec4 cube = frame.lastCascade[cascade];
+    ivec3 first = ivec3(0, 0, cascade * frame.gridSide);
+    ivec3 last = first + ivec3(floor((middle - cube.xyz) * cube.w));
+    return LastPlace(clamp(last, first, first + frame.gridSide - 1), cascade == own);
+}
+
+// The history of a coarser cascade's face has the wrong detail, so new light soon replaces it.
+const float maxStepsFromCoarser = 24.0;
+
 void main() {
     COUNT(VCT_COUNTER_CARRY_OVER);
     uint count = faceCount(dynamicList), previous = dynamicList ^ 1u;
@@ -36,19 +58,21 @@ void main() {
         COUNT(VCT_COUNTER_CARRY_OVER_FACE);
         ListedFace listed = listedFace(dynamicList, i);
         History history = History(FaceIrradiance(vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), 0.0);
-        add(history, texelFetch(previousIndex, listed.voxel, 0).r, listed.face, firstId, endId);
+        LastPlace last = lastPlaceOf(listed.voxel);
+        add(history, texelFetch(previousIndex, last.voxel, 0).r, listed.face, firstId, endId);
         for (int n = 0; n < 27 && history.weight < 1.0; ++n) {
             COUNT(VCT_COUNTER_CARRY_OVER_NEIGHBOUR);
-            ivec3 beside = listed.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
-            if (beside != clamp(beside, ivec3(0), textureSize(staticIndex, 0) - 1)) continue;
+            ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+            if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
             add(history, texelFetch(previousIndex, beside, 0).r, listed.face, firstId, endId);
             add(history, texelFetch(staticIndex, beside, 0).r, listed.face, 0u, faceCount(0u));
         }
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;
         uint id = commands[dynamicList].firstId + i;
-        storeFaceIrradiance(id, FaceIrradiance(mean.light * share, mean.steps * share,
-                                               mean.roundStart * share, mean.nearness * share));
+        float steps = min(mean.steps * share, last.isSame ? 1e4 : maxStepsFromCoarser);
+        storeFaceIrradiance(
+            id, FaceIrradiance(mean.light * share, steps, mean.roundStart * share, mean.nearness * share));
         storeEmitterIrradiance(id, history.emitterLight * share);
     }
 }

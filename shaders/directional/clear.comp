@@ -9,7 +9,7 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;
 
 void main() {
     COUNT(VCT_COUNTER_FACE_CLEAR);
-    uint count = faceCount(level), side = uint(imageSize(faces).z);
+    uint count = faceCount(level), side = uint(imageSize(faces).x) / 3u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = commands[level].staticFaces + gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FACE_CLEAR_FACE);

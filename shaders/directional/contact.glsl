@@ -6,6 +6,7 @@
 // is so. Lengths are in voxels. The including shader defines VCT_COUNTER_CONTACT_VOXEL and
 // VCT_COUNTER_CONTACT_FACE.
 #include "directional/face_sums.glsl"
+#include "directional/cascades.glsl"
 
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
@@ -40,7 +41,7 @@ ConeStart coneStartOf(ivec3 voxel, int ownFace, SurfacePlane plane) {
     float height = VCT_GATHER_START;
     vec3 aside = vec3(0.0);
     ConeStart start = ConeStart(surface, vec3(0.0), vec3(0.0), voxel, 0);
-    ivec3 above = clamp(ivec3(floor(surface + plane.normal * height)), ivec3(0), ivec3(frame.gridSide - 1));
+    ivec3 above = clampToCascade(ivec3(floor(surface + plane.normal * height)), voxel, frame.gridSide);
     bool hasDynamic = faceCount(dynamicList) > 0u;
     for (int i = 0; i < (above == voxel ? 1 : 2); ++i) {
         COUNT(VCT_COUNTER_CONTACT_VOXEL);

@@ -1,6 +1,7 @@
 // The coverage of a voxel's faces by a fragment. Both passes over the triangles include this file, so that
 // they agree on the faces that a fragment covers.
 #include "shared/material.glsl"
+#include "directional/cascades.glsl"
 #include "directional/face_sums.glsl"
 
 in vec3 fragmentPosition;
@@ -14,9 +15,22 @@ vec3 fragmentCoverage() {
     return gl_FrontFacing ? coverage : -coverage;
 }
 
+// The fragment's voxel in its cascade.
 ivec3 fragmentVoxel() {
     return clamp(ivec3(floor(fragmentPosition * float(frame.gridSide))), ivec3(0), ivec3(frame.gridSide - 1));
 }
+
+// The same voxel where the lists and textures have it, behind those of finer cascades.
+#if VCT_CASCADES > 1
+layout(location = VCT_UNIFORM_CASCADE) uniform uint cascade;  // cascade that triangles are voxelized into
+ivec3 listedVoxel(ivec3 voxel) {
+    return voxel + ivec3(0, 0, int(cascade) * frame.gridSide);
+}
+#else
+ivec3 listedVoxel(ivec3 voxel) {
+    return voxel;
+}
+#endif
 
 // One bit for each face that the fragment covers.
 uint coveredFaces(vec3 coverage) {

@@ -16,9 +16,9 @@ struct SeenPart {
     vec3 light;      // irradiance if nothing is in between, relative to E
 };
 
-// `start` in voxels.
-SeenPart seenPart(EmitterPartUniforms part, vec3 start, vec3 normal) {
-    vec3 offset = part.position.xyz - start / float(frame.gridSide);
+// `position` in volume space.
+SeenPart seenPart(EmitterPartUniforms part, vec3 position, vec3 normal) {
+    vec3 offset = part.position.xyz - position;
     float distance = max(length(offset), 1e-6);
     vec3 towards = offset / distance;
     float area = projectedArea(part, towards);
@@ -49,10 +49,11 @@ mediump float transmittanceTo(Cone cone, float reach, float tangent) {
 }
 
 // The part's light at the point. The rest of the arguments: as of coneFrom().
-vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, vec3 normal, vec3 ownBelow) {
+vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascade, vec3 normal,
+                 vec3 ownBelow) {
     // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
     float rising = clamp(seen.area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
-    float reach = (seen.distance - part.radiance.w / rising) * float(frame.gridSide);
-    Cone cone = coneFrom(start, normal, ownBelow, seen.towards, false);
+    float reach = (seen.distance - endOfCones(part) / rising) * voxelsAlongVolume(cascade);
+    Cone cone = coneFrom(start, cascade, normal, ownBelow, seen.towards, false);
     return seen.light * transmittanceTo(cone, reach, emitterConeWidth * part.position.w / seen.distance);
 }

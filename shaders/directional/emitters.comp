@@ -12,16 +12,17 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 
 // Irradiance by all emitters, relative to E.
 vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
+    int cascade = cascadeOf(start.voxel);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
-        SeenPart seen = seenPart(part, start.position, plane.normal);
+        SeenPart seen = seenPart(part, volumeFromVoxels(start.position, cascade), plane.normal);
         if (!isStorable(seen.light)) continue;
         float toOpposite = distanceToOpposite(start, seen.towards);
-        if (toOpposite >= 0.0 && toOpposite < (seen.distance - part.radiance.w) * float(frame.gridSide))
+        if (toOpposite >= 0.0 && toOpposite < (seen.distance - endOfCones(part)) * voxelsAlongVolume(cascade))
             continue;
         COUNT(VCT_COUNTER_EMITTERS_CONE);
-        sum += lightOfPart(part, seen, start.position, plane.normal, ownBelow);
+        sum += lightOfPart(part, seen, start.position, cascade, plane.normal, ownBelow);
     }
     return sum;
 }

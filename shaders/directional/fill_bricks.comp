@@ -15,11 +15,12 @@ void storeInBricks(ListedFace listed, vec4 texel) {
     // Each bit of i selects the neighbour along one axis.
     ivec3 edge = abs(aside);
     ivec3 bit = ivec3(0, edge.x, edge.x + edge.y);
+    int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     for (int i = 0; i < 1 << (bit.z + edge.z); ++i) {
         COUNT(VCT_COUNTER_FILL_BRICKS_TEXEL);
         ivec3 chosen = ivec3(i) >> bit & edge;
         ivec3 other = block + chosen * aside;
-        if (other != clamp(other, ivec3(0), ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1))) continue;
+        if (other != clampToCascade(other, block, blocks)) continue;
         uint brick = brickAt(other, listed.face >> 1, listed.face & 1);
         if (brick == 0u) continue;
         ivec3 inBrick = listed.voxel - other * VCT_BRICK_SIDE + 1;
@@ -33,11 +34,14 @@ void storeInBricks(ListedFace listed, vec4 texel) {
 vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
     float weight = lightStep.smoothing * (1.0 - closeness(mean.nearness));
     if (weight == 0.0) return mean.light;
-    vec3 inVoxels = vec3(listed.voxel) + 0.5 + plane.normal * plane.offset;
+    int cascade = cascadeOf(listed.voxel);
+    ivec3 inCascade = listed.voxel - firstOfCascade(listed.voxel, frame.gridSide);
+    vec3 inVoxels = vec3(inCascade) + 0.5 + plane.normal * plane.offset;
     // The filter must not read texels of faces of another direction.
     float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
     vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
-    vec3 block = (position + vec3(listed.face >> 1, listed.face & 1, 0)) / vec3(3.0, 2.0, 1.0);
+    vec3 block =
+        (position + vec3(listed.face >> 1, listed.face & 1, cascade)) / vec3(3.0, 2.0, float(cascades));
     vec4 around = textureLod(blockLight, block, 0.0);
     return around.a > 0.0 ? mix(mean.light, around.rgb / around.a, weight) : mean.light;
 }

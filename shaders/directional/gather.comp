@@ -37,7 +37,9 @@ vec2 thinWallsBeside(ivec3 voxel, int face) {
     if ((brickAt(block, axis, face & 1) & VCT_BRICK_HAS_WALLS) == 0u) return vec2(noWall);
     ivec3 texel = faceTexel(block, axis, face & 1, frame.gridSide >> VCT_BRICK_LEVEL);
     vec2 first = acrossFaces(vec3(block * VCT_BRICK_SIDE - 1), axis);
-    return first + wallsBeside(texelFetch(walls, texel, 0).r, acrossFaces(vec3(voxel) + 0.5, axis) - first);
+    WallsBeside found =
+        wallsBeside(texelFetch(walls, texel, 0).r, acrossFaces(vec3(voxel) + 0.5, axis) - first);
+    return mix(vec2(noWall), first + found.position, found.crosses);
 }
 
 // Radiance and coverage of a thin wall that a ray meets near its start, from a face along `axis`. A cone's
@@ -53,12 +55,13 @@ mediump vec4 thinWallOnRay(vec2 thinWalls, int axis, vec3 start, vec3 direction)
     int wallAxis = (axis + (isFirst ? 1 : 2)) % 3;
     // The wall's faces look against the ray.
     int side = (isFirst ? along.x : along.y) > 0.0 ? 1 : 0;
-    ivec3 last = ivec3(frame.gridSide - 1);
-    ivec3 voxel = clamp(ivec3(start + direction * distance), ivec3(0), last);
+    ivec3 from = ivec3(start),
+          voxel = clampToCascade(ivec3(start + direction * distance), from, frame.gridSide);
     mediump vec4 wall = texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
     if (wall.a > 0.0) return wall;
     // The plane of the wall's middle may be in the voxel behind its surface.
-    voxel[wallAxis] = clamp(voxel[wallAxis] + (side == 1 ? -1 : 1), 0, last.x);
+    voxel[wallAxis] += side == 1 ? -1 : 1;
+    voxel = clampToCascade(voxel, from, frame.gridSide);
     return texelFetch(faces, faceTexel(voxel, wallAxis, side, frame.gridSide), 0);
 }
 
@@ -77,7 +80,8 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
     int place = indexInBlock(voxel, face >> 1);
     int first = int(firstDirection) + place;
     // Cones for light reach across the volume, whose diagonal is 1.73 sides long.
-    float reach = (occlusion ? frame.aoDistance : 2.0) * float(frame.gridSide);
+    int cascade = cascadeOf(voxel);
+    float reach = (occlusion ? frame.aoDistance : 2.0) * voxelsAlongVolume(cascade);
     const float behindVoxel = 0.8;  // half a voxel is the middle of the next voxel's faces
     Gathered gathered = Gathered(vec3(0.0), VisibleSky(0.0), 0.0);
     for (int i = first; i < first + cones; ++i) {
@@ -107,7 +111,8 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
         float begin = VCT_GATHER_FIRST_SAMPLE;
         if (start.opposite != vec3(0.0))
             begin = max(begin, distanceOutOfVoxel(start, direction) + behindVoxel);
-        ConeResult cone = traceCone(start.position, plane.normal, ownBelow, direction, begin, reach, spread);
+        ConeResult cone =
+            traceCone(start.position, cascade, plane.normal, ownBelow, direction, begin, reach, spread);
         gathered.light += cone.radiance;
         gathered.sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y), cone.transmittance);
         gathered.nearness += cone.nearness;

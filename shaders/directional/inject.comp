@@ -8,6 +8,7 @@
 #include "directional/face_range.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
+#include "directional/cascades.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
 #ifdef VCT_PUNCTUAL_LIGHTS
@@ -29,11 +30,13 @@ layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 // room meet, and there the shadow map shows other surfaces. So a point counts only if all four texels around
 // it show the surface itself, or if all of them block the light. If there is no such point, as on a thin bar,
 // and most texels are lit, their share counts. `slackShare`: flatSlack or curvedSlack, the tolerance of the
-// comparison with the surface's plane. `middle`: the middle of the plane in the voxel, in voxels.
-vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
+// comparison with the surface's plane. `middle`: the middle of the plane in the voxel, in voxels of a
+// cascade.
+vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle, int cascade) {
     mat3 axes = frameAround(plane.normal);
     float cosTheta = dot(plane.normal, frame.directionToLight.xyz);
-    vec2 slope = shadowSlope(plane.normal);
+    SunMap map = sunMapAt(volumeFromVoxels(middle, cascade));
+    vec2 slope = shadowSlope(map, plane.normal);
     float slack = sunSlack(slope, slackShare);
     vec2 points = vec2(0.0), texels = vec2(0.0);  // x: lit, y: blocked
     vec3 sum = vec3(0.0);
@@ -41,10 +44,9 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle) {
         COUNT(VCT_COUNTER_INJECT_POINT);
         vec2 aside = i < 2 ? vec2(0.125, 0.375) : vec2(0.375, -0.125);
         if ((i & 1) == 1) aside = -aside;
-        vec3 position = (middle + axes[0] * aside.x + axes[2] * aside.y) / float(frame.gridSide);
+        vec3 position = volumeFromVoxels(middle + axes[0] * aside.x + axes[2] * aside.y, cascade);
         if (cosTheta > 0.0) {
-            vec2 around =
-                shadowTexels(shadowDepth, (frame.shadowFromVolume * vec4(position, 1.0)).xyz, slope, slack);
+            vec2 around = shadowTexels(shadowDepth, inSunMap(map, position), slope, slack);
             texels += around;
             points += vec2(equal(around, vec2(4.0)));
         }
@@ -124,7 +126,8 @@ void main() {
         float slackShare = slackShareOf(isCurved(sums.plane));
         vec3 radiance = material.emission;
         if (material.albedo != vec3(0.0))
-            radiance += material.albedo * directIrradiance(plane, slackShare, middle);
+            radiance +=
+                material.albedo * directIrradiance(plane, slackShare, middle, cascadeOf(listed.voxel));
 #ifdef VCT_BOUNCES
         radiance = addBounces(id, coverage, radiance, material.albedo);
 #endif

@@ -5,6 +5,7 @@
 // would show steps that move with the camera.
 #include "shared/frame.glsl"
 #include "directional/voxels.glsl"
+#include "directional/cascades.glsl"
 #include "directional/walls.glsl"
 #include "shared/counters.glsl"
 
@@ -39,7 +40,8 @@ mediump vec4 irradianceOfBlock(ivec3 block, int axis, int side, vec3 inBrick) {
     ivec3 texel = faceTexel(block, axis, side, frame.gridSide >> VCT_BRICK_LEVEL);
     uint brick = texelFetch(bricks, texel, 0).r;
     if ((brick & VCT_BRICK_HAS_WALLS) != 0u)
-        inBrick = besideWalls(texelFetch(walls, texel, 0).r, inBrick, axis);
+        inBrick =
+            besideWalls(texelFetch(walls, texel, 0).r, inBrick, vec3(equal(ivec3(axis), ivec3(0, 1, 2))));
     return irradianceInBrick(brick, inBrick);
 }
 
@@ -54,8 +56,8 @@ vec3 cornerOffset(uint i) {
     return vec3(i & 1u, i >> 1 & 1u, i >> 2 & 1u) - 0.5;
 }
 
-// Irradiance of a surface at a position (volume space), relative to E. It is the mean over the
-// faces on the normal's side of each axis, weighted by the square of the normal, as in an ambient cube
+// Irradiance of a surface at a position (volume space) from one cascade, relative to E. It is the mean over
+// the faces on the normal's side of each axis, weighted by the square of the normal, as in an ambient cube
 // (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 //
 // If the voxels around the position have no such faces, other positions are tried. Rounding may have moved a
@@ -64,14 +66,14 @@ vec3 cornerOffset(uint i) {
 // block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
 // faces, the blocks around it follow, at twice the distance each time. All tries share the fetch in the loop,
 // because a second fetch would cost registers in every pixel.
-mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
+mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
     const mediump float minCoverage = 0.03;
     const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
-    vec3 position = positionVolume * float(frame.gridSide);
+    vec3 position = voxelsFromVolume(positionVolume, cascade);
     ivec3 block = ivec3(position) >> VCT_BRICK_LEVEL;
     vec3 inBrick = positionInBrick(position, block);
     int axes = int(dot(step(minWeight, normal * normal), vec3(1.0, 2.0, 4.0)));  // one bit per axis, never 0
@@ -98,13 +100,22 @@ mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
         float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
         if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
-        ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
-        block = clamp(ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
-                      ivec3(0), last);
+        int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
+        block = clampToCascade(
+            ivec3(position + aside * cornerOffset(onBorder ? i : around - 1u)) >> VCT_BRICK_LEVEL,
+            ivec3(0, 0, cascade * blocks), blocks);
         inBrick = onBorder ? positionInBrick(position, block) : 2.0 * cornerOffset(i) + 3.0;
         axes = 1 << axis;
     }
     return sum.rgb / max(sum.a, 1e-4);
+}
+
+// Irradiance of a surface at a position (volume space), relative to E.
+mediump vec3 sampleIrradiance(vec3 positionVolume, vec3 normal) {
+    LookUpCascade from = lookUpCascade(positionVolume);
+    mediump vec3 found = irradianceInCascade(positionVolume, normal, from.cascade);
+    if (cascades == 1 || from.share == 1.0) return found;
+    return mix(irradianceInCascade(positionVolume, normal, from.cascade + 1), found, from.share);
 }
 
 // Ambient visibility (1 - ambient occlusion), if the faces have gathered it in place of light.

@@ -32,31 +32,33 @@ vec3 volumeFromWorld(vec3 positionWorld) {
 // Irradiance in the air, relative to E, by VCT_GATHER_DIRECTIONS cones and one towards each compact emitter.
 // `position` is in volume space.
 vec3 irradianceInAir(vec3 position, vec3 normal) {
-    vec3 start = position * float(frame.gridSide), ownBelow = ownFaces(normal, false);
+    int cascade = lookUpCascade(position).cascade;
+    vec3 start = voxelsFromVolume(position, cascade), ownBelow = ownFaces(normal, false);
     vec3 light = vec3(0.0);
     VisibleSky sky = VisibleSky(0.0);
     for (int i = 0; i < VCT_GATHER_DIRECTIONS; ++i) {
         vec3 aroundNormal = gatherDirection(i);
         vec3 direction = frameAround(normal) * aroundNormal;
-        ConeResult cone = traceCone(start, normal, ownBelow, direction, VCT_GATHER_FIRST_SAMPLE,
-                                    2.0 * float(frame.gridSide), 1.0);
+        ConeResult cone = traceCone(start, cascade, normal, ownBelow, direction, VCT_GATHER_FIRST_SAMPLE,
+                                    2.0 * voxelsAlongVolume(cascade), 1.0);
         light += cone.radiance;
         sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y), cone.transmittance);
     }
     light = (light + skyLight(sky)) / float(VCT_GATHER_DIRECTIONS);
 #ifdef VCT_EMITTERS
     for (int i = 0; i < emitters.count.x; ++i) {
-        SeenPart seen = seenPart(emitters.part[i], start, normal);
-        if (isStorable(seen.light)) light += lightOfPart(emitters.part[i], seen, start, normal, ownBelow);
+        SeenPart seen = seenPart(emitters.part[i], position, normal);
+        if (isStorable(seen.light))
+            light += lightOfPart(emitters.part[i], seen, start, cascade, normal, ownBelow);
     }
 #endif
     return light;
 }
 
 // Irradiance, premultiplied by coverage, and coverage of the surfaces at a point that face the normal's side.
-// It is the first try of sampleIrradiance().
+// It is the first try of irradianceInCascade().
 vec4 irradianceOnSurface(vec3 position, vec3 normal) {
-    vec3 voxel = position * float(frame.gridSide);
+    vec3 voxel = voxelsFromVolume(position, lookUpCascade(position).cascade);
     ivec3 block = ivec3(voxel) >> VCT_BRICK_LEVEL;
     vec4 sum = vec4(0.0);
     for (int axis = 0; axis < 3; ++axis)

@@ -12,6 +12,6 @@ void main() {
     if (materialHasHoles && materialIsHole(materialBaseColor().a)) discard;
     uint faces = coveredFaces(coverage);
     if (materialIsDoubleSided) faces |= coveredFaces(-coverage);
-    ivec3 voxel = fragmentVoxel();
+    ivec3 voxel = listedVoxel(fragmentVoxel());
     if (faces != 0u && imageAtomicOr(index, voxel, faces) == 0u) appendVoxel(list, uvec3(voxel));
 }

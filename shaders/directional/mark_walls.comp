@@ -1,5 +1,6 @@
 // Finds the thin walls that cross a floor, a ceiling or another wall, and writes them into the words of the
 // bricks that these faces have (directional/walls.glsl).
+#include "directional/cascades.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
 #include "directional/walls.glsl"
@@ -19,9 +20,9 @@ ivec3 unitVector(int axis) {
     return ivec3(equal(ivec3(axis), ivec3(0, 1, 2)));
 }
 
-Cells cellsAt(ivec3 voxel, bool hasDynamic) {
-    if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, ivec3(frame.gridSide))))
-        return Cells(0u, 0u);
+// The faces of a voxel; none if it is outside of the cascade of the voxel `near`.
+Cells cellsAt(ivec3 voxel, ivec3 near, bool hasDynamic) {
+    if (voxel != clampToCascade(voxel, near, frame.gridSide)) return Cells(0u, 0u);
     return Cells(texelFetch(staticIndex, voxel, 0).r, hasDynamic ? texelFetch(dynamicIndex, voxel, 0).r : 0u);
 }
 
@@ -46,22 +47,23 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
     ivec3 along = unitVector(axis);
     int faceAxis = face >> 1, other = 3 - faceAxis - axis;
     uint second = axis == (faceAxis + 1) % 3 ? 0u : 1u;
-    ivec3 last = ivec3((frame.gridSide >> VCT_BRICK_LEVEL) - 1);
+    int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
     for (int beside = -1; beside <= 1; ++beside) {
         COUNT(VCT_COUNTER_MARK_WALLS_BRICK);
         // The brick has a border of one texel, and the texels beside the wall may be in the next block.
         ivec3 block = (voxel >> VCT_BRICK_LEVEL) + beside * along;
         float first = float(block[axis] * VCT_BRICK_SIDE - 1);
         float middle = 0.5 * (from + to) - first;
-        if (middle <= 0.5 || middle >= float(VCT_BRICK_TEXELS) - 0.5 || block != clamp(block, ivec3(0), last))
+        if (middle <= 0.5 || middle >= float(VCT_BRICK_TEXELS) - 0.5 ||
+            block != clampToCascade(block, voxel >> VCT_BRICK_LEVEL, blocks))
             continue;
-        ivec3 texel = faceTexel(block, faceAxis, face & 1, last.x + 1);
+        ivec3 texel = faceTexel(block, faceAxis, face & 1, blocks);
         if (imageLoad(brickSlots, texel).r == 0u) continue;
         uint word = uint(middle * wallUnits + 0.5) << (8u * second);
-        word |= 1u << (16u + 4u * second + uint(voxel[other] & (VCT_BRICK_SIDE - 1)));
+        word |= layerBits(uint(voxel[other] & (VCT_BRICK_SIDE - 1))) << (16u + 6u * second);
         float texelMiddle = floor(middle) + 0.5;
         if (from - first < texelMiddle + nearWall && to - first > texelMiddle - nearWall)
-            word |= 1u << (24u + second);
+            word |= 1u << (28u + second);
         imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
         uint before = imageLoad(walls, texel).r;
         for (;;) {
@@ -85,13 +87,14 @@ void main() {
         if (listed.isMerged || (listed.face & 1) != 0) continue;
         const float minCoverage = 0.25;
         int axis = listed.face >> 1;
-        Cells cells = cellsAt(listed.voxel, hasDynamic);
+        Cells cells = cellsAt(listed.voxel, listed.voxel, hasDynamic);
         StraightFace front = straightFace(cells, listed.face);
         if (front.coverage < minCoverage) continue;
         // The back is in the same voxel or in the next one.
         StraightFace back = straightFace(cells, listed.face + 1);
         if (back.coverage < minCoverage) {
-            back = straightFace(cellsAt(listed.voxel - unitVector(axis), hasDynamic), listed.face + 1);
+            back = straightFace(cellsAt(listed.voxel - unitVector(axis), listed.voxel, hasDynamic),
+                                listed.face + 1);
             if (back.coverage < minCoverage) continue;
             back.position -= 1.0;
         }
@@ -104,7 +107,7 @@ void main() {
             COUNT(VCT_COUNTER_MARK_WALLS_SURFACE);
             ivec3 beside = listed.voxel;
             beside[axis] = int(floor(surfaces[i] + float(i) - 0.5));
-            Cells besideCells = cellsAt(beside, hasDynamic);
+            Cells besideCells = cellsAt(beside, listed.voxel, hasDynamic);
             for (int turn = 2; turn < 6; ++turn) {
                 COUNT(VCT_COUNTER_MARK_WALLS_CROSSED);
                 // The wall stands in the voxel of the face that it crosses, or in the one in front of it.
@@ -112,7 +115,8 @@ void main() {
                 ivec3 crossed = beside;
                 if (straightFace(besideCells, face).coverage == 0.0) {
                     crossed -= (face & 1) == 0 ? unitVector(face >> 1) : -unitVector(face >> 1);
-                    if (straightFace(cellsAt(crossed, hasDynamic), face).coverage == 0.0) continue;
+                    if (straightFace(cellsAt(crossed, listed.voxel, hasDynamic), face).coverage == 0.0)
+                        continue;
                 }
                 mark(crossed, face, axis, surfaces.x, surfaces.y);
             }

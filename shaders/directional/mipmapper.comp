@@ -11,7 +11,7 @@ layout(location = VCT_UNIFORM_LEVEL) uniform uint level;  // the level to write
 layout(location = VCT_UNIFORM_FRAME_INDEX) uniform uint frameIndex;
 
 void storeMean(ListedFace listed) {
-    int childGrid = textureSize(faces, int(level) - 1).z;
+    int childGrid = textureSize(faces, int(level) - 1).x / 3;
     int axis = listed.face >> 1, side = listed.face & 1;
     ivec3 along = ivec3(axis == 0, axis == 1, axis == 2);
     ivec3 across = along.zxy;

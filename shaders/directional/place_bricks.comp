@@ -16,7 +16,7 @@ void main() {
         COUNT(VCT_COUNTER_PLACE_BRICKS_FACE);
         ListedFace listed = listedFace(level, i);
         uint brick = packBrick(uvec3(i % along, i / along % along, i / (along * along)));
-        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).z);
+        ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, imageSize(brickSlots).x / 3);
         imageStore(brickSlots, texel, uvec4(brick));
     }
 }

@@ -7,9 +7,9 @@
 // lobe better than one cone does (docs/design-decisions.md).
 const float roughFrom = 0.2;
 const float roughTo = 0.9;
-// From this roughness on, half the resolution is enough for the cones (docs/history/gloss.md): 0.3, less the
+// From this roughness on, half the resolution is enough for the cones (docs/history/gloss.md): 0.2, less the
 // rounding to 8 bits.
-const float halfFrom = 0.297;
+const float halfFrom = 0.197;
 
 // The cone's share in the reflected light. It is 0 from roughTo on.
 mediump float coneShare(mediump float roughness) {

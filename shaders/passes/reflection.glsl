@@ -17,16 +17,17 @@ struct EmitterHit {
 float overlap(float x, float halfSide, float wide) {
     return clamp((min(x + wide, halfSide) - max(x - wide, -halfSide)) / (2.0 * wide), 0.0, 1.0);
 }
-EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
+// `start`: volume space. `grid`: voxels along the side of the volume.
+EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangent) {
     EmitterHit met = EmitterHit(vec3(0.0), 0.0, 0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
         float seen = projectedArea(part, direction);
-        vec3 offset = part.position.xyz - start / float(frame.gridSide);
+        vec3 offset = part.position.xyz - start;
         float along = dot(offset, direction);
         // An emitter closer than a voxel is probably the surface itself.
-        if (seen <= 0.0 || along * float(frame.gridSide) < 1.0) continue;
-        float cone = max(along * tangent, 0.25 / float(frame.gridSide));
+        if (seen <= 0.0 || along * grid < 1.0) continue;
+        float cone = max(along * tangent, 0.25 / grid);
         float share;
         if (part.side.xyz == vec3(0.0)) {
             // Overlap of two discs: one with the part's area, and the cone's.
@@ -45,14 +46,14 @@ EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
         }
         met.radiance += share * part.radiance.rgb;
         met.coverage += share;
-        met.distance += share * (along - part.radiance.w) * float(frame.gridSide);
+        met.distance += share * (along - endOfCones(part)) * grid;
     }
     met.distance /= max(met.coverage, 1e-6);
     float most = 1.0 / max(met.coverage, 1.0);
     return EmitterHit(met.radiance * most, met.coverage * most, met.distance);
 }
 #else
-EmitterHit emittersAlongRay(vec3 start, vec3 direction, float tangent) {
+EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangent) {
     return EmitterHit(vec3(0.0), 0.0, 0.0);
 }
 #endif
@@ -72,10 +73,13 @@ FaceRay faceRayFrom(vec3 normal, vec3 direction) {
 }
 
 // Premultiplied radiance and coverage, up to 1, at a position (volume space) and level. `texel`: width of the
-// level's texels in voxels; `inside`: distance of the position from the volume's border, in voxels.
-mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, float level, float texel, float inside) {
-    float margin = 0.5 * texel / float(frame.gridSide);
-    vec3 p = clamp(position, margin, 1.0 - margin) * blockSize;
+// level's texels; `inside`: distance of the position from the volume's border. All in voxels of the cascade
+// `own`.
+mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, int own, float level, float texel,
+                     float inside) {
+    int cascade = cascadeOfSample(position, own, level);
+    if (cascades > 1) level = max(level + float(own - cascade), 0.0);
+    vec3 p = faceCoordinates(position, cascade, cascades == 1 ? texel : exp2(level));
     mediump vec4 x = textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
     mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
     mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
@@ -86,24 +90,25 @@ mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, float level
     return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
 }
 
-// Traces one cone of a reflection. Lengths in voxels.
+// Traces one cone of a reflection. Lengths in voxels of the cascade `own`.
 //
 // Samples are one footprint apart, and those whose footprint is between two levels blend both, each weighted
 // by its texel size: a wall's coverage then adds up to 1 over the samples, wherever they lie. Otherwise the
 // distances of the samples would show as rings.
 //
-// Each turn of the loop looks up one level. Empty space is passed in larger steps: a texel four times as
-// wide, ahead of the cone, tells whether there are faces.
-mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tangent) {
+// Each turn of the loop looks up one level. Of two levels to blend, the wider comes first: where it is empty,
+// so is the finer. Empty space is passed in larger steps: a texel four times as wide, ahead of the cone,
+// tells whether there are faces.
+mediump vec3 traceReflection(vec3 start, int own, vec3 normal, vec3 direction, float tangent) {
     const mediump float threshold = 0.1;  // a cone with less transmittance ends
-    float grid = float(frame.gridSide), rise = dot(direction, normal);
+    float grid = voxelsAlongVolume(own), rise = dot(direction, normal);
     FaceRay ray = faceRayFrom(normal, direction);
-    EmitterHit hit = emittersAlongRay(start, direction, tangent);
+    EmitterHit hit = emittersAlongRay(volumeFromVoxels(start, own), grid, direction, tangent);
     mediump vec3 radiance = vec3(0.0);
-    mediump vec4 finer;
+    mediump vec4 wider;
     mediump float transmittance = 1.0;
     float distance = VCT_GATHER_FIRST_SAMPLE, level = 0.0, texel = 1.0, sampledTo = 0.0;
-    bool isWider = false;
+    bool hasWider = false;
     while (distance < 2.0 * grid) {
         COUNT(VCT_REFLECTION_COUNTER);
         // The footprint is limited to a quarter of the volume's side.
@@ -113,6 +118,13 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
             level += 1.0;
             texel *= 2.0;
         }
+        if (cascades > 1) {
+            // A coarser cascade has no smaller texels.
+            vec3 at = volumeFromVoxels(start + direction * distance, own);
+            level = max(level, float(cascadeOfSample(at, own, level) - own));
+            texel = exp2(level);
+            footprint = max(footprint, texel);
+        }
         // The emitter's light is added before the cone reaches the emitter's own voxels.
         if (hit.coverage > 0.0 && distance > hit.distance - footprint) {
             radiance += hit.radiance * (transmittance / faceRange.radiance);
@@ -120,16 +132,19 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
             hit.coverage = 0.0;
         }
         bool looksAhead = distance >= sampledTo;
+        mediump float blend = clamp(footprint / texel, 1.0, 2.0) - 1.0;
+        bool isWider = blend > 0.0 && !hasWider;
         float coarser = looksAhead ? 2.0 : isWider ? 1.0 : 0.0;
         float width = (looksAhead ? 4.0 : isWider ? 2.0 : 1.0) * texel;
-        vec3 position = (start + direction * (looksAhead ? distance + 0.5 * width : distance)) / grid;
+        vec3 position =
+            volumeFromVoxels(start + direction * (looksAhead ? distance + 0.5 * width : distance), own);
         vec3 fromCentre = abs(position - 0.5);
         float inside = grid * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z)));
         // The cone ends when the widest of the texels is outside of the volume.
         if (inside + (looksAhead ? width : texel) <= 0.0) break;
         bool isNear = !looksAhead && height < VCT_GATHER_OWN_SURFACE * width;
-        mediump vec4 met = facesAt(ray, isNear ? ray.shareNear : ray.share, position, level + coarser, width,
-                                   looksAhead ? width : inside);
+        mediump vec4 met = facesAt(ray, isNear ? ray.shareNear : ray.share, position, own, level + coarser,
+                                   width, looksAhead ? width : inside);
         if (looksAhead) {
             // The filter reaches one texel beyond the empty space.
             if (met.a > 0.0)
@@ -138,14 +153,14 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
                 distance += width - texel;
             continue;
         }
-        mediump float blend = min(footprint / texel, 2.0) - 1.0;
-        if (blend > 0.0 && !isWider) {
-            finer = met;
-            isWider = true;
+        // Near its own surface the wider look-up leaves out faces that the finer one may meet.
+        if (isWider && (met.a > 0.0 || isNear)) {
+            wider = met;
+            hasWider = true;
             continue;
         }
-        if (isWider) met = mix(finer, 0.5 * met, blend);
-        isWider = false;
+        if (hasWider) met = mix(met, 0.5 * wider, blend);
+        hasWider = false;
         mediump float taken = min(VCT_GATHER_STEP * (1.0 + blend) * met.a, transmittance);
         radiance += met.rgb * (taken / max(met.a, 1e-4));
         transmittance -= taken;
@@ -162,7 +177,8 @@ mediump vec3 traceReflection(vec3 start, vec3 normal, vec3 direction, float tang
 // half a texel beyond its footprint on each side (measured, docs/history/gloss.md).
 const float coneWidth = 0.6;
 mediump vec3 reflectedLight(vec3 position, vec3 normal, mediump float roughness) {
-    vec3 start = position * float(frame.gridSide) + normal * VCT_GATHER_START;
-    return traceReflection(start, normal, reflect(normalize(position - frame.eye.xyz), normal),
+    int own = lookUpCascade(position).cascade;
+    vec3 start = voxelsFromVolume(position, own) + normal * VCT_GATHER_START;
+    return traceReflection(start, own, normal, reflect(normalize(position - frame.eye.xyz), normal),
                            coneWidth * roughness * roughness);
 }

@@ -199,6 +199,8 @@ using glm::vec4;
 // Locations of uniforms outside of blocks.
 #define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
 #define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_CASCADE 2      // cascade that triangles are voxelized into
+#define VCT_UNIFORM_SHADOW_TILE 2  // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
 #define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
 #define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
@@ -227,8 +229,12 @@ using glm::vec4;
 #define VCT_MAX_PUNCTUAL_LIGHTS 64
 #define VCT_MAX_LIGHT_MAPS 96
 #define VCT_MAX_EMITTER_PARTS 32
-#define VCT_MAX_LEVELS 10  // 512^3 has levels 0..9
-#define VCT_LIST_GROUP 64  // invocations per work group over the active-voxel list
+#define VCT_MAX_LEVELS 10              // 512^3 has levels 0..9
+#define VCT_MAX_STACKED_VOXELS 512     // along z of all cascades together: packFace() has 9 bits
+#define VCT_SHADOW_TILES 4             // 2 x 2 maps in the sun's shadow map, only with cascades
+#define VCT_SHADOW_TILE_MARGIN 0.0625  // share of a tile along each of its sides where no receiver is
+#define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
+#define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
 // Lists of voxels and faces: one per level, then two for the dynamic objects, which alternate from pose to
 // pose (directional/face_lists.glsl).
@@ -265,15 +271,25 @@ struct FrameUniforms {
     vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
     vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec4 background;   // rgb: as skyRadiance, for pixels without a surface
-    vec2 shadowConeRadius;     // radius of the sun's cone per depth, in shadow-map coordinates
-    float shadowConeSine;      // sine of half the cone's angle
-    float aoDistance;          // in sides of the volume
-    float faceSumUnits;        // fixed-point units of a fully covered face (directional/face_sums.glsl)
-    float largestSky;          // upper bound of irradiance by the sky, relative to E
-    float largestBounceShare;  // upper bound of the share of light that a bounce reflects
-    int gridSide;              // voxels along a side, a power of two
-    float emissionRange;       // emission that the sums store as 1, relative to E/pi
-    float unused0, unused1, unused2;
+    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates
+    float shadowConeSine;        // sine of half the cone's angle
+    float aoDistance;            // in sides of the volume; with cascades, of the finest one
+    float faceSumUnits;          // fixed-point units of a fully covered face (directional/face_sums.glsl)
+    float largestSky;            // upper bound of irradiance by the sky, relative to E
+    float largestBounceShare;    // upper bound of the share of light that a bounce reflects
+    int gridSide;                // voxels along a side of the volume or a cascade, a power of two
+    float emissionRange;         // emission that the sums store as 1, relative to E/pi
+    float steepestShadowSlope;   // bound of the slopes below
+    vec2 shadowConeTexel;        // width of the shadow map's texels, in radii of the sun's cone per depth
+    mat4 shadowSlopeFromNormal;  // xy / -z of the product: a plane's depth in the shadow map per radius
+    // Only with cascades (directional/cascades.glsl). xyz: corner with the smallest coordinates, volume
+    // space; w: voxels per side of the volume. `lastCascade`: before the camera moved in this frame.
+    vec4 cascade[VCT_MAX_CASCADES];
+    vec4 lastCascade[VCT_MAX_CASCADES];
+    // The same as shadowFromVolume, shadowConeRadius (xy) and shadowConeTexel (zw) for the tiles of the
+    // shadow map (shared/shadow.glsl).
+    mat4 shadowTileFromVolume[VCT_SHADOW_TILES];
+    vec4 shadowTileCone[VCT_SHADOW_TILES];
     vec4 volumeInWorld;  // xyz: the volume's first corner, in metres; w: 1 / its side
 };
 
@@ -305,7 +321,7 @@ struct EmitterPartUniforms {
     vec4 position;  // xyz: middle, volume space; w: radius
     vec4 facing;    // xyz: sum of the triangles' normals, each as long as its area; w: see projectedArea()
     vec4 side;      // xyz: half a side of the rectangle that fits the part; zero if it is round
-    vec4 radiance;  // rgb: relative to E/pi; w: distance from the middle at which cones end
+    vec4 radiance;  // rgb: relative to E/pi; w: half the depth along `facing`
 };
 struct EmitterBlock {
     ivec4 count;  // x: number of parts

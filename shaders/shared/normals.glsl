@@ -12,7 +12,8 @@ uvec2 encodeOctahedral(vec3 n) {
 vec3 decodeOctahedral(uvec2 code, float steps) {
     vec2 p = vec2(code) / steps * 2.0 - 1.0;
     vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
+    vec2 folded = vec2(max(-n.z, 0.0));
+    n.xy -= mix(-folded, folded, greaterThanEqual(n.xy, vec2(0.0)));
     return normalize(n);
 }
 
@@ -56,6 +57,8 @@ struct FaceNormal {
 FaceNormal decodeFaceNormal(uvec2 code, float alpha) {
     uint low = uint(alpha * 255.0 + 0.5);
     uvec2 face = (code >> 12u) << 4u | uvec2(low & 15u, low >> 4u);
-    if (face == toFaceNormalSteps(code & 4095u)) return FaceNormal(decodeNormal(code), true);
+    // Is face == toFaceNormalSteps(code & 4095u)? Floats are exact here, and cheaper than the division.
+    vec2 rest = vec2(code & 4095u) * float(faceNormalSteps) - vec2(face) * float(normalSteps);
+    if (all(lessThan(abs(rest + 0.5), vec2(normalSteps / 2u)))) return FaceNormal(decodeNormal(code), true);
     return FaceNormal(decodeOctahedral(face, float(faceNormalSteps)), false);
 }

@@ -1,7 +1,31 @@
 // Look-ups in the sun's shadow map: the share of the sun's light that reaches a point.
 #include "shared/frame.glsl"
+#include "directional/cascades.glsl"
 
 layout(binding = VCT_TEX_SHADOW_MAP) uniform sampler2DShadow shadowMap;
+
+// The sun's shadow map around a point. With cascades, the texture has 2 x 2 tiles, each a map of its own:
+// three around cascades near the camera, finest first, and one of the whole scene
+// (jni/engine/frame_uniforms.h).
+struct SunMap {
+    mat4 fromVolume;  // texture coordinates and depth
+    vec2 coneRadius;  // radius of the sun's cone per depth, in texture coordinates
+    vec2 coneTexel;   // width of the texels, in radii of the sun's cone per depth
+};
+SunMap sunMapAt(vec3 positionVolume) {
+    if (cascades == 1) return SunMap(frame.shadowFromVolume, frame.shadowConeRadius, frame.shadowConeTexel);
+    int tile = 0;
+    for (; tile < VCT_SHADOW_TILES - 1; ++tile) {
+        vec2 map = (frame.shadowTileFromVolume[tile] * vec4(positionVolume, 1.0)).xy;
+        vec2 fromCentre = abs(map * 2.0 - vec2(tile & 1, tile >> 1) - 0.5);
+        if (max(fromCentre.x, fromCentre.y) < 0.5 - VCT_SHADOW_TILE_MARGIN) break;
+    }
+    vec4 cone = frame.shadowTileCone[tile];
+    return SunMap(frame.shadowTileFromVolume[tile], cone.xy, cone.zw);
+}
+vec3 inSunMap(SunMap map, vec3 positionVolume) {
+    return (map.fromVolume * vec4(positionVolume, 1.0)).xyz;
+}
 
 // The thesis's shadow: 0 in shadow, 1 in light, and values between them if the four taps of the hardware's
 // percentage-closer filter differ. The bias is eq. 4.1-4.3, in units of the depth range, with tan(acos x)
@@ -36,9 +60,9 @@ float slackShareOf(bool isCurved) {
 const float depthRounding = 3e-5;  // depth error: half a step of 16 bits, and a position from the G-buffer
 
 // The slope of the receiver's plane: depth per texel.
-vec2 shadowSlope(vec3 normal) {
+vec2 shadowSlope(SunMap map, vec3 normal) {
     // Normals transform by the inverse transpose: the rows of the matrix, each divided by its squared length.
-    mat3 axes = transpose(mat3(frame.shadowFromVolume));
+    mat3 axes = transpose(mat3(map.fromVolume));
     vec3 plane =
         vec3(dot(axes[0], normal) / dot(axes[0], axes[0]), dot(axes[1], normal) / dot(axes[1], axes[1]),
              dot(axes[2], normal) / dot(axes[2], axes[2]));
@@ -117,6 +141,21 @@ float shadowFootprintLight(highp sampler2D map, vec3 receiver, vec2 slope, float
                      contact);
 }
 
+// True if no part of the sun can be visible: shadowFootprintLight() <= 0 for a footprint that is known, of
+// the sun's map. `farthest`: maximum of `four.above`.
+bool isHardShadow(ShadowFootprint four, float farthest, vec3 receiver, vec2 size, vec2 slope, float slack) {
+    bool hasBlockers = four.closest < -slack;
+    vec4 blocked = vec4(lessThan(four.above, vec4(-slack)));
+    // The signs, as in tieBreakTexel().
+    vec2 aside =
+        clamp(hasBlockers ? blocked.wz + blocked.xw - blocked.yx - blocked.zy : slope * 1e12, -1.0, 1.0);
+    vec2 next = mix(four.corner + 0.5 + 1.5 * aside, floor(four.texel + 0.5), equal(aside, vec2(0.0)));
+    float depth = textureLod(shadowDepth, (next + 0.5) / size, 0.0).r;
+    float above = depth - receiver.z - dot(slope, next - four.texel);
+    bool isCrease = hasBlockers ? above > slack : farthest >= slack && above < -slack;
+    return farthest < -slack || isCrease;
+}
+
 // The number of texels around a receiver that show its own surface, and the number of texels that block the
 // light. The others are farther: they lie beyond the border of the surface and tell nothing about its shadow.
 vec2 shadowTexels(highp sampler2D map, vec3 receiver, vec2 slope, float slack) {
@@ -136,8 +175,9 @@ float sunSlack(vec2 slope, float slackShare) {
 // The share of the sun's light that reaches a surface: 0 in shadow, 1 in light, with hard edges.
 float shadowMapLightOn(vec3 positionVolume, vec3 normal, float slackShare) {
     if (dot(normal, frame.directionToLight.xyz) <= 0.0) return 0.0;
-    vec3 shadow = (frame.shadowFromVolume * vec4(positionVolume, 1.0)).xyz;
+    SunMap map = sunMapAt(positionVolume);
+    vec3 shadow = inSunMap(map, positionVolume);
     if (any(greaterThan(abs(shadow - 0.5), vec3(0.5)))) return 1.0;  // the map does not reach there
-    vec2 slope = shadowSlope(normal);
+    vec2 slope = shadowSlope(map, normal);
     return max(shadowFootprintLight(shadowDepth, shadow, slope, sunSlack(slope, slackShare), 2.0), 0.0);
 }

@@ -7,6 +7,7 @@
 #define fragmentEmissiveUv vertexEmissiveUv
 #define fragmentColor vertexColor
 #endif
+#include "directional/cascades.glsl"
 #include "shared/draw.glsl"
 #include "shared/dominant_axis.h"
 #include "shared/texture_coordinates.glsl"
@@ -26,8 +27,21 @@ void project(vec3 positionVolume) {
 void project(vec3 positionVolume) {}
 #endif
 
+#if VCT_CASCADES > 1
+layout(location = VCT_UNIFORM_CASCADE) uniform uint cascade;  // cascade that triangles are voxelized into
+// The position in the cascade, which is the cube [0, 1]^3. The cascade is voxelized like a volume.
+vec3 inCascade(vec3 positionVolume) {
+    vec4 cube = frame.cascade[cascade];
+    return (positionVolume - cube.xyz) * (cube.w / float(frame.gridSide));
+}
+#else
+vec3 inCascade(vec3 positionVolume) {
+    return positionVolume;
+}
+#endif
+
 void main() {
-    vec3 positionVolume = positionInVolume(draw.volumeFromObject, position);
+    vec3 positionVolume = inCascade(positionInVolume(draw.volumeFromObject, position));
     fragmentPosition = positionVolume;
     fragmentNormal = mat3(draw.normalFromObject) * normal;
     passTextureCoordinates();

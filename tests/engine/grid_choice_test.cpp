@@ -98,21 +98,30 @@ TEST(GridChoice, MeasuresTheThicknessOfWallsOfOneMesh) {
 
 TEST(GridChoice, IgnoresALittleSurface) {
     EXPECT_EQ(choose(floorWith(1, {0.1, 0.1, 1}), "mobile").grid, 64);
-    EXPECT_EQ(choose(floorWith(20, {0.1, 0.1, 1}), "mobile").grid, 128);
+    EXPECT_EQ(choose(floorWith(20, {0.1, 0.1, 1}), "mobile").cascades, 3);
 }
 
 TEST(GridChoice, IsLimitedByThePresetAndTheMemory) {
     const Scene scene = floorWith(20, {0.1, 0.05, 1});
-    const GridChoice finest = choose(scene, "mobile");
-    EXPECT_EQ(finest.grid, 128);
-    expectMentions(finest.reason, {"the finest of this preset"});
     EXPECT_EQ(choose(scene, "quality").grid, 256);
     EXPECT_EQ(choose(floorWith(1, {2, 2, 2}), "quality").grid, 128);
 
-    const GridChoice small = choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0) - 1);
+    const GridChoice small = choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 1, 0) - 1);
     EXPECT_EQ(small.grid, 64);
-    expectMentions(small.reason, {"the finest that memory allows"});
-    EXPECT_EQ(choose(scene, "mobile", DirectionalVoxels::bytesFor(128, 0)).grid, 128);
+    EXPECT_EQ(small.cascades, 3);  // three cubes of 64^3 are smaller than one of 128^3
+    const GridChoice least = choose(scene, "mobile", DirectionalVoxels::bytesFor(64, 1, 0));
+    EXPECT_EQ(least.cascades, 1);
+    expectMentions(least.reason, {"the finest that memory allows"});
+}
+
+// Slats of 10 cm need voxels of 5 cm, and the finest grid of the preset has 8 cm.
+TEST(GridChoice, NestsCubesWhereOneCubeOfThePresetIsTooCoarse) {
+    const GridChoice nested = choose(floorWith(20, {0.1, 0.1, 1}), "mobile");
+    EXPECT_EQ(nested.grid, 64);
+    EXPECT_EQ(nested.cascades, 3);
+    expectMentions(nested.reason,
+                   {"grid 64, 3 cascades: voxels of 4.24 cm around the camera to 16.9 cm", "5 cm"});
+    EXPECT_EQ(choose(floorWith(20, {0.1, 0.1, 1}), "thesis").cascades, 1);
 }
 
 TEST(GridChoice, WarnsOfPartsSmallerThanAVoxel) {
@@ -137,12 +146,23 @@ TEST(GridChoice, IsFineForScenesWithColumnsOrSlatsAlone) {
 
 TEST(GridChoice, IsTheCoarsestWithVoxelsOfAGivenSize) {
     const Bounds bounds{{0, 0, 0}, {10, 1, 1}};  // 10 m over 59, 123, 251 or 507 voxels
-    EXPECT_EQ(gridForVoxelSize(bounds, 1.0), 64);
-    EXPECT_EQ(gridForVoxelSize(bounds, 10.0 / 59 + 1e-9), 64);
-    EXPECT_EQ(gridForVoxelSize(bounds, 10.0 / 59 - 1e-9), 128);
-    EXPECT_EQ(gridForVoxelSize(bounds, 0.02), 512);
-    expectMentions(errorOf([&] { gridForVoxelSize(bounds, 0.01); }),
+    const Settings packed = presetSettings("thesis"), mobile = presetSettings("mobile");
+    EXPECT_EQ(chooseForVoxelSize(bounds, packed, 1.0).grid, 64);
+    EXPECT_EQ(chooseForVoxelSize(bounds, packed, 10.0 / 59 + 1e-9).grid, 64);
+    EXPECT_EQ(chooseForVoxelSize(bounds, packed, 10.0 / 59 - 1e-9).grid, 128);
+    EXPECT_EQ(chooseForVoxelSize(bounds, packed, 0.02).grid, 512);
+    expectMentions(errorOf([&] { chooseForVoxelSize(bounds, packed, 0.01); }),
                    {"512^3, gives this scene voxels of 1.97 cm"});
+
+    const GridChoice dense = chooseForVoxelSize(bounds, mobile, 10.0 / 123 + 1e-9);
+    EXPECT_EQ(dense.grid, 128);
+    EXPECT_EQ(dense.cascades, 1);
+    const GridChoice nested = chooseForVoxelSize(bounds, mobile, 10.0 / 123 - 1e-9);
+    EXPECT_EQ(nested.grid, 64);
+    EXPECT_EQ(nested.cascades, 3);
+    EXPECT_EQ(chooseForVoxelSize(bounds, mobile, 10.0 / 59 / 32 + 1e-9).cascades, 6);
+    expectMentions(errorOf([&] { chooseForVoxelSize(bounds, mobile, 10.0 / 59 / 32 - 1e-9); }),
+                   {"64^3 with 6 cascades, gives this scene voxels of 5.3 mm"});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 TEST(DriverFaults, AreKnownByTheDriversNames) {
     const struct {
         const char *renderer, *version;
-        bool timerQueries, derivatives;
+        bool timerQueries, derivatives, indirectDispatches = false;
     } drivers[] = {
         {"Mali-T880", "OpenGL ES 3.2 v1.r22p0-01rel0.7da04ff5b89c24125ad1a1f482090070", true, false},
         {"Mali-G715", "OpenGL ES 3.2 v1.r46p0-01eac1.2441b76d7cdc99fdd0c43c87a4964b7d", true, false},
@@ -28,13 +28,15 @@ TEST(DriverFaults, AreKnownByTheDriversNames) {
         {"PowerVR B-Series BXM-8-256", "OpenGL ES 3.2 build 1.15@6133110", false, false},
         {"ANGLE (ARM, Vulkan 1.3.260 (Mali-G710 (0xA8620000)), Mali-G710-46.0.0)", "OpenGL ES 3.2.0", false,
          false},
-        {"NVIDIA Tegra", "OpenGL ES 3.2 NVIDIA 495.00", false, false},
+        {"NVIDIA Tegra", "OpenGL ES 3.2 NVIDIA 495.00", false, false, true},
+        {"NVIDIA H100 80GB HBM3/PCIe/SSE2", "OpenGL ES 3.2 NVIDIA 580.159.04", false, false, true},
         {"llvmpipe (LLVM 15.0.6, 256 bits)", "OpenGL ES 3.2 Mesa 22.3.6", false, false},
     };
     for (const auto& driver : drivers) {
         const gl::DriverFaults faults = gl::faultsOf(driver.renderer, driver.version);
         EXPECT_EQ(!faults.timerQueries.empty(), driver.timerQueries) << driver.renderer;
         EXPECT_EQ(!faults.derivatives.empty(), driver.derivatives) << driver.renderer << driver.version;
+        EXPECT_EQ(!faults.indirectDispatches.empty(), driver.indirectDispatches) << driver.renderer;
     }
 }
 

@@ -22,13 +22,15 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
     : shaders_(shaders),
       settings_(settings),
       sources_(sources),
-      hasDynamic_(scene.moves() || settings.revoxelize),
-      dynamicPart_(settings.revoxelize ? ScenePart::all : ScenePart::dynamicOnly),
-      voxels_(shaders, settings.grid, settings.activeVoxelLimit, hasDynamic_, sources.emission),
+      voxelizesAll_(settings.revoxelize || settings.cascades > 1),
+      hasDynamic_(scene.moves() || voxelizesAll_),
+      voxels_(shaders, settings.grid, settings.cascades, settings.activeVoxelLimit, hasDynamic_,
+              sources.emission),
       voxelizer_(shaders, scene, settings.grid, sources.emission),
       counts_("counts of dynamic faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources),
-      mipmapper_(shaders) {}
+      mipmapper_(shaders),
+      cascades_(settings.cascades, settings.grid) {}
 
 // Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene) {
@@ -50,7 +52,7 @@ void DirectionalVolume::prepare(const GpuScene& scene) {
 // Lists the faces twice: the first pass counts them, the second has room for them.
 void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset({});
-    if (settings_.revoxelize) return;
+    if (voxelizesAll_) return;
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     const shared::CommandLists found = voxels_.index().readCommands();
     voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
@@ -65,8 +67,9 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
 
 void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {
     voxels_.beginPose();
-    voxelizer_.listFaces(scene, dynamicPart_, voxels_.dynamicList(), voxels_);
-    voxelizer_.accumulate(scene, dynamicPart_, voxels_.dynamicList(), voxels_);
+    const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
+    voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_);
+    voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_);
     counts_.start(voxels_.index().commands());
 }
 
@@ -101,12 +104,14 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const std::optional<SceneState> before = std::exchange(cachedFor_, {});
     const bool sameObjects = before && before->placements == inputs.now.placements;
-    const bool voxelizes = hasDynamic_ && (inputs.forceRebuild || !sameObjects);
+    const bool moved = !(cascades_ == inputs.cascades);
+    cascades_ = inputs.cascades;
+    const bool voxelizes = hasDynamic_ && (inputs.forceRebuild || !sameObjects || moved);
     if (voxelizes) timer.time(Step::voxelize, [&] { voxelizeDynamic(inputs.scene); });
     if (voxelizes || inputs.forceRebuild || before != inputs.now) {
         isInjected_ = false;
         for (std::optional<Irradiance>* irradiance : {&light_, &occlusion_})
-            if (*irradiance) (*irradiance)->onVoxelsChanged({voxelizes, before != inputs.now});
+            if (*irradiance) (*irradiance)->onVoxelsChanged({voxelizes, before != inputs.now, moved});
     }
     cachedFor_ = inputs.now;
 

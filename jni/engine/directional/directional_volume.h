@@ -1,5 +1,6 @@
 // Directional voxels and the irradiance of their faces, which pixels look up. Static geometry is voxelized
-// once, dynamic objects in each pose. Light is injected into both when a light or a dynamic object changes.
+// once, dynamic objects in each pose. With cascades, everything is voxelized when one of them moves. Light is
+// injected into both when a light or a dynamic object changes.
 #pragma once
 
 #include <optional>
@@ -47,14 +48,17 @@ class DirectionalVolume final : public VoxelVolume {
     gl::ShaderLibrary shaders_;
     Settings settings_;
     LightFeatures sources_;
-    bool hasDynamic_;        // a part of the scene is voxelized in each pose
-    ScenePart dynamicPart_;  // this part: the dynamic objects, or everything with Settings::revoxelize
+    // Everything is voxelized in each pose, and not the dynamic objects only: with Settings::revoxelize, and
+    // with cascades, which move with the camera.
+    bool voxelizesAll_;
+    bool hasDynamic_;  // a part of the scene is voxelized in each pose
     DirectionalVoxels voxels_;
     DirectionalVoxelizer voxelizer_;
     gl::AsyncRead counts_;  // list counts after the last voxelization of dynamic objects
     LightInjector injector_;
     DirectionalMipmapper mipmapper_;
     std::optional<Irradiance> light_, occlusion_;  // created when an output needs them
+    Cascades cascades_;                            // their places in the last voxelization
     bool isPrepared_ = false;
     bool isInjected_ = false;              // the faces hold the light of the present state
     bool allBounces_ = true;               // light_ has all bounces

@@ -54,6 +54,14 @@ DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, con
       listFaces_(shaders, listFacesProgram()),
       projection_(grid) {}
 
+void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,
+                                            ScenePart part, const DirectionalVoxels& voxels) const {
+    for (int cascade = 0; cascade < voxels.cascades(); ++cascade) {
+        if (voxels.cascades() > 1) programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
+        scene.drawForVoxels(programs, part);
+    }
+}
+
 void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
                                      const DirectionalVoxels& voxels) const {
     const gl::DebugGroup group("list faces");
@@ -61,7 +69,7 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
     voxels.bindLists();
     voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
-    scene.drawForVoxels(markFaces_, part);
+    drawIntoCascades(scene, markFaces_, part, voxels);
     // The next pass loads from the index image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
@@ -81,7 +89,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
     voxels.bindLists();
     voxels.indexOf(list).bind(VCT_TEX_VOXELS);
     accumulate_.setUniform(VCT_UNIFORM_LIST, list);
-    scene.drawForVoxels(accumulate_, part);
+    drawIntoCascades(scene, accumulate_, part, voxels);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -40,6 +40,10 @@ class DirectionalVoxelizer {
                     const DirectionalVoxels& voxels) const;
 
   private:
+    // Draws that part once per cascade.
+    void drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs, ScenePart part,
+                          const DirectionalVoxels& voxels) const;
+
     MaterialPrograms markFaces_, accumulate_;
     gl::Program listFaces_;
     FaceProjection projection_;

@@ -26,12 +26,14 @@ float faceSumUnits(std::size_t triangles) {
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
 }
 
-DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
-                                     bool dynamicObjects, bool emission)
-    : emission_(emission),
+DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, int cascades,
+                                     std::uint32_t listCapacity, bool dynamicObjects, bool emission)
+    : cascades_(cascades),
+      emission_(emission),
       index_(shaders, grid, listCapacity,
-             dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces),
-      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, grid,
+             dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
+             cascades),
+      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, cascades * grid,
                                  index_.levels())) {
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     const shared::FaceRange unknown{};
@@ -42,12 +44,12 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
     resetLists_ = gl::Program(shaders, resetListsProgram());
     for (int i = 0; i < 2; ++i)
         dynamicIndices_.push_back(
-            gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid, grid, grid, 1));
+            gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid, grid, cascades * grid, 1));
 }
 
-std::size_t DirectionalVoxels::bytesFor(int grid, std::uint32_t listCapacity) {
-    return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces) +
-           gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, grid, 1) * 8 / 7;
+std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
+    return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces, cascades) +
+           gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, cascades * grid, 1) * 8 / 7;
 }
 
 Resources DirectionalVoxels::resources() const {
@@ -78,22 +80,24 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
         above.firstFace = next;
         above.faceCapacity = capacities_[static_cast<std::size_t>(level)];
         above.firstMask = next + above.faceCapacity;
-        next = above.firstMask + (side * side * side + 3) / 4;
+        next = above.firstMask + (side * side * side * static_cast<std::uint32_t>(cascades_) + 3) / 4;
     }
 }
 
 std::size_t DirectionalVoxels::words() const {
     shared::CommandLists commands{};
     placeLists(commands);
-    return commands.lists[levels() - 1].firstMask + std::size_t{1};
+    const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> (levels() - 1);
+    return commands.lists[levels() - 1].firstMask +
+           (side * side * side * static_cast<std::size_t>(cascades_) + 3) / 4;
 }
 
 void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     const gl::DebugGroup group("clear voxels");
-    gl::clearTexture3d(faces_, grid());
+    gl::clearTexture3d(faces_, cascades_ * grid());
     index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::clearTexture3d(texture, grid());
+        gl::clearTexture3d(texture, cascades_ * grid());
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     capacities_ = capacities;
@@ -144,7 +148,7 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
     for (const std::uint32_t list : {VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U})
         commands.lists[list].faceCount = commands.lists[list].voxelCount = commands.lists[list].groupsX = 0;
     for (const gl::Texture& texture : dynamicIndices_)
-        gl::clearTexture3d(texture, grid());
+        gl::clearTexture3d(texture, cascades_ * grid());
     faceData_ = {};
     faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
                            after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);

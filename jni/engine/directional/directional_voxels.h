@@ -26,20 +26,23 @@ using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
 class DirectionalVoxels {
   public:
     // `listCapacity`: capacity of the base level's active-voxel list, as in VoxelPyramid. `dynamicObjects`:
-    // the scene has dynamic objects. `emission`: surfaces emit light, so faces also have sums of emission.
-    DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, std::uint32_t listCapacity,
+    // a part of the scene is voxelized in each pose. `emission`: surfaces emit light, so faces also have sums
+    // of emission.
+    DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid, int cascades, std::uint32_t listCapacity,
                       bool dynamicObjects, bool emission);
 
     Resources resources() const;
-    static std::size_t bytesFor(int grid, std::uint32_t listCapacity);
-    // The texture of faces holds six blocks of grid^3 texels: three along x and two along y.
+    static std::size_t bytesFor(int grid, int cascades, std::uint32_t listCapacity);
+    // The texture of faces holds six blocks of grid^3 texels per cascade: three along x and two along y.
+    // Cascades follow each other along z.
     static constexpr int blocksX = 3, blocksY = 2;
 
     int grid() const { return index_.grid(); }
+    int cascades() const { return cascades_; }
     int levels() const { return faces_.levels(); }
 
-    // Radiance and coverage of the faces: RGBA8, 3 x 2 blocks of grid^3 texels, premultiplied by coverage.
-    // The radiance that 8 bits store as 1 is in range().
+    // Radiance and coverage of the faces: RGBA8, 3 x 2 blocks of grid^3 texels per cascade, premultiplied by
+    // coverage. The radiance that 8 bits store as 1 is in range().
     const gl::Texture& faces() const { return faces_; }
     // A shared::FaceRange that shaders write and read (shaders/directional/face_range.glsl).
     const gl::Buffer& range() const { return range_; }
@@ -92,6 +95,7 @@ class DirectionalVoxels {
     void placeLists(shared::CommandLists& commands) const;
     std::size_t words() const;
 
+    int cascades_;
     bool emission_;
     VoxelPyramid index_;
     gl::Texture faces_;

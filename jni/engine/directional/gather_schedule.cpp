@@ -21,6 +21,10 @@ constexpr float maxHistory = 192.0F;
 // Decrease of the block's weight in a face's irradiance per step after the changes.
 constexpr float smoothingDecay = 0.25F;
 
+// Steps after cascades have moved that still have a budget of cones, so that a walk costs the same in every
+// frame. The light of the surfaces that stay has not changed, so their histories are kept.
+constexpr int budgetedStepsAfterMove = 16;
+
 }  // namespace
 
 GatherSchedule::GatherSchedule(const GatherSettings& settings, int lightFrames)
@@ -51,23 +55,30 @@ GatherSchedule::Round GatherSchedule::round(bool changed) const {
 }
 
 GatherStep GatherSchedule::advance(const Change& change) {
-    const bool changed = change.any();
+    const bool onlyMoved = change.cascades && !change.light;
+    const bool changed = change.any() && !onlyMoved;
     if (change.light) {
         history_ = std::min(history_, maxHistoryWhileChanging);
         stepsLeft_ = convergenceSteps();
     }
     if (!changed && !lastStepUnchanged_) history_ = std::min(history_, maxHistoryAfterChange);
+    if (change.cascades) {
+        stepsLeft_ = convergenceSteps();
+        movedStepsLeft_ = budgetedStepsAfterMove;
+    }
+    const bool hasBudget = changed || movedStepsLeft_ > 0;
+    movedStepsLeft_ = std::max(movedStepsLeft_ - 1, 0);
     smoothing_ = changed ? 1.0F : std::max(smoothing_ - smoothingDecay, 0.0F);
     lastStepUnchanged_ = !changed;
 
-    const Round inRound = round(changed);
+    const Round inRound = round(hasBudget);
     const float share = inRound.length > 0 ? 1.0F / static_cast<float>(inRound.length)
                                            : recentStepWeight / (history_ + recentStepWeight);
     GatherStep step;
     step.frame = frame_;
     step.direction = direction_;
-    step.cones = changed ? 1U : static_cast<std::uint32_t>(cones_);
-    step.coneBudget = changed ? static_cast<std::uint32_t>(coneBudget_) : 0U;
+    step.cones = hasBudget ? 1U : static_cast<std::uint32_t>(cones_);
+    step.coneBudget = hasBudget ? static_cast<std::uint32_t>(coneBudget_) : 0U;
     step.initialCones = std::max(initialCones, step.cones);
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
     step.roundShare = inRound.length > 0 ? share : 0.0F;
@@ -79,9 +90,9 @@ GatherStep GatherSchedule::advance(const Change& change) {
 
     lastShare_ = share;
     history_ = history_ == 0.0F ? float{VCT_INITIAL_HISTORY} : std::min(history_ + 1.0F, maxHistory);
-    if (!changed) direction_ += static_cast<std::uint32_t>(cones_);
+    if (!hasBudget) direction_ += static_cast<std::uint32_t>(cones_);
     ++frame_;
-    stepsLeft_ = std::max(stepsLeft_ - 1, 0);
+    if (!hasBudget || changed) stepsLeft_ = std::max(stepsLeft_ - 1, 0);
     // If only the lists change after convergence, a few cones should change the light little.
     if (stepsLeft_ == 0) history_ = maxHistory;
     return step;

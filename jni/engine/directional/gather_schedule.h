@@ -33,9 +33,10 @@ class GatherSchedule {
 
     // A change of the voxels in the time between two steps.
     struct Change {
-        bool lists = false;  // the dynamic objects were voxelized in a new pose
-        bool light = false;  // the light or the occluders have changed
-        bool any() const { return lists || light; }
+        bool lists = false;     // the dynamic objects were voxelized in a new pose
+        bool light = false;     // the light or the occluders have changed
+        bool cascades = false;  // cascades have moved with the camera
+        bool any() const { return lists || light || cascades; }
     };
     // Returns the parameters of the next step.
     GatherStep advance(const Change& change);
@@ -60,6 +61,7 @@ class GatherSchedule {
     float history_ = 0.0F;           // length of the histories, in steps
     float lastShare_ = 0.0F;         // weight of the last step in the histories
     float smoothing_ = 0.0F;
+    int movedStepsLeft_ = 0;  // steps with a budget that are left after cascades have moved
     std::uint32_t frame_ = 0, direction_ = 0;
 };
 

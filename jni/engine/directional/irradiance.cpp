@@ -22,8 +22,9 @@ float largestBounceShare(const Scene& scene) {
 namespace {
 
 // The size of a texture with one texel per face of each block.
-glm::ivec3 blocksSize(int grid) {
-    return grid / VCT_BRICK_SIDE * glm::ivec3(DirectionalVoxels::blocksX, DirectionalVoxels::blocksY, 1);
+glm::ivec3 blocksSize(const DirectionalVoxels& voxels) {
+    return voxels.grid() / VCT_BRICK_SIDE *
+           glm::ivec3(DirectionalVoxels::blocksX, DirectionalVoxels::blocksY, voxels.cascades());
 }
 
 // Dispatches one invocation per texel, in groups of 4^3.
@@ -95,6 +96,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
 void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
     pending_.lists |= change.lists;
     pending_.light |= change.light;
+    pending_.cascades |= change.cascades;
     if (!change.lists) return;
     placesBricks_ = true;
     emitterSteps_ = emitterUpdatePeriod;
@@ -110,7 +112,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     const gl::DebugGroup group("begin light step");
     step_ = schedule_.advance(std::exchange(pending_, {}));
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
-    reserveBricks(voxels.grid(), voxels.capacities()[VCT_BRICK_LEVEL]);
+    reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
     // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
@@ -147,7 +149,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     lightBlocks_.use();
     blockLight_->bindImage(VCT_IMAGE_BLOCK_LIGHT, 0, GL_WRITE_ONLY);
-    dispatchOver(blocksSize(voxels.grid()));
+    dispatchOver(blocksSize(voxels));
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     fillBricks_.use();
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
@@ -199,7 +201,7 @@ void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
 
 // The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,
 // for grids up to 256^3.
-void Irradiance::reserveBricks(int grid, std::uint32_t count) {
+void Irradiance::reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count) {
     if (irradiance_ && count == brickCapacity_) return;
     brickCapacity_ = count;
     bricksAlong_ = static_cast<std::uint32_t>(std::ceil(std::cbrt(std::max(count, 1U))));
@@ -211,13 +213,13 @@ void Irradiance::reserveBricks(int grid, std::uint32_t count) {
     irradiance_->setFilter(GL_LINEAR, GL_LINEAR);
     placesBricks_ = true;
     if (bricks_) return;
-    const glm::ivec3 size = blocksSize(grid);
+    const glm::ivec3 size = blocksSize(voxels);
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
     walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, size.z, 1);
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
     lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
-    gl::clearTexture3d(*lastLookups_, grid / VCT_BRICK_SIDE);
+    gl::clearTexture3d(*lastLookups_, size.z);
 }
 
 void Irradiance::uploadUniforms(bool allBounces) const {
@@ -265,7 +267,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels) const {
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
-    const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels.grid())) + 7) / 8;
+    const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     placeBricks_.use();

@@ -70,7 +70,7 @@ class Irradiance {
     // (shaders/directional/emitters.comp).
     static constexpr int emitterUpdatePeriod = 4;
 
-    void reserveBricks(int grid, std::uint32_t count);
+    void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
     void uploadUniforms(bool allBounces) const;
     void placeBricks(const DirectionalVoxels& voxels) const;

@@ -29,7 +29,7 @@ gl::ProgramDescription nextShadowMomentsProgram() {
 
 namespace {
 
-// Number of mip levels of the moments. The coarsest one has at least 16 texels along a side.
+// Number of mip levels of the moments. The coarsest one has at least 16 texels along a side of a map.
 int momentLevels(int mapSize) {
     int levels = 1;
     while (mapSize >> (levels + 1) >= 16)
@@ -48,36 +48,42 @@ void ShadowTextures::bind() const {
     if (moments != nullptr) moments->bind(VCT_TEX_SHADOW_MOMENTS);
 }
 
-ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft)
+ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft,
+                     int cascades)
     : shaders_(shaders),
+      size_(size),
+      tiles_(cascades > 1 ? 2 : 1),
       programs_(shaders, scene, shadowMapProgram),
       // 16 bits are enough for the soft shadow, because a texel is at least 16 times as wide as a step of
-      // depth. For the hard one they would add a rounding error to the thesis's bias.
-      depth_(
-          gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24, size, size)),
+      // depth. For the hard one they would add a rounding error to the thesis's bias, and the texels of a
+      // finest cascade's tile are narrower.
+      depth_(gl::Texture::make2d("shadow map",
+                                 soft && cascades == 1 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
+                                 tiles_ * size, tiles_ * size)),
       framebuffer_("shadow map", {}, &depth_) {
     // With a comparison, the linear filter averages four comparisons.
     depth_.setFilter(GL_LINEAR, GL_LINEAR);
     depth_.setParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     depth_.setParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     if (!soft) return;
-    moments_ = gl::Texture::make2d("shadow map's moments", GL_RG16F, std::max(size / 2, 1),
-                                   std::max(size / 2, 1), momentLevels(size));
+    moments_ = gl::Texture::make2d("shadow map's moments", GL_RG16F, std::max(tiles_ * size / 2, 1),
+                                   std::max(tiles_ * size / 2, 1), momentLevels(size));
     moments_->setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     for (int level = 0; level < moments_->levels(); ++level)
         momentTargets_.emplace_back("shadow map's moments, level " + std::to_string(level),
                                     std::vector<const gl::Texture*>{&*moments_}, nullptr, level);
 }
 
-ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, Output output,
-                                 bool forceRebuild, StepTimer& timer) {
+ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
+                                 Output output, bool forceRebuild, StepTimer& timer) {
     const bool isCached = cachedFor_ && cachedFor_->placements == now.placements &&
-                          cachedFor_->directionToLight == now.directionToLight;
+                          cachedFor_->directionToLight == now.directionToLight && cascades_ == cascades;
     if (forceRebuild || !isCached) {
         cachedFor_.reset();
         timer.time(Step::shadowMap, [&] { draw(scene); });
         momentsAreDrawn_ = false;
         cachedFor_ = now;
+        cascades_ = cascades;
     }
     if (reads(output).softShadow && moments_ && !std::exchange(momentsAreDrawn_, true))
         timer.time(Step::shadowMap, [&] { drawMoments(); });
@@ -88,7 +94,12 @@ const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
     const gl::DebugGroup group("shadow map");
     const gl::RenderPass pass(framebuffer_);
     // Single-sided surfaces cast shadows from both sides, as they do in a path tracer.
-    scene.draw(GpuScene::Culling::none, programs_);
+    if (tiles_ == 1) scene.draw(GpuScene::Culling::none, programs_);
+    for (int tile = 0; tiles_ > 1 && tile < VCT_SHADOW_TILES; ++tile) {
+        programs_.setUniform(VCT_UNIFORM_SHADOW_TILE, static_cast<GLuint>(tile));
+        gl::Viewport(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
+        scene.draw(GpuScene::Culling::none, programs_);
+    }
     return depth_;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/cascades.h"
 #include "engine/gpu_scene.h"
 #include "engine/output.h"
 #include "engine/scene_state.h"
@@ -28,12 +29,14 @@ struct ShadowTextures {
 
 class ShadowMap {
   public:
-    ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false);
+    // `size`: texels along a side. With more than one of `cascades`, there are 2 x 2 maps of that size.
+    ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, int size, bool soft = false,
+              int cascades = 1);
 
     // Draws the map if the state differs from the one that it was drawn for, or if `forceRebuild` is set.
     // Draws the moments if `output` has a soft shadow.
-    ShadowTextures update(const GpuScene& scene, const SceneState& now, Output output, bool forceRebuild,
-                          StepTimer& timer);
+    ShadowTextures update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
+                          Output output, bool forceRebuild, StepTimer& timer);
     // Marks the map as out of date. Call it after a frame that failed.
     void invalidate() { cachedFor_.reset(); }
 
@@ -47,6 +50,7 @@ class ShadowMap {
     void drawMoments();
 
     gl::ShaderLibrary shaders_;
+    int size_, tiles_;
     MaterialPrograms programs_;
     gl::Texture depth_;
     gl::Framebuffer framebuffer_;
@@ -56,6 +60,7 @@ class ShadowMap {
     gl::PlainSampler plainDepth_;
     gl::VertexArray noVertices_;
     std::optional<SceneState> cachedFor_;  // the state that the map was drawn for, if it is valid
+    std::optional<Cascades> cascades_;     // their places then
     bool momentsAreDrawn_ = false;
 };
 

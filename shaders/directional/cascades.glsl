@@ -1,0 +1,83 @@
+// Nested cubes of voxels around the camera, for scenes too large for one cube (jni/engine/cascades.h).
+// Cascade 0 is the finest, each is twice as wide as the one before, and the last one is the volume.
+// VCT_CASCADES: their number; without it there is one, and these functions reduce to a product with
+// frame.gridSide.
+//
+// The cascades lie one behind the other along z in all textures, in the lists of voxels and faces, and in
+// "positions in voxels": those of cascade c have z from c * gridSide to (c + 1) * gridSide.
+#include "shared/frame.glsl"
+
+#ifndef VCT_CASCADES
+#define VCT_CASCADES 1
+#endif
+
+const int cascades = VCT_CASCADES;
+
+// The cascade of a voxel.
+int cascadeOf(ivec3 voxel) {
+    return cascades == 1 ? 0 : voxel.z / frame.gridSide;
+}
+
+// The first voxel of a voxel's cascade. `side`: voxels along a side of a cascade, a power of two; this serves
+// any mip level, and blocks of voxels.
+ivec3 firstOfCascade(ivec3 voxel, int side) {
+    return ivec3(0, 0, cascades == 1 ? 0 : voxel.z & ~(side - 1));
+}
+
+// The voxel nearest to `wanted` in the cascade of `voxel`.
+ivec3 clampToCascade(ivec3 wanted, ivec3 voxel, int side) {
+    ivec3 first = firstOfCascade(voxel, side);
+    return clamp(wanted, first, first + side - 1);
+}
+
+// Voxels of a cascade along the side of the volume.
+float voxelsAlongVolume(int cascade) {
+    return cascades == 1 ? float(frame.gridSide) : frame.cascade[cascade].w;
+}
+
+// Positions in volume space, from positions in voxels and back.
+vec3 volumeFromVoxels(vec3 position, int cascade) {
+    if (cascades == 1) return position / float(frame.gridSide);
+    position.z -= float(cascade * frame.gridSide);
+    return frame.cascade[cascade].xyz + position / frame.cascade[cascade].w;
+}
+vec3 voxelsFromVolume(vec3 positionVolume, int cascade) {
+    if (cascades == 1) return positionVolume * float(frame.gridSide);
+    vec3 position = (positionVolume - frame.cascade[cascade].xyz) * frame.cascade[cascade].w;
+    return position + vec3(0.0, 0.0, float(cascade * frame.gridSide));
+}
+
+// The distance of a position (volume space) from the border of a cascade, in voxels of the cascade; negative
+// outside of it.
+float voxelsInside(vec3 positionVolume, vec4 cascade) {
+    float halfSide = 0.5 * float(frame.gridSide);
+    vec3 fromCentre = abs((positionVolume - cascade.xyz) * cascade.w - halfSide);
+    return halfSide - max(fromCentre.x, max(fromCentre.y, fromCentre.z));
+}
+
+// The finest cascade that holds a texel around a position (volume space). `level`: mip level of the texel in
+// cascade `own`. A coarser cascade may have no texels as small as that.
+int cascadeOfSample(vec3 positionVolume, int own, float level) {
+    int cascade = 0;
+    for (; cascade < cascades - 1; ++cascade) {
+        float texel = exp2(max(level + float(own - cascade), 0.0));
+        if (voxelsInside(positionVolume, frame.cascade[cascade]) >= 0.5 * texel) break;
+    }
+    return cascade;
+}
+
+// Surfaces take their irradiance from the finest cascade around them. Over the last block of voxels inside
+// of a cascade's border, the next one is mixed in.
+struct LookUpCascade {
+    int cascade;
+    float share;  // of this cascade, 0..1; the rest is the share of the next one
+};
+LookUpCascade lookUpCascade(vec3 positionVolume) {
+    // The filter of the look-up reaches one voxel aside.
+    const float margin = 1.0, blend = 8.0;  // voxels
+    for (int cascade = 0; cascade < cascades - 1; ++cascade) {
+        float inside = voxelsInside(positionVolume, frame.cascade[cascade]) - margin;
+        if (inside > 0.0) return LookUpCascade(cascade, min(inside / blend, 1.0));
+    }
+    return LookUpCascade(cascades - 1, 1.0);
+}
