@@ -4,7 +4,7 @@
 set -euo pipefail
 
 # Compiler and build; the libraries of cmake/dependencies.cmake; software drivers (Mesa's llvmpipe behind EGL, and lavapipe for
-# zink); GLFW for the window of `vct view` and examples/embed; for the tests GoogleTest, glslang, and Python, which runs
+# zink); GLFW for the window of `vct view` and the examples; for the tests GoogleTest, glslang, and Python, which runs
 # tools/make_assets.py.
 required=(
     g++ cmake ninja-build

@@ -20,6 +20,7 @@ from files import Failed
 
 VERBS = {
     "references": "path-traced pictures of scenes, into references/",
+    "points": "path-traced irradiance at points of rooms, for the test of the library's look-up",
     "render": "times and errors of each preset's picture of scenes that have references",
     "judge": "the same for your own scene, on one page",
     "sweep": "the same at several grids: time against error",

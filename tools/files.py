@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-WITHOUT_REFERENCE = {"moving", "walker", "town"}  # of the first camera at rest: they move, or have references by camera
+WITHOUT_REFERENCE = {"moving", "studio", "walker", "town"}  # of the first camera at rest: they move, or have references by camera
 SCALED = {"cornell_1mm": "cornell", "cornell_10km": "cornell"}  # the same picture at another scale, so the same references
 
 

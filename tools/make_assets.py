@@ -10,10 +10,10 @@ import sys
 sys.dont_write_bytecode = True  # a test runs this program inside the source tree
 
 from scenes import (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane,  # noqa: E402
-                    moving, night, patio, thin_wall, town, walker)
+                    moving, night, patio, studio, thin_wall, town, walker)
 
-MODULES = (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane, moving, night, patio, thin_wall,
-           town, walker)
+MODULES = (contact, cornell, corridor, courtyard, dim_room, furnace, glossy, lamp, lone_plane, moving, night, patio, studio,
+           thin_wall, town, walker)
 SCENES = {module.__name__.removeprefix("scenes."): module.build for module in MODULES}
 SCENES |= {"cornell_10km": lambda: cornell.build(5000.0), "cornell_1mm": lambda: cornell.build(0.0005)}
 SKIES = {"patio": patio.sky, "town": town.sky}  # the sky of the scene of that name

@@ -150,7 +150,8 @@ struct Options {
     float voxelSize = 0.0F;
     int width = 400, height = 400;  // size of the pictures in pixels
     // The pictures that render() draws. Pictures that are not requested cost nothing.
-    bool radiance = true, irradiance = false, ambientVisibility = false, sunVisibility = false;
+    bool radiance = true, irradiance = false, ambientVisibility = false, sunVisibility = false,
+         specular = false;
     std::string shaderFolder;  // folder to read the shaders from; "": the built-in ones
 };
 
@@ -191,6 +192,16 @@ struct Pictures {
     // These have the same value in r, g and b:
     unsigned ambientVisibility = 0;  // 1 - ambient occlusion; not a part of radiance with mobile and quality
     unsigned sunVisibility = 0;      // visible share of the sun's disc: the soft shadow
+    // The part of the radiance, in units of radianceUnit(), that glossy surfaces reflect specularly of other
+    // surfaces, emitters and the sky: reflections without the highlights of sun and lights. It is 0 on other
+    // surfaces, and with the preset thesis.
+    unsigned specular = 0;
+};
+
+// The places of the inputs of the look-up in a program: five texture units and three binding points of
+// uniform buffers, from these on.
+struct LookUpBindings {
+    unsigned firstTextureUnit = 0, firstUniformBuffer = 0;
 };
 
 // The function of the window or EGL library that returns GL entry points. A lambda can adapt its type:
@@ -201,6 +212,7 @@ using GetProcAddress = void* (*)(const char* name);
 //
 // Every function, including constructor and destructor, leaves GL's state as it found it, whatever it is,
 // except:
+// - bindLookUp() changes the bindings that it is for.
 // - State that GL has per draw buffer (blending and colour masks) becomes that of draw buffer 0 for all draw
 //   buffers.
 // - An earlier error that glGetError() would return is dropped.
@@ -255,6 +267,21 @@ class GlobalIllumination {
     // without it the library draws its own.
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
+
+    // GLSL ES 3.10 with the function
+    //     vec3 irradianceAt(vec3 position, vec3 normal)
+    // for what is not in the G-buffer, such as glass, particles and forward passes. `position`: any point in
+    // world space, on a surface or in the air. `normal`: unit length. Its result has the meaning and unit of
+    // Pictures::irradiance. Outside of the voxels it is that of the sky. For the presets mobile and quality.
+    //
+    // The text has no #version, and all else that it declares begins with vct_. In a shader of any stage,
+    // insert it after "precision highp float;" and "precision highp int;". It is the same for the whole life
+    // of the GlobalIllumination.
+    std::string lookUpGlsl(const LookUpBindings& bindings = {}) const;
+    // Binds the inputs of lookUpGlsl(), which change the bindings of their texture units (textures and
+    // sampler) and uniform buffers. Call it after each render(), before draws with the look-up. Options must
+    // request radiance, irradiance or specular.
+    void bindLookUp(const LookUpBindings& bindings = {}) const;
 
     // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white
     // surface that faces the sun, or 1 if the sun is off. It is more if something is so bright that half

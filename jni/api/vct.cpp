@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "api/embedded_shaders.h"
+#include "api/look_up.h"
 #include "api/saved_state.h"
 #include "api/scene_of.h"
 #include "engine/environment.h"
@@ -74,9 +75,11 @@ std::vector<Output> outputsFor(const Options& options) {
     if (options.irradiance) outputs.push_back(Output::irradiance);
     if (options.ambientVisibility) outputs.push_back(Output::ambientVisibility);
     if (options.sunVisibility) outputs.push_back(Output::sunVisibility);
+    if (options.specular) outputs.push_back(Output::specularLight);
     if (outputs.empty())
         throw Error(
-            "the options ask for no picture; set radiance, irradiance, ambientVisibility or sunVisibility");
+            "the options ask for no picture; set radiance, irradiance, ambientVisibility, sunVisibility or "
+            "specular");
     return outputs;
 }
 
@@ -244,7 +247,8 @@ struct GlobalIllumination::Implementation {
         renderer->render({outputs, cameraOf(view),
                           light == Light::converged ? LightSteps::all : LightSteps::one, surface});
         return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
-                textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility)};
+                textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility),
+                textureOf(Output::specularLight)};
     }
 
     std::vector<Output> outputs;
@@ -388,6 +392,36 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};
     return implementation_->render(view, light, &surface);
+}
+
+std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const {
+    const Renderer& renderer = *implementation_->renderer;
+    if (renderer.settings().voxels != Voxels::directional)
+        throw Error("lookUpGlsl: the preset thesis has no look-up; use mobile or quality");
+    std::vector<std::string> defines = renderer.lookUpDefines();
+    unsigned unit = bindings.firstTextureUnit, buffer = bindings.firstUniformBuffer;
+    for (const char* name : {"FACES", "IRRADIANCE", "BRICKS", "WALLS", "SKY"})
+        defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(unit++))));
+    for (const char* name : {"FRAME", "FACE_RANGE", "EMITTERS"})
+        defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(buffer++))));
+    return embeddableGlsl(renderer.shaders().read, "directional/look_up.glsl", defines, "irradianceAt");
+}
+
+void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
+    const LookUpInputs inputs = implementation_->renderer->lookUpInputs();
+    GLint activeUnit = 0, generic = 0;
+    gl::GetIntegerv(GL_ACTIVE_TEXTURE, &activeUnit);
+    gl::GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &generic);
+    for (GLuint i = 0; i < inputs.textures.size(); ++i) {
+        if (inputs.textures[i] == nullptr) continue;
+        inputs.textures[i]->bind(static_cast<int>(bindings.firstTextureUnit + i));
+        gl::BindSampler(bindings.firstTextureUnit + i, 0);
+    }
+    for (GLuint i = 0; i < inputs.uniforms.size(); ++i)
+        if (inputs.uniforms[i] != nullptr)
+            inputs.uniforms[i]->bindBase(GL_UNIFORM_BUFFER, bindings.firstUniformBuffer + i);
+    gl::ActiveTexture(static_cast<GLenum>(activeUnit));
+    gl::BindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(generic));
 }
 
 double GlobalIllumination::radianceUnit() const {

@@ -130,6 +130,7 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     frame.shadowSlopeFromNormal =
         glm::mat4(glm::dmat4(glm::transpose(glm::dmat3(axes[0] * perRow.x, axes[1] * perRow.y, axes[2]))));
     frame.gridSide = volume.grid;
+    frame.volumeInWorld = glm::vec4(volume.minWorld, 1.0 / volume.side);
     return frame;
 }
 

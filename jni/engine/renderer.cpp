@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "core/error.h"
 #include "core/memory.h"
 #include "engine/environment.h"
 #include "engine/frame_uniforms.h"
@@ -40,6 +41,9 @@ float largestEmission(const Scene& scene) {
         largest = std::max({largest, material.emissive.r, material.emissive.g, material.emissive.b});
     return largest > 0.0F ? largest : 1.0F;
 }
+
+// Cones of a look-up in the air (docs/embedding.md has the measurement); a power of two.
+constexpr int lookUpDirections = 8;
 
 // The volume with voxels of the finest cascade's size.
 Volume finestVoxels(Volume volume, int cascades) {
@@ -222,6 +226,28 @@ float Renderer::radianceScale() const {
 
 Image Renderer::radiance() const {
     return readImage(output(), radianceUnit_);
+}
+
+std::vector<std::string> Renderer::lookUpDefines() const {
+    GatherSettings few = settings_.gather;
+    few.directions = lookUpDirections;
+    few.refinedDirections = 0;
+    std::vector<std::string> defines = shaders_.defines;
+    for (const std::vector<std::string>& more : {gatherDefines(few), lightDefines(lightFeatures())})
+        defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+}
+
+LookUpInputs Renderer::lookUpInputs() const {
+    const DirectionalVolume* volume = directional();
+    const Irradiance* light = volume != nullptr ? volume->irradiance(GatherPurpose::light) : nullptr;
+    if (light == nullptr || light->irradiance() == nullptr)
+        throw Error(
+            "the look-up has no light yet; use the preset mobile or quality, and request a picture with "
+            "indirect light before");
+    return {{&volume->voxels().faces(), light->irradiance(), light->bricks(), light->walls(),
+             environment_ ? &*environment_ : nullptr},
+            {&frameUniforms_, &volume->voxels().range(), emitters_ ? &emitters_->uniforms() : nullptr}};
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {

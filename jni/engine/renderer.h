@@ -1,6 +1,7 @@
 // The renderer: a scene on the GPU and the passes that render frames of it. Start with render() in frame.cpp.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,12 @@ struct RenderRequest {
     LightSteps lightSteps = LightSteps::one;
     const GBuffer::Targets* surface = nullptr;  // G-buffer of Settings::size; null: the renderer draws it
     bool allBounces = true;                     // false: indirect light has the first bounce only
+};
+
+// The inputs of shaders/directional/look_up.glsl. Those that the scene does not need are null.
+struct LookUpInputs {
+    std::array<const gl::Texture*, 5> textures{};  // faces, irradiance, bricks, walls, sky
+    std::array<const gl::Buffer*, 3> uniforms{};   // frame, face range, emitters
 };
 
 class Renderer {
@@ -98,6 +105,12 @@ class Renderer {
     // The first output of the last frame, linear RGB in the scene's radiance unit, row 0 at the top. Waits
     // for the GPU.
     Image radiance() const;
+
+    // The program defines of shaders/directional/look_up.glsl, without its bindings.
+    std::vector<std::string> lookUpDefines() const;
+    // The inputs as the last frame left them. Throws vct::Error if no frame has gathered light with
+    // directional voxels.
+    LookUpInputs lookUpInputs() const;
 
     // Number of active voxels per level; empty if no output has needed voxels yet. Waits for the GPU. Throws
     // vct::Error if the list overflowed.

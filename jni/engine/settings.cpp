@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "shared/layout.h"
 
 namespace vct {
 

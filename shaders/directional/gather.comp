@@ -6,6 +6,7 @@
 #define VCT_COUNTER_CONTACT_VOXEL VCT_COUNTER_IRRADIANCE_VOXEL
 #define VCT_COUNTER_CONTACT_FACE VCT_COUNTER_IRRADIANCE_OTHER_FACE
 #include "directional/contact.glsl"
+#include "directional/gather_directions.glsl"
 #include "directional/gather_turns.glsl"
 #include "directional/sky_light.glsl"
 
@@ -22,14 +23,6 @@ struct Gathered {
     VisibleSky sky;
     float nearness;  // mean of 1 / distance to the surfaces that the cones meet, in voxels
 };
-
-// Direction `i` of a Hammersley set of VCT_GATHER_DIRECTIONS (a power of two) around a normal along +y, with
-// a density in proportion to the cosine of the angle to the normal (docs/voxel-cone-tracing.md, section 7).
-vec3 gatherDirection(int i) {
-    float u = float(bitfieldReverse(uint(i))) / 4294967296.0 + 0.5 / float(VCT_GATHER_DIRECTIONS);
-    float azimuth = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(i);
-    return vec3(sqrt(u) * cos(azimuth), sqrt(1.0 - u), sqrt(u) * sin(azimuth));
-}
 
 // The radiance of a face, relative to E/pi, of the surface that covers it.
 mediump vec3 radianceOf(ivec3 voxel, int face) {
@@ -121,9 +114,7 @@ Gathered gather(ivec3 voxel, int face, SurfacePlane plane, vec3 ownBelow, uint f
         ConeResult cone =
             traceCone(start.position, cascade, plane.normal, ownBelow, direction, begin, reach, spread);
         gathered.light += cone.radiance;
-        // The solid angle that one direction of the set stands for: pi / (N cos), by the density above.
-        float solidAngle = 3.1415927 / (float(VCT_GATHER_DIRECTIONS) * aroundNormal.y);
-        gathered.sky += visibleSky(direction, solidAngle, cone.transmittance);
+        gathered.sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y), cone.transmittance);
         gathered.nearness += cone.nearness;
     }
     float share = 1.0 / float(cones);

@@ -290,6 +290,7 @@ struct FrameUniforms {
     // shadow map (shared/shadow.glsl).
     mat4 shadowTileFromVolume[VCT_SHADOW_TILES];
     vec4 shadowTileCone[VCT_SHADOW_TILES];
+    vec4 volumeInWorld;  // xyz: the volume's first corner, in metres; w: 1 / its side
 };
 
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the

@@ -46,6 +46,29 @@ TEST_P(EmbeddedPresets, PictureIsThatOfTheProgram) {
 INSTANTIATE_TEST_SUITE_P(, EmbeddedPresets, ::testing::Values("thesis", "mobile"),
                          [](const auto& preset) { return std::string(preset.param); });
 
+// The wall is the only glossy surface.
+TEST_F(Embedded, ReflectionsAreThoseOfTheProgram) {
+    ProgramRun program;
+    writeBytes(program.folder.file("scene.glb"), described_.file.glb());
+    program.expectSuccess(
+        "render scene.glb --out . --grid 64 --size 96x72 --samples 1 --light-parts"
+        " --camera eye=1.5,1.2,2.5,target=0,0.4,0,fov=50 --sky 0.1,0.2,0.3"
+        " --light direction=-0.4,-1,-0.5,intensity=3");
+    const Image expected = readImage(program.folder.file("specular_light.exr"));
+    Options options = optionsOf("mobile");
+    options.radiance = options.irradiance = options.ambientVisibility = options.sunVisibility = false;
+    options.specular = true;
+    GlobalIllumination light(getProcAddress, described_.scene, options);
+    const Pictures pictures = light.render(described_.view(), GlobalIllumination::Light::converged);
+    EXPECT_EQ(pictures.radiance, 0U);
+    const Image picture = imageOf(pictures.specular, light.radianceUnit());
+    const Difference difference = compareImages(picture, expected, 0.002F);
+    EXPECT_TRUE(difference.comparable) << difference.reason;
+    EXPECT_LE(difference.fraction, 0.002) << "largest difference " << difference.largest;
+    EXPECT_EQ(picture.at(width / 2, height - 4), glm::vec3(0.0F)) << "the floor";
+    EXPECT_GT(mean(picture), 0.003);
+}
+
 TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
     const View view = described_.view();

@@ -1,20 +1,22 @@
 #!/usr/bin/env bash
-# run.sh BUILD: installs the library that BUILD made, builds examples/embed against it and nothing else, by CMake and by
-# pkg-config, and runs it without a window. ctest runs this.
+# run.sh BUILD: installs the library that BUILD made, builds examples/embed and examples/engine against it and nothing else, by
+# CMake and by pkg-config, and runs them without a window. ctest runs this.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cmake --install "$1" --prefix "$folder/installed" >"$folder/log"
-cmake -S examples/embed -B "$folder/build" -DCMAKE_PREFIX_PATH="$folder/installed" >"$folder/log"
-cmake --build "$folder/build" >"$folder/log" 2>&1 || {
-    cat "$folder/log"
-    exit 1
-}
-"$folder/build/embed" --headless 1 --out "$folder/first.ppm"
-"$folder/build/embed" --headless 16 --out "$folder/later.ppm"
-"$folder/build/triangle" "$folder/triangle.ppm"
+for example in embed engine; do
+    cmake -S "examples/$example" -B "$folder/$example" -DCMAKE_PREFIX_PATH="$folder/installed" >"$folder/log"
+    cmake --build "$folder/$example" >"$folder/log" 2>&1 || {
+        cat "$folder/log"
+        exit 1
+    }
+done
+"$folder/embed/embed" --headless 1 --out "$folder/first.ppm"
+"$folder/embed/embed" --headless 16 --out "$folder/later.ppm"
+"$folder/embed/triangle" "$folder/triangle.ppm"
 
 # The same by pkg-config. The header, pkg-config and CMake's package tell the same version.
 pc="$(dirname "$(find "$folder/installed" -name vct.pc)")"
@@ -36,5 +38,18 @@ for version in "$(vct --modversion)" "$package"; do
         exit 1
     }
 done
+# The engine shows the same as the program, as far as both show it.
+engine() { "$folder/engine/engine" assets/studio.glb --headless 1 --time 0.2 "$@"; }
+engine --out "$folder/pane.png"
+engine --no-lamp --out "$folder/dark.png"
+engine --no-pane --out "$folder/no_pane.png"
+"$1/vct" render assets/studio.glb --time 0.2 --size 320x240 --samples 1 --mode gi-cone-shadow --tone-map none --exposure 1 \
+    --out "$folder/tool" >"$folder/log" 2>&1
+tool="$folder/tool/gi-cone-shadow.png"
+"$1/vct" compare "$folder/no_pane.png" "$tool" --max-difference 2/255 --max-fraction 0.002
+python=python3
+[[ ! -x .venv/bin/python ]] || python=.venv/bin/python
+"$python" tests/embedding/check_engine.py "$folder"/{pane,dark,no_pane}.png "$tool"
+
 exec python3 tests/embedding/check.py "$folder/first.ppm" "$folder/later.ppm" "$folder/triangle.ppm" docs/embedding.md \
-    examples/embed/triangle.cpp examples/embed/main.cpp
+    examples/embed/triangle.cpp examples/embed/main.cpp examples/engine/shaders.cpp examples/engine/main.cpp

@@ -23,11 +23,11 @@ def read_exr(path: pathlib.Path | str) -> np.ndarray:
     return np.stack([planes[c] for c in names], -1).astype(np.float32)
 
 
-def write_exr(path: pathlib.Path | str, image: np.ndarray) -> None:
-    """Half float, ZIP. The file is written beside its place and renamed, so a stopped run leaves no half file."""
-    half = np.ascontiguousarray(np.clip(image, -65504, 65504), np.float16)
+def write_exr(path: pathlib.Path | str, image: np.ndarray, kind: type = np.float16) -> None:
+    """ZIP. The file is written beside its place and renamed, so a stopped run leaves no half file. `kind`: of the numbers."""
+    values = np.ascontiguousarray(np.clip(image, -65504, 65504), kind)
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     beside = f"{path}.tmp"
-    with OpenEXR.File(header, {c: np.ascontiguousarray(half[..., i]) for i, c in enumerate("RGB")}) as file:
+    with OpenEXR.File(header, {c: np.ascontiguousarray(values[..., i]) for i, c in enumerate("RGB")}) as file:
         file.write(beside)
     os.replace(beside, path)

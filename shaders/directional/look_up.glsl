@@ -1,0 +1,80 @@
+// The look-up of irradiance for programs that embed the library, at any point and for any normal
+// (GlobalIllumination::lookUpGlsl()). The bindings VCT_LOOK_UP_* are the program's.
+#include "shared/layout.h"
+#undef VCT_TEX_FACES
+#undef VCT_TEX_IRRADIANCE
+#undef VCT_TEX_BRICKS
+#undef VCT_TEX_WALLS
+#undef VCT_TEX_ENVIRONMENT
+#undef VCT_UBO_FRAME
+#undef VCT_UBO_FACE_RANGE
+#undef VCT_UBO_EMITTERS
+#define VCT_TEX_FACES VCT_LOOK_UP_FACES
+#define VCT_TEX_IRRADIANCE VCT_LOOK_UP_IRRADIANCE
+#define VCT_TEX_BRICKS VCT_LOOK_UP_BRICKS
+#define VCT_TEX_WALLS VCT_LOOK_UP_WALLS
+#define VCT_TEX_ENVIRONMENT VCT_LOOK_UP_SKY
+#define VCT_UBO_FRAME VCT_LOOK_UP_FRAME
+#define VCT_UBO_FACE_RANGE VCT_LOOK_UP_FACE_RANGE
+#define VCT_UBO_EMITTERS VCT_LOOK_UP_EMITTERS
+#include "directional/cones.glsl"
+#include "directional/gather_directions.glsl"
+#include "directional/irradiance.glsl"
+#include "directional/sky_light.glsl"
+#ifdef VCT_EMITTERS
+#include "directional/emitter_light.glsl"
+#endif
+
+vec3 volumeFromWorld(vec3 positionWorld) {
+    return (positionWorld - frame.volumeInWorld.xyz) * frame.volumeInWorld.w;
+}
+
+// Irradiance in the air, relative to E, by VCT_GATHER_DIRECTIONS cones and one towards each compact emitter.
+// `position` is in volume space.
+vec3 irradianceInAir(vec3 position, vec3 normal) {
+    int cascade = lookUpCascade(position).cascade;
+    vec3 start = voxelsFromVolume(position, cascade), ownBelow = ownFaces(normal, false);
+    vec3 light = vec3(0.0);
+    VisibleSky sky = VisibleSky(0.0);
+    for (int i = 0; i < VCT_GATHER_DIRECTIONS; ++i) {
+        vec3 aroundNormal = gatherDirection(i);
+        vec3 direction = frameAround(normal) * aroundNormal;
+        ConeResult cone = traceCone(start, cascade, normal, ownBelow, direction, VCT_GATHER_FIRST_SAMPLE,
+                                    2.0 * voxelsAlongVolume(cascade), 1.0);
+        light += cone.radiance;
+        sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y), cone.transmittance);
+    }
+    light = (light + skyLight(sky)) / float(VCT_GATHER_DIRECTIONS);
+#ifdef VCT_EMITTERS
+    for (int i = 0; i < emitters.count.x; ++i) {
+        SeenPart seen = seenPart(emitters.part[i], position, normal);
+        if (isStorable(seen.light))
+            light += lightOfPart(emitters.part[i], seen, start, cascade, normal, ownBelow);
+    }
+#endif
+    return light;
+}
+
+// Irradiance, premultiplied by coverage, and coverage of the surfaces at a point that face the normal's side.
+// It is the first try of irradianceInCascade().
+vec4 irradianceOnSurface(vec3 position, vec3 normal) {
+    vec3 voxel = voxelsFromVolume(position, lookUpCascade(position).cascade);
+    ivec3 block = ivec3(voxel) >> VCT_BRICK_LEVEL;
+    vec4 sum = vec4(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        sum +=
+            normal[axis] * normal[axis] * irradianceOfFaces(voxel, block, axis, normal[axis] > 0.0 ? 0 : 1);
+    return sum;
+}
+
+// Irradiance relative to E. It is the stored one where a surface that faces the normal's side is near, and of
+// cones elsewhere.
+vec3 irradianceAt(vec3 positionWorld, vec3 normal) {
+    vec3 position = volumeFromWorld(positionWorld);
+    bool isInside = position == clamp(position, 0.0, 0.9999);
+    vec4 stored = isInside ? irradianceOnSurface(position, normal) : vec4(0.0);
+    // With less coverage the surfaces are too far away.
+    float share = smoothstep(0.1, 0.4, stored.a);
+    vec3 light = share * stored.rgb / max(stored.a, 1e-4);
+    return share < 1.0 ? light + (1.0 - share) * irradianceInAir(position, normal) : light;
+}
