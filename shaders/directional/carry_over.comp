@@ -47,7 +47,7 @@ LastPlace lastPlaceOf(ivec3 voxel) {
 }
 
 // The history of a coarser cascade's face has the wrong detail, so new light soon replaces it.
-const float maxStepsFromCoarser = 24.0;
+const float maxStepsFromCoarser = 8.0;
 
 void main() {
     COUNT(VCT_COUNTER_CARRY_OVER);

@@ -29,6 +29,7 @@ void main() {
         bool lookedUp = isLookedUp(
             faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
         FaceIrradiance mean = faceIrradianceAt(id);
+        if (lightStep.longEnough > 0.0 && mean.steps >= lightStep.longEnough) continue;
         atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_CONES) : 1u);
         if (mean.steps > 0.0 && !turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow) continue;
         uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);

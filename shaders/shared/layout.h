@@ -355,7 +355,9 @@ struct LightStep {
     float minHistory;           // minimum history length after the step; large once the light has converged
     uint coneBudget;   // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
     uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
-    uint unused0, unused1;
+    // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
+    float longEnough;
+    uint unused0;
 };
 
 struct DrawUniforms {

@@ -18,7 +18,7 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer Found {
 };
 void main() {
     const vec3 up = vec3(1e-6, 1.0, 1e-6), slanted = vec3(0.48, 0.6, 0.64);
-    ConeResult cone = traceCone(vec3(32.0, VCT_GATHER_START, 32.0), up, vec3(0.0), up,
+    ConeResult cone = traceCone(vec3(32.0, VCT_GATHER_START, 32.0), 0, up, vec3(0.0), up,
                                 VCT_GATHER_FIRST_SAMPLE, 128.0, 1.0);
     found[0] = vec4(cone.radiance.g, cone.transmittance, cone.nearness, 0.0);
     found[1] = sampleFaces(vec3(0.5, 0.9, 0.5), slanted, slanted, 0, 0.0);

@@ -21,9 +21,12 @@ constexpr float maxHistory = 192.0F;
 // Decrease of the block's weight in a face's irradiance per step after the changes.
 constexpr float smoothingDecay = 0.25F;
 
-// Steps after cascades have moved that still have a budget of cones, so that a walk costs the same in every
-// frame. The light of the surfaces that stay has not changed, so their histories are kept.
-constexpr int budgetedStepsAfterMove = 16;
+// Steps after cascades have moved in which only the faces that are new to their cascade gather, with a budget
+// of cones, so that a walk costs the same in every frame. The light of all others has not changed.
+constexpr int stepsAfterMove = 24;
+// Cones per turn of a face, and the length of its history that ends these turns: 128 cones.
+constexpr std::uint32_t conesAfterMove = 8;
+constexpr float longEnoughAfterMove = 24.0F;
 
 }  // namespace
 
@@ -64,9 +67,10 @@ GatherStep GatherSchedule::advance(const Change& change) {
     if (!changed && !lastStepUnchanged_) history_ = std::min(history_, maxHistoryAfterChange);
     if (change.cascades) {
         stepsLeft_ = convergenceSteps();
-        movedStepsLeft_ = budgetedStepsAfterMove;
+        movedStepsLeft_ = stepsAfterMove;
     }
-    const bool hasBudget = changed || movedStepsLeft_ > 0;
+    const bool moved = !changed && movedStepsLeft_ > 0;
+    const bool hasBudget = changed || moved;
     movedStepsLeft_ = std::max(movedStepsLeft_ - 1, 0);
     smoothing_ = changed ? 1.0F : std::max(smoothing_ - smoothingDecay, 0.0F);
     lastStepUnchanged_ = !changed;
@@ -80,15 +84,21 @@ GatherStep GatherSchedule::advance(const Change& change) {
     step.cones = hasBudget ? 1U : static_cast<std::uint32_t>(cones_);
     step.coneBudget = hasBudget ? static_cast<std::uint32_t>(coneBudget_) : 0U;
     step.initialCones = std::max(initialCones, step.cones);
+    if (moved) {
+        step.cones = conesAfterMove;
+        step.coneBudget /= conesAfterMove;  // of faces, in this case
+        step.longEnough = longEnoughAfterMove;
+    }
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
     step.roundShare = inRound.length > 0 ? share : 0.0F;
     step.history = history_;
     step.minHistory = stepsLeft_ <= 1 ? maxHistory : 0.0F;
-    step.previousStepWeight = lastShare_;
+    // The sums of a step in which a few faces gather say nothing about the balance of all.
+    step.previousStepWeight = moved ? 0.0F : lastShare_;
     step.energyCorrection = inRound.length > 0 ? lastShare_ : std::max(lastShare_, 0.5F);
     step.smoothing = smoothing_;
 
-    lastShare_ = share;
+    lastShare_ = moved ? 0.0F : share;
     history_ = history_ == 0.0F ? float{VCT_INITIAL_HISTORY} : std::min(history_ + 1.0F, maxHistory);
     if (!hasBudget) direction_ += static_cast<std::uint32_t>(cones_);
     ++frame_;

@@ -19,6 +19,7 @@ struct GatherStep {
     bool beginsRound = false;         // the step is the first of a round
     float roundShare = 0.0F;          // weight of the step in its round; 0 outside of rounds
     float history = 0.0F;             // maximum history length, in steps
+    float longEnough = 0.0F;          // faces with a history of this length do not gather; 0: all do
     float minHistory = 0.0F;          // minimum history length after the step; large once light has converged
     float previousStepWeight = 0.0F;  // weight that the previous step had in the histories
     float energyCorrection = 0.0F;    // share of the global energy correction that the step applies

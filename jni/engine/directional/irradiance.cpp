@@ -240,6 +240,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.previousStepWeight = step_.previousStepWeight;
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
+    values.longEnough = step_.longEnough;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
