@@ -21,7 +21,7 @@ for preset in desktop asan; do
 done
 scripts/android-userland.sh 5
 # All of it: scripts/arm64.sh.
-if ((SECONDS < 1300)); then
+if ((SECONDS < 1100)); then
     scripts/arm64.sh --short
 else
     echo "arm64: skipped: $SECONDS s are used, and it may take five minutes more"

@@ -185,7 +185,7 @@ TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
     EXPECT_LE(worst.rms, std::hypot(without.rms, 0.015));
     EXPECT_LE(worst.percentile99, without.percentile99 + 0.04);
 
-    // A camera that stands still sees what a new renderer shows there.
+    // A camera at rest sees what a new renderer shows there.
     const std::vector<double> still = walk.see(7.0, LightSteps::all, points);
     Walk fresh(context);
     const std::vector<double> right = fresh.see(7.0, LightSteps::all, points);
