@@ -165,6 +165,21 @@ Changes changesBetween(const std::vector<double>& last, const std::vector<double
     return {std::sqrt(squares / static_cast<double>(changes.size())), changes[changes.size() * 99 / 100]};
 }
 
+// The difference between the light that a camera at rest at `x` sees and that of a new renderer there,
+// relative to the latter.
+double differenceFromFresh(const Context& context, Walk& walk, double x) {
+    const std::vector<glm::dvec3> points = pointsOfTheHall();
+    const std::vector<double> still = walk.see(x, LightSteps::all, points);
+    const std::vector<double> right = Walk(context).see(x, LightSteps::all, points);
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (right[i] <= 0.0) continue;
+        difference += std::abs(still[i] - right[i]);
+        sum += right[i];
+    }
+    return difference / sum;
+}
+
 // Walks 3 m, over four steps of the finest cascade and two of the next, at 7 cm a frame. While no cascade
 // moves, the light stays, and the changes are those of the positions of pixels.
 TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
@@ -185,17 +200,21 @@ TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
     EXPECT_LE(worst.rms, std::hypot(without.rms, 0.015));
     EXPECT_LE(worst.percentile99, without.percentile99 + 0.04);
 
-    // A camera at rest sees what a new renderer shows there.
-    const std::vector<double> still = walk.see(7.0, LightSteps::all, points);
-    Walk fresh(context);
-    const std::vector<double> right = fresh.see(7.0, LightSteps::all, points);
-    double difference = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (right[i] <= 0.0) continue;
-        difference += std::abs(still[i] - right[i]);
-        sum += right[i];
-    }
-    EXPECT_LE(difference, 0.02 * sum);
+    EXPECT_LE(differenceFromFresh(context, walk, 7.0), 0.02);
+}
+
+// Flies 16 m with a step of the finest cascade in each frame, and jumps back. The jump places the cascades as
+// in a new renderer; after a flight they may be a step behind, and coarse voxels then give another light
+// (docs/measured.md).
+TEST(CascadesOnAFlight, KeepTheLightInBoundsAndConvergeAfterAJump) {
+    const Context context = openContext(Backend::egl);
+    Walk walk(context);
+    const std::vector<glm::dvec3> points = pointsOfTheHall();
+    walk.see(2.0, LightSteps::all, points);
+    for (double x = 2.8; x < 18.0; x += 0.8)
+        for (const double ratio : walk.see(x, LightSteps::one, points))
+            ASSERT_TRUE(ratio == -1.0 || (ratio > 0.4 && ratio < 2.0)) << ratio << " at " << x;
+    EXPECT_LE(differenceFromFresh(context, walk, 3.0), 0.04);
 }
 
 }  // namespace
