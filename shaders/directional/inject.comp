@@ -129,7 +129,7 @@ void main() {
             radiance +=
                 material.albedo * directIrradiance(plane, slackShare, middle, cascadeOf(listed.voxel));
 #ifdef VCT_BOUNCES
-        radiance = addBounces(id, coverage, radiance, material.albedo);
+        radiance = addBounces(id, listed.voxel, coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);
