@@ -13,7 +13,8 @@
 #define VCT_SUM_FROM_FACES 9u  // irradiance by other faces, as gathered in the step
 #define VCT_SUM_SKY 12u        // irradiance by the sky, as gathered in the step
 
-// The weight of a face: its area relative to a face of the coarsest cascade, or 0 if a finer cascade holds it.
+// The weight of a face: its area relative to a face of the coarsest cascade, or 0 if a finer cascade holds
+// it.
 float weightInSums(ivec3 voxel) {
     if (cascades == 1) return 1.0;
     int cascade = cascadeOf(voxel);

@@ -7,10 +7,16 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/frame_uniforms.h"
+#include "gl/api.h"
 #include "scene/camera.h"
+#include "scene/light_choice.h"
 #include "support/frame_inspector.h"
+#include "support/grids.h"
+#include "support/moving_scenes.h"
 #include "support/renderers.h"
 #include "support/scenes.h"
+#include "support/voxel_kinds.h"
 
 namespace vct::test {
 namespace {
@@ -201,6 +207,44 @@ TEST(CascadesOnAWalk, ChangeTheLightOfAPointLittleFromFrameToFrame) {
     EXPECT_LE(worst.percentile99, without.percentile99 + 0.03);
 
     EXPECT_LE(differenceFromFresh(context, walk, 7.0), 0.02);
+}
+
+// Cascades that have moved one by one, while objects move as well, hold the voxels that they hold in a new
+// renderer. Faces of cascades that stay are not voxelized again.
+TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
+    const Context context = openContext(Backend::egl);
+    const Scene scene = load(twoThatMove());
+    Settings settings = smallPreset("mobile");
+    settings.cascades = 3;
+    const auto makeOf = [&](const Scene& of) { return makeRenderer(context, of, chooseLight(of), settings); };
+    Renderer walking = makeOf(scene);
+    Cascades places(settings.cascades, settings.grid);
+    const auto cornersOf = [](const Cascades& of) { return std::pair(of.corner(0), of.corner(1)); };
+    int compared = 0, onlyFinest = 0;
+    for (int frame = 0; frame < 14; ++frame) {
+        const double seconds = frame < 4 ? 0.0 : 0.1 * frame, along = 0.3 + 0.022 * frame;
+        const glm::dvec3 eye =
+            walking.volume().minWorld + walking.volume().side * glm::dvec3(along, 0.3, 0.4);
+        const Camera camera = lookAt(eye, eye + glm::dvec3(0, -0.2, 1), 75);
+        const auto before = cornersOf(places);
+        places.follow(eyeInVolume(camera, walking.volume()));
+        onlyFinest += before.first != cornersOf(places).first && before.second == cornersOf(places).second;
+        walking.setPose(poseAt(scene.animation, seconds));
+        for (int i = 0; i < 2; ++i) {
+            walking.render({{Output::ao}, camera});
+            gl::Finish();  // the next frame grows lists that had no room
+        }
+        Cascades placedHere(settings.cascades, settings.grid);
+        placedHere.follow(eyeInVolume(camera, walking.volume()));
+        if (frame == 0 || !(placedHere == places)) continue;
+        ++compared;
+        const Scene frozen = frozenAt(scene, seconds);
+        Renderer fresh = makeOf(frozen);
+        fresh.render({{Output::ao}, camera});
+        expectSameGrid(gridOf(walking), gridOf(fresh), "frame " + std::to_string(frame));
+    }
+    EXPECT_GE(compared, 4);
+    EXPECT_GE(onlyFinest, 2);
 }
 
 // Cascades that are a step further on show the same light. The panel is in coarse voxels from one place and

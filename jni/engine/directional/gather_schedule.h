@@ -34,9 +34,10 @@ class GatherSchedule {
 
     // A change of the voxels in the time between two steps.
     struct Change {
-        bool lists = false;     // the dynamic objects were voxelized in a new pose
-        bool light = false;     // the light or the occluders have changed
-        bool cascades = false;  // cascades have moved with the camera
+        bool lists = false;        // the dynamic objects were voxelized in a new pose
+        bool staticLists = false;  // the static geometry was voxelized as well
+        bool light = false;        // the light or the occluders have changed
+        bool cascades = false;     // cascades have moved with the camera
         bool any() const { return lists || light || cascades; }
     };
     // Returns the parameters of the next step.

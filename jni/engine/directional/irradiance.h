@@ -28,9 +28,9 @@ LightFeatures featuresFor(GatherPurpose purpose, const LightFeatures& sources);
 
 class Irradiance {
   public:
-    // `lightFrames`: as in GatherSchedule.
+    // `lightFrames`: as in GatherSchedule. `listsChange`: there are dynamic objects or cascades.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose purpose,
-               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
+               int lightFrames, bool listsChange, const LightFeatures& sources);
 
     // Reports a change of the voxels, which the next step takes into account.
     void onVoxelsChanged(const GatherSchedule::Change& change);
@@ -73,6 +73,8 @@ class Irradiance {
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
     void uploadUniforms(bool allBounces) const;
+    // Gives the faces of a list the histories of the last list of its pair.
+    void carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const;
     void placeBricks(const DirectionalVoxels& voxels) const;
     void chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const;
 
@@ -81,7 +83,7 @@ class Irradiance {
     GatherSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markWalls_, markLookups_, chooseFaces_, gather_, lightBlocks_,
         fillBricks_;
-    std::optional<gl::Program> carryOver_;    // only if there are dynamic objects
+    std::optional<gl::Program> carryOver_;    // only if lists change
     std::optional<gl::Program> emitters_;     // only if the scene has compact emitters
     int emitterSteps_ = emitterUpdatePeriod;  // steps left in which faces trace cones towards emitters
     bool placesBricks_ = true;                // the next step has to place the bricks

@@ -45,7 +45,7 @@ void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& l
     gl::Uniform1ui(VCT_UNIFORM_FRAME_INDEX, frameIndex);
     voxels.bindLists();
     if (irradiance != nullptr) irradiance->bind(voxels);
-    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     light.bind();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
