@@ -1,5 +1,5 @@
-// Marks the listed voxels and faces of all levels as static, or none of them. Only with cascades; without them
-// the static geometry never changes (DirectionalVoxels::markStatic()).
+// Marks the listed voxels and faces of all levels as static, or none of them. Only with cascades; without
+// them the static geometry never changes (DirectionalVoxels::markStatic()).
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
