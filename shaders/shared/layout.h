@@ -205,14 +205,16 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
-#define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
-#define VCT_UNIFORM_CASCADE 2      // cascade that triangles are voxelized into
-#define VCT_UNIFORM_CASCADES 2     // the cascades that have moved, a bit for each
-#define VCT_UNIFORM_SHADOW_TILE 2  // tile of the sun's shadow map that is drawn
-#define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
-#define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
-#define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
+#define VCT_UNIFORM_LEVEL 0         // mip level of a pass over a list
+#define VCT_UNIFORM_LIST 1          // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_CASCADE 2       // cascade that triangles are voxelized into
+#define VCT_UNIFORM_CASCADES 2      // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_COMPLETE 0      // 1: the last injection of light was into all faces
+#define VCT_UNIFORM_LONG_HISTORY 2  // length of a face's history from which on it keeps its light
+#define VCT_UNIFORM_SHADOW_TILE 2   // tile of the sun's shadow map that is drawn
+#define VCT_UNIFORM_FRAME_INDEX 1   // number of the light step, which seeds the dither
+#define VCT_UNIFORM_AXIS 0          // axis along which the triangles of a draw call are voxelized
+#define VCT_UNIFORM_LIGHT_MAP 0     // index of the light's shadow map
 // An array of uniforms for passes/copy_vertices.comp, passes/deform.comp and passes/sort_axes.comp: positions
 // of a mesh in their buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
@@ -343,7 +345,8 @@ struct EmitterBlock {
 struct FaceRange {
     float radiance;  // radiance that the faces' 8 bits store as 1
     float sums;      // value that the integer sums over faces store as 1
-    float unused0, unused1;
+    float changed;   // 1: `radiance` is another than in the last injection
+    float unused0;
 };
 
 // One step of the gather (jni/engine/directional/gather_schedule.h).
@@ -368,7 +371,7 @@ struct LightStep {
     uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
     float longEnough;
-    uint unused0;
+    uint voxelizedCascades;  // a bit for each cascade whose static geometry was voxelized before the step
 };
 
 struct DrawUniforms {

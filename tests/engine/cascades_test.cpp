@@ -59,6 +59,35 @@ TEST(Cascades, DoNotMoveBackAndForthAtTheBorderOfTwoSteps) {
         EXPECT_FALSE(cascades.follow(glm::dvec3(0.5 + (frame % 2 == 0 ? 0.4 : 0.6) * step, 0.5, 0.5)));
 }
 
+TEST(Cascades, MoveOneAtATimeAndAllAfterAJump) {
+    Cascades cascades(4, 64);
+    const auto movedBy = [&](const glm::dvec3& eye) {
+        const Cascades before = cascades;
+        cascades.follow(eye);
+        int moved = 0;
+        for (int i = 0; i < 4; ++i)
+            moved += before.corner(i) != cascades.corner(i);
+        return moved;
+    };
+    cascades.follow(glm::dvec3(0.3));
+    const double step = cascades.side(0) / 8.0;
+    int moves = 0;
+    for (int frame = 1; frame <= 100; ++frame) {
+        const glm::dvec3 eye(0.3 + 0.2 * step * frame);
+        const int moved = movedBy(eye);
+        EXPECT_LE(moved, 1) << "frame " << frame;
+        moves += moved;
+        for (int i = 0; i + 1 < 4; ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_GE(cascades.corner(i)[axis], cascades.corner(i + 1)[axis]);
+                EXPECT_LE(cascades.corner(i)[axis] + cascades.side(i),
+                          cascades.corner(i + 1)[axis] + cascades.side(i + 1));
+            }
+    }
+    EXPECT_GT(moves, 25);
+    EXPECT_EQ(movedBy(glm::dvec3(0.1)), 3);
+}
+
 TEST(Cascades, OneIsTheVolumeWhereverTheEyeIs) {
     Cascades cascades(1, 64);
     EXPECT_FALSE(cascades.follow(glm::dvec3(0.9)));
@@ -226,11 +255,12 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
         const glm::dvec3 eye =
             walking.volume().minWorld + walking.volume().side * glm::dvec3(along, 0.3, 0.4);
         const Camera camera = lookAt(eye, eye + glm::dvec3(0, -0.2, 1), 75);
-        const auto before = cornersOf(places);
-        places.follow(eyeInVolume(camera, walking.volume()));
-        onlyFinest += before.first != cornersOf(places).first && before.second == cornersOf(places).second;
         walking.setPose(poseAt(scene.animation, seconds));
         for (int i = 0; i < 2; ++i) {
+            const auto before = cornersOf(places);
+            places.follow(eyeInVolume(camera, walking.volume()));
+            onlyFinest +=
+                before.first != cornersOf(places).first && before.second == cornersOf(places).second;
             walking.render({{Output::ao}, camera});
             gl::Finish();  // the next frame grows lists that had no room
         }

@@ -152,7 +152,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         isInjected_ = false;
         for (std::optional<Irradiance>* irradiance : {&light_, &occlusion_})
             if (*irradiance)
-                (*irradiance)->onVoxelsChanged({voxelizes, moved != 0, before != inputs.now, isMoved});
+                (*irradiance)->onVoxelsChanged({voxelizes, moved, before != inputs.now, isMoved});
     }
     cachedFor_ = inputs.now;
 

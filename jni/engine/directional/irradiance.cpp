@@ -94,12 +94,12 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
 
 void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
     pending_.lists |= change.lists;
-    pending_.staticLists |= change.staticLists;
+    pending_.voxelized |= change.voxelized;
     pending_.light |= change.light;
     pending_.cascades |= change.cascades;
     if (!change.lists) return;
     placesBricks_ = true;
-    emitterSteps_ = emitterUpdatePeriod;
+    (change.cascades && !change.light ? newEmitterSteps_ : emitterSteps_) = emitterUpdatePeriod;
 }
 
 void Irradiance::invalidate() {
@@ -112,6 +112,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     const gl::DebugGroup group("begin light step");
     const GatherSchedule::Change change = std::exchange(pending_, {});
     step_ = schedule_.advance(change);
+    voxelized_ = change.voxelized;
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
@@ -120,7 +121,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
     if (std::exchange(placesBricks_, false)) {
-        if (change.staticLists) carryOver(voxels, voxels.staticList());
+        if (change.voxelized != 0) carryOver(voxels, voxels.staticList());
         if (carryOver_ && voxels.hasDynamicObjects()) carryOver(voxels, voxels.dynamicList());
         placeBricks(voxels);
     }
@@ -141,9 +142,12 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     chooseFaces(voxels, surface);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    if (emitters_ && emitterSteps_ > 0) {
-        --emitterSteps_;
+    if (emitters_ && std::max(emitterSteps_, newEmitterSteps_) > 0) {
         emitters_->use();
+        gl::Uniform1ui(VCT_UNIFORM_LONG_HISTORY,
+                       emitterSteps_ > 0 ? 0U : static_cast<GLuint>(GatherSchedule::longEnoughAfterMove));
+        emitterSteps_ = std::max(emitterSteps_ - 1, 0);
+        newEmitterSteps_ = std::max(newEmitterSteps_ - 1, 0);
         voxels.index().dispatchOverFaces(0);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -247,6 +251,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
     values.longEnough = step_.longEnough;
+    values.voxelizedCascades = voxelized_;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
