@@ -117,23 +117,6 @@ TEST(CascadesOnAPlane, SeeTheWholeSkyAndNotThemselves) {
     EXPECT_NEAR(spread.max, spread.mean, 0.01 * spread.mean);
 }
 
-// A room of 24 x 6 x 8 m, seen from inside, with a panel that emits light in its ceiling.
-Scene hall() {
-    Scene scene = emptyScene();
-    scene.materials.push_back(scene.materials[0]);
-    scene.materials[0].baseColor = glm::vec4(0.7F, 0.7F, 0.7F, 1.0F);
-    scene.materials[1].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
-    scene.materials[1].emissive = glm::vec3(1.0F);
-    addQuad(scene, {0, 0, 0}, {0, 0, 8}, {24, 0, 0});
-    addQuad(scene, {0, 6, 0}, {24, 0, 0}, {0, 0, 8});
-    addQuad(scene, {0, 0, 0}, {24, 0, 0}, {0, 6, 0});
-    addQuad(scene, {0, 0, 8}, {0, 6, 0}, {24, 0, 0});
-    addQuad(scene, {0, 0, 0}, {0, 6, 0}, {0, 0, 8});
-    addQuad(scene, {24, 0, 0}, {0, 0, 8}, {0, 6, 0});
-    addQuad(scene, {8, 5.8, 2}, {8, 0, 0}, {0, 0, 4}, 1);
-    return finished(std::move(scene));
-}
-
 class Walk {
   public:
     static constexpr int pixels = 96;
