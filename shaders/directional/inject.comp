@@ -130,7 +130,7 @@ void main() {
 #ifdef VCT_BOUNCES
         uint period =
             hasFace(dynamicCell, listed.face) ? 1u : injectionPeriod(id, uint(cascadeOf(listed.voxel)));
-        if (period == 0u || (id / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
+        if (period == 0u || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
 #endif
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         SurfacePlane plane = unpackPlane(sums.plane);

@@ -8,7 +8,8 @@ layout(location = VCT_UNIFORM_LIST) uniform uint keeps;  // 1: all; 0: none
 
 void main() {
     COUNT(VCT_COUNTER_MARK_STATIC);
-    uint level = gl_LocalInvocationIndex;
+    // The dispatch over the base level's faces is that of list 0.
+    uint level = gl_LocalInvocationIndex, faces = level == 0u ? staticList : level;
     commands[level].staticVoxels = keeps * commands[level].voxelCount;
-    commands[level].staticFaces = keeps * commands[level].faceCount;
+    commands[level].staticFaces = keeps * commands[faces].faceCount;
 }

@@ -39,7 +39,9 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
       voxelizer_(shaders, scene, settings.grid, settings.cascades, sources.emission),
       counts_("counts of listed faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources),
-      mipmapper_(shaders) {}
+      mipmapper_(shaders) {
+    if (hasCascades_) settings_.gather.bounceGain = 1.0F;
+}
 
 // Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene) {
