@@ -242,7 +242,8 @@ class GlobalIllumination {
     void setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds);
     // Shows or hides such an instance. Objects that come and go are described once, hidden, as many as there
     // may be at a time; hidden ones take memory and no time. If moving instances suddenly fill half as many
-    // voxels again, by this or by setTransform(), parts of them are too dark for about one picture.
+    // voxels again, by this or by setTransform(), parts of them are too dark for about one picture; a picture
+    // with Light::converged is right at once.
     void setVisible(std::size_t instance, bool isVisible);
     // Scales the emission of such an instance, by 0 (a lamp that is off) to 1.
     void setEmission(std::size_t instance, float scale);

@@ -14,7 +14,7 @@ namespace vct::gl {
 enum class Load {
     clear,       // clears colours to a given one, integers to 0 and depth to 1
     invalidate,  // for a pass that draws every pixel
-    keep,        // for a pass that draws a part of the picture anew
+    keep,        // for a pass that draws a part of the picture again
 };
 
 // The attachments that are read after the pass. The others are invalidated at its end.

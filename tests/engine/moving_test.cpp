@@ -85,6 +85,18 @@ TEST(MovingInstances, ABoxMayGrowFromNothing) {
         expectFresh(stage, context, scene, settings, seconds);
 }
 
+// A picture of converged light has no frame after it that could add room.
+TEST(MovingInstances, ABoxFillsAConvergedPictureAtOnce) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0, 0, 0}}});
+    builder.animate(box, "scale", {0, 1}, {0, 0, 0, 3, 1.8F, 3});
+    const Scene scene = load(builder);
+    PlayingScene stage(context, scene, mobileSettings());
+    stage.convergedAt(0.0);
+    expectFreshLight(stage, context, scene, mobileSettings(), 1.0);
+}
+
 TEST_P(Moving, TheLightMaySetAndTheCameraMayMove) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();

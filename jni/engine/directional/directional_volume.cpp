@@ -148,6 +148,12 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (voxelizes)
         timer.time(Step::voxelize, [&] {
             voxelize(inputs.scene, moved);
+            // A picture of converged light waits for the GPU, so that its lists have room in it already.
+            if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands())) {
+                moved = hasCascades_ ? DirectionalVoxels::allCascades : 0;
+                voxelize(inputs.scene, moved);
+                cascades_ = inputs.cascades;
+            }
             counts_.start(voxels_.index().commands());
         });
     if (voxelizes || inputs.forceRebuild || before != inputs.now) {

@@ -34,7 +34,7 @@ class GatherSchedule {
 
     // A change of the voxels in the time between two steps.
     struct Change {
-        bool lists = false;           // lists of faces were made anew
+        bool lists = false;           // lists of faces were rebuilt
         std::uint32_t voxelized = 0;  // a bit for each cascade whose static geometry was voxelized
         bool light = false;           // the light or the occluders have changed
         bool cascades = false;        // cascades have moved with the camera
