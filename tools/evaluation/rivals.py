@@ -3,13 +3,13 @@
 Each gets a job, a JSON file with the triangles, materials, camera and sun of the scene as the path-traced reference read them.
 It writes its picture and report.json into the job's folder.
 """
-import functools
+import http.server
 import json
 import math
 import os
-import shutil
 import subprocess
-from collections.abc import Callable
+import tempfile
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -78,3 +78,51 @@ def godot(job: Path, out: Path) -> Picture:
 def cycles(python: Path, job: Path, out: Path) -> Picture:
     call([python, "-B", FOLDER / "draw_cycles.py", job])
     return read_exr(out / "picture.exr")
+
+
+def page_server(three_js: Path, job: Path, out: Path) -> tuple[http.server.ThreadingHTTPServer, threading.Event]:
+    """Serves the page, its job and three.js on this machine, and stores what the page sends. The event is set with the report."""
+    files = {"/": FOLDER / "three.html", "/job.json": job}
+    posts = {"/picture": out / "picture.bin", "/report": out / "report.json"}
+    ended = threading.Event()
+
+    class Handler(http.server.SimpleHTTPRequestHandler):
+        def translate_path(self, path: str) -> str:
+            inside = (three_js / path.removeprefix("/three/")).resolve()
+            return str(files.get(path) or (inside if inside.is_relative_to(three_js.resolve()) else "/nowhere"))
+
+        def guess_type(self, path: str) -> str:
+            return "text/html" if str(path).endswith(".html") else super().guess_type(path)
+
+        def do_POST(self) -> None:
+            posts[self.path].write_bytes(self.rfile.read(int(self.headers["Content-Length"])))
+            self.send_response(204)
+            self.end_headers()
+            if self.path == "/report":
+                ended.set()
+
+        def log_message(self, *_: object) -> None:
+            pass
+    return http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler), ended
+
+
+def three(three_js: Path, job: Path, out: Path) -> Picture:
+    server, ended = page_server(three_js, job, out)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with tempfile.TemporaryDirectory() as profile:
+        browser = subprocess.Popen(["chromium", "--headless=new", "--no-sandbox", f"--user-data-dir={profile}", "--enable-unsafe-webgpu",
+                                    "--use-webgpu-adapter=swiftshader", "--use-angle=swiftshader", "--use-vulkan=swiftshader",
+                                    "--enable-features=Vulkan", "--disable-vulkan-surface", "--disable-dev-shm-usage",
+                                    f"http://127.0.0.1:{server.server_port}/"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            if not ended.wait(900):
+                raise Failed("the page in chromium was stopped after 900 s")
+        finally:
+            browser.terminate()
+            browser.wait()
+            server.shutdown()
+    failed = json.loads((out / "report.json").read_text()).get("failed")
+    if failed:
+        raise Failed(f"the page in chromium failed: {failed}")
+    size = json.loads(job.read_text())["scene"]["size"]
+    return np.fromfile(out / "picture.bin", np.float32).reshape(size[1], size[0], 3)

@@ -79,8 +79,10 @@ func add_probe(bounds, settings):
 	probe.translation = 0.5 * (vector(bounds[1]) + vector(bounds[0]))
 	probe.interior = true  # no light from an environment
 	for name in settings:
-		if name != "subdiv":
+		if name != "subdiv" and name != "offset_voxels":
 			probe.set(name, settings[name])
+	var longest = max(max(probe.extents.x, probe.extents.y), probe.extents.z)
+	probe.normal_bias = settings.offset_voxels * 2 * longest / settings.subdiv  # the shader takes it as metres
 	add_child(probe)
 	var start = OS.get_ticks_usec()
 	probe.bake(self, false)
