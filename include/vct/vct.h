@@ -137,8 +137,10 @@ struct SceneDescription {
     // a sky of 0.2 is black.
     std::array<float, 3> skyRadiance{0, 0, 0};
     std::optional<SkyPicture> sky;  // replaces skyRadiance
-    // The voxels fill a cube around this box and the initial positions of all instances. An instance that
-    // moves out of the cube neither lights nor shadows other surfaces.
+    // The voxels fill a cube around this box and the initial positions of all instances. The cube stays as it
+    // is (voxelBounds()). An instance outside of it gives and blocks no indirect light, and far outside it
+    // casts no shadows of the sun, so give the box in which instances will move. Voxels are as large as the
+    // cube demands, unless Options::voxelSize limits them.
     std::optional<Box> bounds;
 };
 
@@ -239,7 +241,8 @@ class GlobalIllumination {
     // GPU. `bounds`: around the positions, in object space.
     void setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds);
     // Shows or hides such an instance. Objects that come and go are described once, hidden, as many as there
-    // may be at a time; hidden ones take memory and no time.
+    // may be at a time; hidden ones take memory and no time. If moving instances suddenly fill half as many
+    // voxels again, by this or by setTransform(), parts of them are too dark for about one picture.
     void setVisible(std::size_t instance, bool isVisible);
     // Scales the emission of such an instance, by 0 (a lamp that is off) to 1.
     void setEmission(std::size_t instance, float scale);
@@ -288,6 +291,9 @@ class GlobalIllumination {
     // floats could not store it, and less if the sun is off and all light is weak. It stays as it is if
     // lights, sun or sky change later. Light below a 10,000th of it loses precision.
     double radianceUnit() const;
+
+    // The cube of the voxels in world space (SceneDescription::bounds).
+    Box voxelBounds() const;
 
   private:
     struct Implementation;

@@ -428,6 +428,12 @@ double GlobalIllumination::radianceUnit() const {
     return implementation_->renderer->radianceScale();
 }
 
+Box GlobalIllumination::voxelBounds() const {
+    const Volume& volume = implementation_->renderer->volume();
+    const glm::dvec3 min = volume.minWorld, max = min + volume.side;
+    return {{min.x, min.y, min.z}, {max.x, max.y, max.z}};
+}
+
 gl::ReadShader embeddedShaders() {
     return [](const std::string& path) {
         for (const EmbeddedFile* file = embeddedFiles; file->path != nullptr; ++file)

@@ -3,6 +3,7 @@
 // wide as the one before. The last one is the volume itself and does not move.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 
@@ -23,8 +24,13 @@ class Cascades {
 
     // Centres the cascades on the eye (volume space), in steps of their own bricks of eight voxels, so that
     // their voxels stay in place. A cascade moves once the eye is more than 3/4 of a step from its centre, so
-    // that an eye at the border of two steps does not move it back and forth. Returns true if any has moved.
+    // that an eye at the border of two steps does not move it back and forth. Only the cascade that is
+    // farthest from its place moves, which bounds the cost of a frame; but any moves that is 1 1/2 steps
+    // away, as after a jump, so that each cascade stays inside of the next. Returns true if any has moved.
     bool follow(const glm::dvec3& eye);
+
+    // The cascade around which a tile of the sun's shadow map is drawn.
+    int ofShadowTile(int tile) const { return std::max(count_ - VCT_SHADOW_TILES + tile, 0); }
 
     bool operator==(const Cascades& other) const { return corners_ == other.corners_; }
 

@@ -150,7 +150,7 @@ void setCascades(shared::FrameUniforms& frame, const Cascades& now, const Cascad
     const glm::dmat4 worldFromVolume = glm::inverse(volume.volumeFromWorld());
     const LightAxes axes = lightAxes(light);
     for (int tile = 0; tile < VCT_SHADOW_TILES; ++tile) {
-        const int cascade = std::max(now.count() - VCT_SHADOW_TILES + tile, 0);
+        const int cascade = now.ofShadowTile(tile);
         const glm::dvec3 offset(tile & 1, tile >> 1, 0.0), scale(0.5, 0.5, 1.0);
         const glm::dmat4 mapFromTile =
             glm::scale(glm::dmat4(1.0), scale) * glm::translate(glm::dmat4(1.0), offset);

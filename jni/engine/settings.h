@@ -66,6 +66,7 @@ struct GatherSettings {
     float threshold = 0.15F;  // a cone with less transmittance ends
     // Scales the light that faces reflect. Cones lose some light through the gaps between their samples, as
     // a closed furnace shows, and without this gain each bounce would lose it again.
+    // With cascades it is 1 (DirectionalVolume): rooms are then far from the border, where most is lost.
     float bounceGain = 1.06F;
 
     // The number of directions to choose from.

@@ -27,14 +27,18 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
     const std::uint64_t wanted = baseCapacity != 0 ? baseCapacity : 16ULL * grid * grid * cascades;
     shared::CommandLists commands{};
     commands.dynamicList = VCT_LIST_DYNAMIC;
+    commands.staticList = cascades > 1 ? VCT_LIST_STATIC : 0;
     std::uint32_t firstEntry = 0;
     for (int list = 0; list < VCT_LISTS; ++list) {
-        const bool isDynamic = list >= VCT_LIST_DYNAMIC;
-        if (isDynamic ? kind != VoxelPyramid::Kind::staticAndDynamicFaces : list >= levelsOf(grid)) continue;
+        const bool isStatic = list >= VCT_LIST_STATIC, isDynamic = !isStatic && list >= VCT_LIST_DYNAMIC;
+        const bool exists = isStatic    ? cascades > 1
+                            : isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
+                                        : list < levelsOf(grid);
+        if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
-        c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(isDynamic ? 0 : list)));
+        c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));
         firstEntry += c.capacity;
     }
     return commands;

@@ -33,6 +33,8 @@ RenderPass::RenderPass(const Framebuffer& framebuffer, Load load, Store store,
         if (store == Store::colors && !isColor) unread_.push_back(name);
         if (load == Load::invalidate || kind == Kind::unused) {
             invalid.push_back(name);
+        } else if (load == Load::keep) {
+            // Reads the attachment from memory.
         } else if (kind == Kind::color) {
             ClearBufferfv(GL_COLOR, drawBuffer, color.data());
         } else if (kind == Kind::integers) {

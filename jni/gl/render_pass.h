@@ -10,10 +10,11 @@
 
 namespace vct::gl {
 
-// The treatment of all attachments at the start of a pass, so that none is read from memory.
+// The treatment of all attachments at the start of a pass. All but `keep` spare reading them from memory.
 enum class Load {
     clear,       // clears colours to a given one, integers to 0 and depth to 1
     invalidate,  // for a pass that draws every pixel
+    keep,        // for a pass that draws a part of the picture anew
 };
 
 // The attachments that are read after the pass. The others are invalidated at its end.

@@ -31,14 +31,13 @@ bool possible(unsigned features) {
 }  // namespace
 
 std::vector<gl::ProgramDescription> everyProgram() {
-    std::vector<gl::ProgramDescription> programs{packedMipmapperProgram(), packedClearProgram(),
-                                                 voxelViewProgram(),
+    std::vector<gl::ProgramDescription> programs{
+        packedMipmapperProgram(), packedClearProgram(),       voxelViewProgram(),
 
-                                                 listFacesProgram(),       clearLevelProgram(),
-                                                 resetListsProgram(),      directionalMipmapperProgram(),
-                                                 shadowMomentsProgram(),   nextShadowMomentsProgram(),
-                                                 deformProgram(),          copyVerticesProgram(),
-                                                 sortAxesProgram()};
+        listFacesProgram(),       clearLevelProgram(),        resetListsProgram(),
+        markStaticProgram(),      keepVoxelsProgram(),        directionalMipmapperProgram(),
+        shadowMomentsProgram(),   nextShadowMomentsProgram(), deformProgram(),
+        copyVerticesProgram(),    sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
     for (unsigned features : allFeatures()) {
@@ -71,6 +70,7 @@ std::vector<gl::ProgramDescription> everyProgram() {
         {{false, false}, {true, false}, {true, true}}};
     for (const auto& [emission, emitters] : emissionAndEmitters) {
         programs.push_back(clearDynamicProgram(emission));
+        programs.push_back(keepSumsProgram(emission));
         for (const bool environment : {false, true}) {
             for (const char* name : lightPrograms)
                 programs.push_back(lightProgram(name, {false, environment, emitters, emission}));
@@ -143,6 +143,11 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::voxelize, clearDynamicProgram(emission));
         add(Step::voxelize, clearLevelProgram());
         add(Step::voxelize, resetListsProgram());
+        if (settings.cascades > 1) {
+            add(Step::voxelize, markStaticProgram());
+            add(Step::voxelize, keepVoxelsProgram());
+            add(Step::voxelize, keepSumsProgram(emission));
+        }
         for (unsigned f : features.materialFeatures) {
             add(Step::voxelize, markFacesProgram(f));
             add(Step::voxelize, accumulateProgram(f, emission));

@@ -1,6 +1,7 @@
 // Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
 // the mean of a neighbouring voxel's faces, dynamic in the last pose or static. If cascades have moved with
-// the camera, a face that the same cascade did not hold takes over the history of a coarser one.
+// the camera, static faces come first, and a face that the same cascade did not hold takes over the history
+// of a coarser one.
 #include "directional/cascades.glsl"
 #include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
@@ -8,6 +9,7 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex;
+layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 struct History {
     FaceIrradiance mean;
@@ -51,12 +53,12 @@ const float maxStepsFromCoarser = 8.0;
 
 void main() {
     COUNT(VCT_COUNTER_CARRY_OVER);
-    uint count = faceCount(dynamicList), previous = dynamicList ^ 1u;
+    uint count = faceCount(list), previous = list ^ 1u;
     uint firstId = commands[previous].firstId, endId = firstId + faceCount(previous);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_CARRY_OVER_FACE);
-        ListedFace listed = listedFace(dynamicList, i);
+        ListedFace listed = listedFace(list, i);
         History history = History(FaceIrradiance(vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), 0.0);
         LastPlace last = lastPlaceOf(listed.voxel);
         add(history, texelFetch(previousIndex, last.voxel, 0).r, listed.face, firstId, endId);
@@ -65,11 +67,13 @@ void main() {
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
             add(history, texelFetch(previousIndex, beside, 0).r, listed.face, firstId, endId);
-            add(history, texelFetch(staticIndex, beside, 0).r, listed.face, 0u, faceCount(0u));
+            if (list == dynamicList)
+                add(history, texelFetch(staticIndex, beside, 0).r, listed.face, firstStaticId(),
+                    firstStaticId() + faceCount(listOfStatic()));
         }
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;
-        uint id = commands[dynamicList].firstId + i;
+        uint id = commands[list].firstId + i;
         float steps = min(mean.steps * share, last.isSame ? 1e4 : maxStepsFromCoarser);
         storeFaceIrradiance(
             id, FaceIrradiance(mean.light * share, steps, mean.roundStart * share, mean.nearness * share));

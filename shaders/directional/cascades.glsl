@@ -7,10 +7,6 @@
 // "positions in voxels": those of cascade c have z from c * gridSide to (c + 1) * gridSide.
 #include "shared/frame.glsl"
 
-#ifndef VCT_CASCADES
-#define VCT_CASCADES 1
-#endif
-
 const int cascades = VCT_CASCADES;
 
 // The cascade of a voxel.

@@ -23,9 +23,7 @@ struct ConeStart {
 
 // The id of a voxel's face. Returns false if no surface covers it.
 bool findFace(uint staticCell, uint dynamicCell, int face, out uint id) {
-    if (!hasFace(staticCell, face)) return findDynamicFace(dynamicCell, face, id);
-    id = faceId(staticCell, face, 0u);
-    return true;
+    return findStaticFace(staticCell, face, id) || findDynamicFace(dynamicCell, face, id);
 }
 
 // Returns where the cones of the face `ownFace` start. `plane`: the plane of its surface.

@@ -1,5 +1,6 @@
 // Irradiance of the base level's faces by the compact emitters. It depends on geometry only. After something
-// has moved, a quarter of the faces is updated in each step, and new faces at once.
+// has moved, a quarter of the faces is updated in each step, and new faces at once. If only cascades have
+// moved, faces with a long history keep their light.
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
 #include "directional/face_irradiance.glsl"
@@ -9,15 +10,19 @@
 #include "directional/emitter_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
+layout(location = VCT_UNIFORM_LONG_HISTORY) uniform uint longHistory;  // steps; 0: all faces are updated
 
-// Irradiance by all emitters, relative to E.
-vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
+// Irradiance by all emitters, relative to E. `other`: the face's irradiance by other surfaces and the sky.
+// An emitter that would add less than half a percent to it costs no cone.
+vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow, vec3 other) {
+    float negligible = 0.005 * max(other.r, max(other.g, other.b));
     int cascade = cascadeOf(start.voxel);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < emitters.count.x; ++i) {
         EmitterPartUniforms part = emitters.part[i];
         SeenPart seen = seenPart(part, volumeFromVoxels(start.position, cascade), plane.normal);
-        if (!isStorable(seen.light)) continue;
+        if (!isStorable(seen.light) || max(seen.light.r, max(seen.light.g, seen.light.b)) < negligible)
+            continue;
         float toOpposite = distanceToOpposite(start, seen.towards);
         if (toOpposite >= 0.0 && toOpposite < (seen.distance - endOfCones(part)) * voxelsAlongVolume(cascade))
             continue;
@@ -29,7 +34,9 @@ vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow) {
 
 // True if a face is to be updated: a new face, or one in the quarter of the work groups that have their turn.
 bool isDue(uint id, uint i) {
-    return historyLength(id) == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % 4u == 0u;
+    float history = historyLength(id);
+    if (longHistory != 0u && history >= float(longHistory)) return false;
+    return history == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % 4u == 0u;
 }
 
 void main() {
@@ -44,6 +51,7 @@ void main() {
         FaceSurface surface = faceSurface(id);
         SurfacePlane plane = surface.plane;
         ConeStart start = coneStartOf(listed.voxel, listed.face, plane);
-        storeEmitterIrradiance(id, lightOfEmitters(start, plane, ownFaces(plane.normal, surface.hasBack)));
+        vec3 ownBelow = ownFaces(plane.normal, surface.hasBack);
+        storeEmitterIrradiance(id, lightOfEmitters(start, plane, ownBelow, faceIrradianceAt(id).light));
     }
 }

@@ -88,20 +88,6 @@ vec3 emitterIrradiance(uint id) {
 void storeEmitterIrradiance(uint id, vec3 light) {}
 #endif
 
-// Sums over all faces in a step, weighted by coverage, three words each.
-#define VCT_SUM_BEFORE 0u      // irradiance before the step
-#define VCT_SUM_REFLECTED 3u   // the part of the irradiance before the step that faces reflect
-#define VCT_SUM_DIRECT 6u      // emission and reflected direct light
-#define VCT_SUM_FROM_FACES 9u  // irradiance by other faces, as gathered in the step
-#define VCT_SUM_SKY 12u        // irradiance by the sky, as gathered in the step
-
-// Converts a value to fixed point for these sums. The sum of integers does not depend on their order.
-// sumUnits keeps the sum of all faces within 32 bits if their mean is below 4 (Irradiance::uploadUniforms());
-// the limit of 64 bounds what one face adds.
-uvec3 quantizeSum(vec3 value) {
-    return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + 0.5);
-}
-
 // The position of a step's sums. There are three: of the previous step (step + 2, modulo 3), of this step,
 // and of the next step (step + 1), which are being cleared.
 uint lightSums(uint step) {

@@ -4,8 +4,8 @@
 // At the base level, static geometry and dynamic objects have separate lists. The position in these lists
 // gives a face its id, which locates its sums and its irradiance. Static faces have the first ids and keep
 // them. Two ranges of ids for dynamic faces follow. They alternate from pose to pose, so that a new pose can
-// read the last one. Above the base level, a list holds the static faces, then the faces that only dynamic
-// objects cover.
+// read the last one. With cascades, static faces have two ranges that alternate as well, because cascades
+// move. Above the base level, a list holds the static faces, then the faces that only dynamic objects cover.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
@@ -30,13 +30,30 @@ ListedFace listedFace(uint list, uint i) {
     return unpackListed(faceData[commands[list].firstFace + i]);
 }
 
+// The list of the static faces, and the id of its first face.
+#if VCT_CASCADES > 1
+uint listOfStatic() {
+    return staticList;
+}
+uint firstStaticId() {
+    return commands[staticList].firstId;
+}
+#else
+uint listOfStatic() {
+    return 0u;
+}
+uint firstStaticId() {
+    return 0u;
+}
+#endif
+
 // The number of faces of the base level, static and dynamic, and the id of each.
 uint baseFaceCount() {
-    return faceCount(0u) + faceCount(dynamicList);
+    return faceCount(listOfStatic()) + faceCount(dynamicList);
 }
 uint baseFaceId(uint i) {
-    uint staticCount = faceCount(0u);
-    return i < staticCount ? i : commands[dynamicList].firstId + i - staticCount;
+    uint staticCount = faceCount(listOfStatic());
+    return i < staticCount ? firstStaticId() + i : commands[dynamicList].firstId + i - staticCount;
 }
 ListedFace baseFace(uint id) {
     return listedFace(0u, id);
@@ -68,6 +85,12 @@ bool hasFace(uint cell, int face) {
 // The id of an occupied face. `firstId`: the list's first id.
 uint faceId(uint cell, int face, uint firstId) {
     return firstId + (cell >> VCT_FACE_MASK_BITS) - 1u + uint(bitCount(cell & ((1u << uint(face)) - 1u)));
+}
+// The id of a static face. Returns false if there is none. With cascades, the list may have had no room for
+// it.
+bool findStaticFace(uint cell, int face, out uint id) {
+    id = faceId(cell, face, firstStaticId());
+    return hasFace(cell, face) && (VCT_CASCADES == 1 || id < firstStaticId() + faceCount(listOfStatic()));
 }
 // The id of a face that dynamic objects cover. Returns false if there is none, or the list had no room for
 // it.

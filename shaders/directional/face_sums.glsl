@@ -95,8 +95,8 @@ FaceSums combine(FaceSums a, FaceSums b) {
 // The sums of a face in the static and the dynamic index, added together.
 FaceSums combinedSums(uint staticCell, uint dynamicCell, int face) {
     FaceSums sums = FaceSums(0.0, vec3(0.0), vec3(0.0), 0u);
-    if (hasFace(staticCell, face)) sums = faceSums(faceId(staticCell, face, 0u));
     uint id;
+    if (findStaticFace(staticCell, face, id)) sums = faceSums(id);
     return findDynamicFace(dynamicCell, face, id) ? combine(sums, faceSums(id)) : sums;
 }
 

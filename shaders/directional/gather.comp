@@ -8,6 +8,7 @@
 #include "directional/contact.glsl"
 #include "directional/gather_directions.glsl"
 #include "directional/gather_turns.glsl"
+#include "directional/light_sums.glsl"
 #include "directional/sky_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -188,8 +189,9 @@ void main() {
         if (!occlusion) {
             // Only the share `rate` of the faces gathers in a step, so each counts 1 / rate times in the sums
             // over all faces. Faces without a history always gather, so they count once.
-            float weight = surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
-            uvec3 fromFaces = quantizeSum(now.light * weight), sky = quantizeSum(skyLight(now.sky) * weight);
+            float weight = weightInSums(listed.voxel) * surface.coverage / (before.steps == 0.0 ? 1.0 : rate);
+            uvec3 fromFaces = quantizeSum(now.light * weight, listed.voxel),
+                  sky = quantizeSum(skyLight(now.sky) * weight, listed.voxel);
             for (uint c = 0u; c < 3u; ++c) {
                 atomicAdd(groupSums[c], fromFaces[c]);
                 atomicAdd(groupSums[3u + c], sky[c]);

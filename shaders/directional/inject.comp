@@ -74,6 +74,17 @@ float largerOf(float before, vec3 color) {
 
 #ifdef VCT_BOUNCES
 #include "directional/light_balance.glsl"
+
+// While something changes, light is injected into the static faces of a cascade once in 2^cascade steps, so
+// that a step costs about twice the finest cascade. Returns this number of steps. While only cascades move,
+// the light of faces with a long history stays; returns 0 for them.
+uint injectionPeriod(uint id, uint cascade) {
+    bool all = lightStep.coneBudget == 0u || faceRange.changed != 0.0 ||
+               (lightStep.voxelizedCascades >> cascade & 1u) != 0u;
+    if (cascades == 1 || all) return 1u;
+    if (lightStep.longEnough > 0.0) return historyLength(id) < lightStep.longEnough ? 1u : 0u;
+    return 1u << cascade;
+}
 #endif
 
 // The albedo and emission of a face, premultiplied by its coverage. If a voxel has several layers of surface,
@@ -116,6 +127,11 @@ void main() {
         if (listed.isMerged) continue;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
+#ifdef VCT_BOUNCES
+        uint period =
+            hasFace(dynamicCell, listed.face) ? 1u : injectionPeriod(id, uint(cascadeOf(listed.voxel)));
+        if (period == 0u || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
+#endif
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         SurfacePlane plane = unpackPlane(sums.plane);
         float coverage = min(sums.coverage, 1.0);
@@ -129,7 +145,7 @@ void main() {
             radiance +=
                 material.albedo * directIrradiance(plane, slackShare, middle, cascadeOf(listed.voxel));
 #ifdef VCT_BOUNCES
-        radiance = addBounces(id, coverage, radiance, material.albedo);
+        radiance = addBounces(id, listed.voxel, float(period), coverage, radiance, material.albedo);
 #endif
         radianceMeasured = largerOf(radianceMeasured, radiance);
         radiance = min(radiance / faceRange.radiance, 1.0);

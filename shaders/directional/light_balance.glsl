@@ -1,6 +1,7 @@
 // Reflected irradiance for the injection of light, and a global correction of all irradiance, which makes the
 // bounces in closed rooms converge faster.
 #include "directional/gather_turns.glsl"
+#include "directional/light_sums.glsl"
 
 shared uint groupSums[9], groupLargestIrradiance;
 vec3 balanceFactor;
@@ -50,8 +51,9 @@ void beginBalance() {
 }
 
 // A face's radiance: `direct` and the reflected irradiance, both relative to E/pi. Also applies the global
-// correction to the face's history, and adds to the sums.
-vec3 addBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
+// correction to the face's history, and adds to the sums, where the face stands for the `period` steps from
+// one injection to the next.
+vec3 addBounces(uint id, ivec3 voxel, float period, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
     mean.light = min(mean.light * balanceFactor, maxStoredLight);
     mean.roundStart *= balanceFactor;
@@ -60,9 +62,10 @@ vec3 addBounces(uint id, float coverage, vec3 direct, vec3 albedo) {
     // The gain compensates for light that cones lose. A face never reflects more than it receives.
     vec3 reflecting = min(lightStep.bounceGain * albedo, coverage);
     vec3 own = direct + reflecting * emitterIrradiance(id);
-    sumBefore += quantizeSum(coverage * mean.light);
-    sumReflected += quantizeSum(reflecting * mean.light);
-    sumDirect += quantizeSum(min(own, faceRange.radiance));
+    float weight = period * weightInSums(voxel);
+    sumBefore += quantizeSum(weight * coverage * mean.light, voxel);
+    sumReflected += quantizeSum(weight * reflecting * mean.light, voxel);
+    sumDirect += quantizeSum(weight * min(own, faceRange.radiance), voxel);
     return own + reflecting * mean.light;
 }
 

@@ -42,9 +42,9 @@ void main() {
         COUNT(VCT_COUNTER_LIST_FACES_VOXEL);
         ivec3 voxel = ivec3(activeVoxel(list, v));
         uint faces = imageLoad(index, voxel).r & VCT_FACE_MASK;
-        bool isStatic = list < uint(VCT_LIST_DYNAMIC);
-        uint known = isStatic ? 0u : texelFetch(staticIndex, voxel, 0).r;
-        if (!isStatic && known == 0u) appendVoxel(0u, uvec3(voxel));
+        bool isDynamic = (list & ~1u) == uint(VCT_LIST_DYNAMIC);
+        uint known = isDynamic ? texelFetch(staticIndex, voxel, 0).r : 0u;
+        if (list != 0u && known == 0u) appendVoxel(0u, uvec3(voxel));
         uint first = reserveFaces(list, uint(bitCount(faces))), i = first;
         imageStore(index, voxel, uvec4(packCell(first, faces)));
         for (uint left = faces; left != 0u; left &= left - 1u) {

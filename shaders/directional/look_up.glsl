@@ -31,8 +31,7 @@ vec3 volumeFromWorld(vec3 positionWorld) {
 
 // Irradiance in the air, relative to E, by VCT_GATHER_DIRECTIONS cones and one towards each compact emitter.
 // `position` is in volume space.
-vec3 irradianceInAir(vec3 position, vec3 normal) {
-    int cascade = lookUpCascade(position).cascade;
+vec3 irradianceInAir(vec3 position, vec3 normal, int cascade) {
     vec3 start = voxelsFromVolume(position, cascade), ownBelow = ownFaces(normal, false);
     vec3 light = vec3(0.0);
     VisibleSky sky = VisibleSky(0.0);
@@ -57,8 +56,8 @@ vec3 irradianceInAir(vec3 position, vec3 normal) {
 
 // Irradiance, premultiplied by coverage, and coverage of the surfaces at a point that face the normal's side.
 // It is the first try of irradianceInCascade().
-vec4 irradianceOnSurface(vec3 position, vec3 normal) {
-    vec3 voxel = voxelsFromVolume(position, lookUpCascade(position).cascade);
+vec4 irradianceOnSurface(vec3 position, vec3 normal, int cascade) {
+    vec3 voxel = voxelsFromVolume(position, cascade);
     ivec3 block = ivec3(voxel) >> VCT_BRICK_LEVEL;
     vec4 sum = vec4(0.0);
     for (int axis = 0; axis < 3; ++axis)
@@ -67,14 +66,23 @@ vec4 irradianceOnSurface(vec3 position, vec3 normal) {
     return sum;
 }
 
-// Irradiance relative to E. It is the stored one where a surface that faces the normal's side is near, and of
-// cones elsewhere.
-vec3 irradianceAt(vec3 positionWorld, vec3 normal) {
-    vec3 position = volumeFromWorld(positionWorld);
+// Irradiance relative to E by one cascade. It is the stored one where a surface that faces the normal's side
+// is near, and of cones elsewhere. `position` is in volume space.
+vec3 irradianceByCascade(vec3 position, vec3 normal, int cascade) {
     bool isInside = position == clamp(position, 0.0, 0.9999);
-    vec4 stored = isInside ? irradianceOnSurface(position, normal) : vec4(0.0);
+    vec4 stored = isInside ? irradianceOnSurface(position, normal, cascade) : vec4(0.0);
     // With less coverage the surfaces are too far away.
     float share = smoothstep(0.1, 0.4, stored.a);
     vec3 light = share * stored.rgb / max(stored.a, 1e-4);
-    return share < 1.0 ? light + (1.0 - share) * irradianceInAir(position, normal) : light;
+    return share < 1.0 ? light + (1.0 - share) * irradianceInAir(position, normal, cascade) : light;
+}
+
+// Irradiance relative to E. Over the border of two cascades it changes from that of one to that of the other,
+// as in sampleIrradiance().
+vec3 irradianceAt(vec3 positionWorld, vec3 normal) {
+    vec3 position = volumeFromWorld(positionWorld);
+    LookUpCascade from = lookUpCascade(position);
+    vec3 light = irradianceByCascade(position, normal, from.cascade);
+    if (cascades == 1 || from.share == 1.0) return light;
+    return mix(irradianceByCascade(position, normal, from.cascade + 1), light, from.share);
 }

@@ -1,9 +1,11 @@
-// Resets the lists to the static geometry before a new pose is voxelized, and makes the other one of the two
-// dynamic lists the current one.
+// Resets the lists before a new pose is voxelized, and makes the other one of the two dynamic lists the
+// current one. The lists then hold the static geometry, or nothing if that is voxelized as well.
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LISTS) in;
+layout(
+    location = VCT_UNIFORM_LIST) uniform uint next;  // the next static list, if cascades have moved; else 0
 
 uint groupsOf(uint count) {
     return min((count + uint(VCT_LIST_GROUP) - 1u) / uint(VCT_LIST_GROUP), VCT_MAX_GROUPS);
@@ -11,10 +13,13 @@ uint groupsOf(uint count) {
 
 void main() {
     COUNT(VCT_COUNTER_RESET_LISTS);
-    uint list = gl_LocalInvocationIndex, next = dynamicList ^ 1u;
+    uint list = gl_LocalInvocationIndex, nextDynamic = dynamicList ^ 1u;
     barrier();
-    if (list == 0u) dynamicList = next;
-    if (list >= uint(VCT_LIST_DYNAMIC) && list != next) return;
+    if (list == 0u) {
+        dynamicList = nextDynamic;
+        if (next != 0u) staticList = next;
+    }
+    if (list >= uint(VCT_LIST_DYNAMIC) && list != nextDynamic && list != next) return;
     commands[list].voxelCount = commands[list].staticVoxels;
     commands[list].groupsX = groupsOf(commands[list].staticVoxels);
     commands[list].faceCount = commands[list].staticFaces;

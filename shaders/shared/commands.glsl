@@ -6,6 +6,7 @@ layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     LevelCommands commands[VCT_LISTS];
     uint dynamicList;
     uint largestRadiance, largestIrradiance;
+    uint staticList;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {
     uint activeVoxels[];

@@ -18,6 +18,9 @@ using glm::vec3;
 using glm::vec4;
 #else
 #define VCT_FUNCTION
+#ifndef VCT_CASCADES  // their number, directional/cascades.glsl
+#define VCT_CASCADES 1
+#endif
 #endif
 
 // The five modes (thesis 5.1.2), and parts of the light that can be shown alone.
@@ -147,7 +150,12 @@ using glm::vec4;
 #define VCT_COUNTER_GLOSS_MARK 77
 #define VCT_COUNTER_GLOSS_HALF 78
 #define VCT_COUNTER_GLOSS_HALF_STEP 79
-#define VCT_COUNTER_COUNT 80
+#define VCT_COUNTER_MARK_STATIC 80
+#define VCT_COUNTER_KEEP_VOXELS 81
+#define VCT_COUNTER_KEEP_VOXELS_VOXEL 82
+#define VCT_COUNTER_KEEP_SUMS 83
+#define VCT_COUNTER_KEEP_SUMS_FACE 84
+#define VCT_COUNTER_COUNT 85
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -197,13 +205,16 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
-#define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
-#define VCT_UNIFORM_CASCADE 2      // cascade that triangles are voxelized into
-#define VCT_UNIFORM_SHADOW_TILE 2  // tile of the sun's shadow map that is drawn
-#define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
-#define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
-#define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
+#define VCT_UNIFORM_LEVEL 0         // mip level of a pass over a list
+#define VCT_UNIFORM_LIST 1          // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_CASCADE 2       // cascade that triangles are voxelized into
+#define VCT_UNIFORM_CASCADES 2      // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_COMPLETE 0      // 1: the last injection of light was into all faces
+#define VCT_UNIFORM_LONG_HISTORY 2  // length of a face's history from which on it keeps its light
+#define VCT_UNIFORM_SHADOW_TILE 2   // tile of the sun's shadow map that is drawn
+#define VCT_UNIFORM_FRAME_INDEX 1   // number of the light step, which seeds the dither
+#define VCT_UNIFORM_AXIS 0          // axis along which the triangles of a draw call are voxelized
+#define VCT_UNIFORM_LIGHT_MAP 0     // index of the light's shadow map
 // An array of uniforms for passes/copy_vertices.comp, passes/deform.comp and passes/sort_axes.comp: positions
 // of a mesh in their buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
@@ -236,10 +247,12 @@ using glm::vec4;
 #define VCT_MAX_CASCADES 6             // nested cubes of voxels (directional/cascades.glsl)
 #define VCT_LIST_GROUP 64              // invocations per work group over the active-voxel list
 #define VCT_NO_ENTRY 0xFFFFFFFFu
-// Lists of voxels and faces: one per level, then two for the dynamic objects, which alternate from pose to
-// pose (directional/face_lists.glsl).
+// Lists of voxels and faces (directional/face_lists.glsl): one per level; two for the dynamic objects, which
+// alternate from pose to pose; and with cascades two for the static geometry, which alternate as the cascades
+// move. `list ^ 1` is the other one of a pair.
 #define VCT_LIST_DYNAMIC 10
-#define VCT_LISTS 12
+#define VCT_LIST_STATIC 12
+#define VCT_LISTS 14
 // Words per base-level face (directional/face_sums.glsl), without and with sums of emission.
 #define VCT_FACE_WORDS 6u
 #define VCT_EMISSIVE_FACE_WORDS 9u
@@ -332,7 +345,8 @@ struct EmitterBlock {
 struct FaceRange {
     float radiance;  // radiance that the faces' 8 bits store as 1
     float sums;      // value that the integer sums over faces store as 1
-    float unused0, unused1;
+    float changed;   // 1: `radiance` is another than in the last injection
+    float unused0;
 };
 
 // One step of the gather (jni/engine/directional/gather_schedule.h).
@@ -357,7 +371,7 @@ struct LightStep {
     uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
     float longEnough;
-    uint unused0;
+    uint voxelizedCascades;  // a bit for each cascade whose static geometry was voxelized before the step
 };
 
 struct DrawUniforms {
@@ -408,7 +422,7 @@ struct CommandLists {
     // bits of floats, because non-negative floats have the same order as their bits and atomicMax() needs
     // integers.
     uint largestRadiance, largestIrradiance;
-    uint unused0;
+    uint staticList;  // list of the static geometry: 0, or with cascades the present one of two
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.

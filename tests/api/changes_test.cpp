@@ -84,6 +84,44 @@ TEST_F(Changes, HiddenInstancesAreAsIfTheyWereNotThere) {
     expectAsFresh(light, fresh, "hidden");
 }
 
+// The box moves towards the sun, far behind the camera.
+TEST_F(Changes, OutsideOfTheVoxelsAreThoseOfAHiddenInstance) {
+    SceneDescription& scene = described_.scene;
+    GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
+    const Image before = picture(light);
+    EXPECT_NEAR(light.voxelBounds().max[0], 1.6, 0.1);
+    Matrix away = scene.instances[1].worldFromObject;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        away.columns[12 + axis] += 10.0 * scene.sun.directionToSun[axis];
+    light.setTransform(1, away);
+    scene.instances[1].isVisible = false;
+    GlobalIllumination hidden(getProcAddress, scene, optionsOf("mobile"));
+    expectAsFresh(light, hidden, "outside");
+    light.setTransform(1, scene.instances[1].worldFromObject);
+    const Difference back = compareImages(picture(light), before, 0.04F);
+    EXPECT_LE(back.fraction, 0.01) << "moved back: largest difference " << back.largest;
+}
+
+// The box moves beside the floor and out of the picture. Its shadow still falls onto the floor.
+TEST_F(Changes, InsideOfTheBoundsGiveThePictureOfAFreshScene) {
+    SceneDescription& scene = described_.scene;
+    scene.bounds = Box{{-1.5, -0.2, -1.5}, {2.25, 1.5, 1.5}};
+    GlobalIllumination light(getProcAddress, scene, optionsOf("mobile"));
+    const Box voxels = light.voxelBounds();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_LT(voxels.min[axis], scene.bounds->min[axis]);
+        EXPECT_GT(voxels.max[axis], scene.bounds->max[axis]);
+        EXPECT_NEAR(voxels.max[axis] - voxels.min[axis], 3.75 * 64 / 59, 1e-9);
+    }
+    picture(light);
+    scene.instances[1].worldFromObject.columns[12] = 1.95;
+    light.setTransform(1, scene.instances[1].worldFromObject);
+    GlobalIllumination fresh(getProcAddress, scene, optionsOf("mobile"));
+    expectAsFresh(light, fresh, "inside");
+    light.setVisible(1, false);
+    EXPECT_GT(compareImages(picture(light), picture(fresh), 0.04F).fraction, 0.005) << "hidden";
+}
+
 // The emitter is compact as it is, and its emission is in the voxels if it is large.
 TEST_F(Changes, OfEmissionGiveThePictureOfAFreshScene) {
     for (const bool isLarge : {false, true}) {

@@ -123,6 +123,7 @@ class State : public Embedded {
     // A scene that uses all of the library.
     State() {
         described_.scene.instances[1].moves = true;
+        described_.scene.meshes[1].deforms = true;
         described_.scene.skyRadiance = {0, 0, 0};
         LightDescription spot;
         spot.type = LightDescription::Type::spot;
@@ -148,6 +149,10 @@ class State : public Embedded {
 
 TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
     const View view = described_.view();
+    const std::size_t bytes = described_.positions.size() * sizeof(float);
+    const gl::Buffer positions("positions", GL_ARRAY_BUFFER, bytes, described_.positions.data(),
+                               GL_STATIC_DRAW),
+        normals("normals", GL_ARRAY_BUFFER, bytes, described_.normals.data(), GL_STATIC_DRAW);
     std::vector<std::uint16_t> clean;
     {
         GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
@@ -173,6 +178,10 @@ TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
         light.setSun({1, 1, 1});
         light.setTransform(1, {});
         light.setEmission(1, 0.5F);
+        light.setVertices(1, {positions.name(), normals.name()}, {{-1, -1, -1}, {1, 1, 1}});
+        expectSame("setVertices()");
+        light.render(view);
+        expectSame("render() of a deformed mesh");
         light.setVisible(1, false);
         light.setSunlight({1, 1, 1}, 2);
         light.setSky(*described_.scene.sky);
@@ -184,6 +193,7 @@ TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
         expectSame("render() after a change");
         EXPECT_THROW(light.resize(0, 0), Error);
         EXPECT_THROW(light.render(view, GBufferTextures{}), Error);
+        EXPECT_THROW(light.setVertices(1, {positions.name(), 0}, {}), Error);
         expectSame("an error");
         GlobalIllumination moved = std::move(light);
         expectSame("a move");

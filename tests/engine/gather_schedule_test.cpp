@@ -8,7 +8,7 @@
 namespace vct::test {
 namespace {
 
-constexpr GatherSchedule::Change noChange{false, false}, otherLight{false, true};
+constexpr GatherSchedule::Change noChange, otherLight{.light = true};
 
 GatherSettings settingsWith(int directions, int refined, int cones) {
     GatherSettings settings;

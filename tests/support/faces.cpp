@@ -40,10 +40,10 @@ FaceLevel readFaceLevel(const DirectionalVoxels& voxels, int level) {
     gl::MemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
     gl::PixelStorei(GL_PACK_ALIGNMENT, 4);
     const int side = voxels.grid() >> level;
-    FaceLevel result(side);
+    FaceLevel result(side, voxels.cascades());
     // shaders/directional/voxels.glsl puts three blocks of faces beside each other and two on top.
     std::vector<glm::u8vec4> slice(static_cast<std::size_t>(faceCount) * side * side);
-    for (int z = 0; z < side; ++z) {
+    for (int z = 0; z < result.depth(); ++z) {
         gl::FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, voxels.faces().name(), level, z);
         gl::ReadPixels(0, 0, 3 * side, 2 * side, GL_RGBA, GL_UNSIGNED_BYTE, slice.data());
         for (int y = 0; y < side; ++y)

@@ -18,10 +18,14 @@ const char* faceName(int face);
 // One level. rgb: premultiplied radiance relative to DirectionalVoxels::range(), a: coverage.
 class FaceLevel {
   public:
-    explicit FaceLevel(int side)
-        : side_(side), texels_(static_cast<std::size_t>(faceCount) * side * side * side, glm::u8vec4(0)) {}
+    // `cascades`: cubes of side^3 voxels, one behind the other along z.
+    explicit FaceLevel(int side, int cascades = 1)
+        : side_(side),
+          depth_(side * cascades),
+          texels_(static_cast<std::size_t>(faceCount) * side * side * depth_, glm::u8vec4(0)) {}
 
-    int side() const { return side_; }  // in voxels
+    int side() const { return side_; }    // in voxels
+    int depth() const { return depth_; }  // along z
     glm::u8vec4& at(const glm::ivec3& voxel, int face) { return texels_[index(voxel, face)]; }
     const glm::u8vec4& at(const glm::ivec3& voxel, int face) const { return texels_[index(voxel, face)]; }
     // Some face of the voxel is not zero.
@@ -31,7 +35,7 @@ class FaceLevel {
     // Calls visit(voxel) for every voxel.
     template <class Visit>
     void forEachVoxel(const Visit& visit) const {
-        for (int z = 0; z < side_; ++z)
+        for (int z = 0; z < depth_; ++z)
             for (int y = 0; y < side_; ++y)
                 for (int x = 0; x < side_; ++x)
                     visit(glm::ivec3(x, y, z));
@@ -41,7 +45,7 @@ class FaceLevel {
     std::size_t index(const glm::ivec3& voxel, int face) const {
         return ((static_cast<std::size_t>(voxel.z) * side_ + voxel.y) * side_ + voxel.x) * faceCount + face;
     }
-    int side_;
+    int side_, depth_;
     std::vector<glm::u8vec4> texels_;
 };
 

@@ -17,7 +17,7 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
     voxels.faceData().read(words.data(), voxels.faceData().bytes());
     const shared::CommandLists commands = voxels.index().readCommands();
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
-    for (const std::uint32_t list : {0U, voxels.dynamicList()}) {
+    for (const std::uint32_t list : {voxels.staticList(), voxels.dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
         for (std::uint32_t i = 0; i < base.faceCount; ++i) {
             const std::uint32_t entry = words.at(base.firstFace + i) & ~VCT_MERGED_FACE;

@@ -96,6 +96,22 @@ Scene lonePlane(double angleDeg) {
     return finished(std::move(scene));
 }
 
+Scene hall() {
+    Scene scene = emptyScene();
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[0].baseColor = glm::vec4(0.7F, 0.7F, 0.7F, 1.0F);
+    scene.materials[1].baseColor = glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    scene.materials[1].emissive = glm::vec3(1.0F);
+    addQuad(scene, {0, 0, 0}, {0, 0, 8}, {24, 0, 0});
+    addQuad(scene, {0, 6, 0}, {24, 0, 0}, {0, 0, 8});
+    addQuad(scene, {0, 0, 0}, {24, 0, 0}, {0, 6, 0});
+    addQuad(scene, {0, 0, 8}, {0, 6, 0}, {24, 0, 0});
+    addQuad(scene, {0, 0, 0}, {0, 6, 0}, {0, 0, 8});
+    addQuad(scene, {24, 0, 0}, {0, 0, 8}, {0, 6, 0});
+    addQuad(scene, {8, 5.8, 2}, {8, 0, 0}, {0, 0, 4}, 1);
+    return finished(std::move(scene));
+}
+
 Scene finished(Scene scene) {
     computeBounds(scene);
     return scene;

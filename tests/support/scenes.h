@@ -32,6 +32,9 @@ Scene closedBox(double angleDeg);
 // A square of side 2 in the plane y = 0, facing up; turned by `angleDeg`.
 Scene lonePlane(double angleDeg);
 
+// A room of 24 x 6 x 8 m, seen from inside, with a panel that emits light in its ceiling.
+Scene hall();
+
 // Computes the bounds; call when all geometry is there.
 Scene finished(Scene scene);
 

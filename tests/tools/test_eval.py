@@ -7,10 +7,12 @@ from urllib.parse import unquote, urlsplit
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from conftest import ROOT
 from evaluation import report
 from evaluation.measures import MEASURES, References, averaged_down
+from evaluation.pictures import CELL, GAP, HEAD
 from evaluation.store import Store
 from files import SCALED, Failed, reference_folder, scene_sha256, static_scenes
 from truth.exr import read_exr
@@ -63,6 +65,21 @@ def test_a_camera_has_a_row_and_a_reference_of_its_own(program, tmp_path):
     assert results(tmp_path)["render-town-court-mobile"]["reference"] == "references/town-court/full.exr"
     done = evaluate("render cornell --cameras side --presets mobile --out", tmp_path)
     assert done.returncode == 1 and "references assets/cornell.glb --cameras side" in done.stderr
+
+
+def test_numbers_of_cascades_have_rows_and_pictures_of_their_own(program, tmp_path):
+    done = evaluate("render town --cameras court --measures gi --presets mobile --cascades 1,2 --size 32x32 --out", tmp_path,
+                    "--sheet", tmp_path / "sheet.png")
+    assert done.returncode == 0, done.stderr
+    assert "| town-court | mobile, 64³ | " in done.stdout and "| town-court | mobile, 64³, 2 cascades | " in done.stdout
+    one, two = (results(tmp_path)[f"render-town-court-mobile{more}"] for more in ("", "-2-cascades"))
+    assert (one["cascades"], two["cascades"]) == (1, 2)
+    assert two["camera"]["errors"]["gi"]["relmse"] < one["camera"]["errors"]["gi"]["relmse"]
+    sheet = np.asarray(Image.open(tmp_path / "sheet.png"))[HEAD:HEAD + CELL, GAP:]
+    first, second = sheet[:, :CELL], sheet[:, CELL + GAP:2 * CELL + GAP]
+    assert (first != second).any()
+    done = evaluate("render cornell --presets thesis --cascades 2 --size 32x32 --out", tmp_path / "thesis")
+    assert done.returncode == 1 and "cascades do not work with the preset thesis" in done.stderr
 
 
 def test_a_scene_of_any_name_has_its_picture_on_the_page(tmp_path):
@@ -122,6 +139,7 @@ def test_dynamic_tells_the_cost_of_each_change(program, tmp_path):
 @pytest.mark.parametrize("words, status, said", [
     ("rendr", 2, "invalid choice: 'rendr'"), ("render nowhere", 1, "there is no scene 'nowhere'"),
     ("render --presets best", 2, "unknown preset 'best'"), ("sweep --grids 100", 2, "unknown grid '100'"),
+    ("render --cascades 1,0", 2, "'0' is not a whole number of 1 or more"),
     ("render cornell --program /nowhere/vct", 1, "scripts/build.sh desktop vct"), ("cases none", 1, "there is no case"),
     ("motion --frames 0", 2, "1 or more"), ("report", 1, "no results yet"), ("mali --compiler /nowhere/mali", 1, "drm-shim")])
 def test_a_bad_command_line_is_one_clear_error(tmp_path, words, status, said):

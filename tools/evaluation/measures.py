@@ -87,7 +87,8 @@ def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[st
         out = folder if state == "camera" else folder / state
         timings = program.render_timed(scene, out, "--preset", preset, "--mode", ",".join(modes), "--size", f"{size[0]}x{size[1]}",
                                        "--exposure", exposure or 1, *parts, *options, *flags)
-        result |= {"grid": timings["settings"]["grid"], "driver": timings["driver"]["renderer"], "cpu": timings["machine"]["cpu"]}
+        result |= {"grid": timings["settings"]["grid"], "cascades": timings["settings"]["cascades"],
+                   "driver": timings["driver"]["renderer"], "cpu": timings["machine"]["cpu"]}
         result[state] = {
             "ms": {mode: timings["modes"][mode]["steps"]["total"]["median"] for mode in modes},
             "errors": {name: metrics.compare(read_exr(out / f"{measure.picture}.exr"), averaged_down(reference(measure), size),
@@ -95,18 +96,25 @@ def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[st
     return result
 
 
+def voxels(one: Result) -> str:
+    """64³, or 64³, 5 cascades. Results of an earlier version of this program have no cascades."""
+    count = one.get("cascades", 1)
+    return f"{one['grid']}³" + (f", {count} cascades" if count > 1 else "")
+
+
 def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str,
-         camera: str | None = None) -> Task:
+         camera: str | None = None, cascades: int = 1) -> Task:
     """One preset's picture of a scene that has references."""
     references, name = References(scene, camera=camera), view_name(scene, camera)
     size, sky = size or references.size, sky_file(scene)
-    given = {"--camera": camera, "--environment": sky and str(sky), "--grid": grid}
+    given = {"--camera": camera, "--environment": sky and str(sky), "--grid": grid,
+             "--cascades": str(cascades) if cascades > 1 else None}
     options = [word for option, value in given.items() if value for word in (option, value)]
 
     def measure(folder: Path) -> Result:
         result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options)
         return result | {"scene": name, "reference": shown(references.folder / "full.exr"),
                          "noise": {name: references.noise(MEASURES[name].references) for name in names}}
-    return Task(kind, f"{name}-{preset}" + (f"-{grid}" if grid else ""),
+    return Task(kind, f"{name}-{preset}" + (f"-{grid}" if grid else "") + (f"-{cascades}-cascades" if cascades > 1 else ""),
                 {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
                  "metrics": file_sha256(Path(metrics.__file__))}, measure, preset)

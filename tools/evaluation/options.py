@@ -27,6 +27,11 @@ def count(text: str) -> int:
     return int(text)
 
 
+def counts(text: str) -> list[int]:
+    """Counts with commas."""
+    return [count(part) for part in text.split(",")]
+
+
 def names(known: Collection[str], kind: str) -> Callable[[str], list[str]]:
     """A list of known names with commas."""
     def parse(text: str) -> list[str]:

@@ -10,7 +10,7 @@ from files import ROOT
 from tables import fraction, milliseconds, percent
 from truth.exr import read_exr
 
-from .measures import averaged_down
+from .measures import averaged_down, voxels
 from .store import Result, Store
 
 CELL, GAP, TEXT, HEAD = 512, 16, 84, 40  # of a sheet, in its pixels; small pictures are enlarged to CELL
@@ -51,8 +51,8 @@ def sheet(store: Store, results: Sequence[Result], errors: bool = False) -> Imag
     own = store.folder / results[0]["reference"]
     reference = averaged_down(read_exr(own if own.is_file() else ROOT / results[0]["reference"]), results[0]["size"])
     exposure = results[0].get("exposure")
-    cells = [(f"{one['preset']}, {one['grid']}^3", read_exr(store.pictures(f"render-{one['scene']}-{one['preset']}") / "gi.exr"),
-              captions(one)) for one in results]
+    cells = [(f"{one['preset']}, {voxels(one)}".replace("³", "^3"),  # which the font lacks
+              read_exr(store.pictures_of(one) / "gi.exr"), captions(one)) for one in results]
     cells.append(("path traced", reference, [f"{results[0]['scene']}: all bounces of light", "by Mitsuba 3"]))
     width, height = (side * max(1, CELL // results[0]["size"][0]) for side in results[0]["size"])
     canvas = Image.new("RGB", ((width + GAP) * len(cells) + GAP, HEAD + (height + TEXT) * (2 if errors else 1)), "white")

@@ -6,6 +6,7 @@ from statistics import geometric_mean
 from matplotlib import rcParams, ticker
 from matplotlib.figure import Figure
 
+from .measures import voxels
 from .store import Result
 
 COLOURS = {"thesis": "#c8641e", "mobile": "#3b7fc4", "quality": "#0a7f5d"}  # legible on white
@@ -14,13 +15,13 @@ ANALYTIC = {"furnace", "lone_plane"}  # scenes with a closed-form answer, which 
 Dot = tuple[float, float]  # milliseconds, relMSE
 
 
-def dots(results: Sequence[Result]) -> dict[tuple[str, int], dict[str, Dot]]:
-    """(preset, grid) -> scene -> frame that rebuilds everything, and the error of its indirect light."""
-    found: dict[tuple[str, int], dict[str, Dot]] = {}
+def dots(results: Sequence[Result]) -> dict[tuple[str, int, str], dict[str, Dot]]:
+    """(preset, grid, voxels in words) -> scene -> frame that rebuilds everything, and the error of its indirect light."""
+    found: dict[tuple[str, int, str], dict[str, Dot]] = {}
     for one in results:
         error = one["changing"]["errors"]["indirect"]["relmse"]
         if one["scene"] not in ANALYTIC and error > 0:
-            found.setdefault((one["preset"], one["grid"]), {})[one["scene"]] = (one["changing"]["ms"]["gi"], error)
+            found.setdefault((one["preset"], one["grid"], voxels(one)), {})[one["scene"]] = (one["changing"]["ms"]["gi"], error)
     return found
 
 
@@ -35,16 +36,16 @@ def draw(results: Sequence[Result]) -> bytes:
     axes, found = figure.subplots(), dots(results)
     scenes = sorted({scene for group in found.values() for scene in group})
     marks = {scene: MARKS[i % len(MARKS)] for i, scene in enumerate(scenes)}
-    for (preset, _), group in found.items():
+    for (preset, _, _), group in found.items():
         for scene, (ms, error) in group.items():
             axes.scatter(ms, error, 120, COLOURS[preset], marker=marks[scene], edgecolors="white")
     for preset in COLOURS:
-        means = [(grid, *mean(group)) for (name, grid), group in sorted(found.items())
+        means = [(words, *mean(group)) for (name, _, words), group in sorted(found.items())
                  if name == preset and len(group) == len(scenes)]
         axes.plot([ms for _, ms, _ in means], [error for _, _, error in means], color=COLOURS[preset])
-        for grid, ms, error in means:
+        for words, ms, error in means:
             axes.scatter(ms, error, 600, COLOURS[preset])
-            axes.annotate(f"{preset} {grid}³", (ms, error), (0, 20), textcoords="offset points", ha="center",
+            axes.annotate(f"{preset} {words}", (ms, error), (0, 20), textcoords="offset points", ha="center",
                           color=COLOURS[preset])
     for scene in scenes:
         axes.scatter([], [], 120, "#777777", marker=marks[scene], label=scene.replace("_", " "))

@@ -4,7 +4,7 @@
     tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
     tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
     tools/eval.py render cornell courtyard --sheet out/presets.png
-    tools/eval.py render town --cameras court,stairs --measures gi
+    tools/eval.py render town --cameras court,stairs --cascades 1,5 --measures gi --presets mobile
 
 The measure `gi` is that mode's picture, `indirect` one bounce of light alone, and `soft` mode gi-cone-shadow under a sun of 5
 degrees. As root mean square errors, `shadow` is the visible share of that sun and `ao` ambient occlusion. Compare times of a
@@ -18,7 +18,7 @@ from files import ROOT, find_scene, static_scenes, write_whole
 from tables import fraction, markdown, milliseconds, percent
 
 from . import mali, options, pictures
-from .measures import MEASURES, task
+from .measures import MEASURES, task, voxels
 from .progress import say
 from .store import Result, Store
 
@@ -35,6 +35,8 @@ def add_picture_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_presets(parser)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in assets/, or files (default: all that have references)")
     options.add_cameras(parser)
+    parser.add_argument("--cascades", type=options.counts, default=[1], metavar="COUNTS",
+                        help="numbers of nested cubes of voxels, with commas (default: 1; not with the preset thesis)")
     parser.add_argument("--size", type=options.size, help="WIDTHxHEIGHT (default: that of the references)")
     parser.add_argument("--measures", type=options.names([*MEASURES, "all"], "measure"), default=["gi", "indirect"],
                         help=f"of {','.join(MEASURES)}, or all (default: gi,indirect)")
@@ -52,7 +54,7 @@ def table(results: Sequence[Result]) -> str:
     """One row for each picture."""
     others = list(dict.fromkeys(name for one in results for name in one["camera"]["errors"] if name != "gi"))
     metric = {name: "rmse" if MEASURES[name].is_share else "relmse" for name in others}
-    rows = [[one["scene"], f"{one['preset']}, {one['grid']}³", milliseconds(one["camera"]["ms"]["gi"]),
+    rows = [[one["scene"], f"{one['preset']}, {voxels(one)}", milliseconds(one["camera"]["ms"]["gi"]),
              milliseconds(one["changing"]["ms"]["gi"]), *gi_errors(one),
              *(fraction(one["camera"]["errors"].get(name, {}).get(metric[name]), 4) for name in others)] for one in results]
     return markdown(["scene", "preset, voxels", "camera moving", "everything changing", "relMSE", "bias", "FLIP",
@@ -94,8 +96,8 @@ def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str 
     measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(
         ["gi", *(["indirect"] if asked.plot else []), *([] if show is headline else asked.measures)]))
     scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
-    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera)
-             for scene in scenes for camera in asked.cameras for preset in asked.presets for grid in grids]
+    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera, cascades) for scene in scenes for camera in asked.cameras
+             for preset in asked.presets for grid in grids for cascades in asked.cascades]
     store = Store(asked.out)
     if results := store.run(tasks, again=show is headline):  # times of one table are of one run
         print(f"{machine(results)}\n{show(results)}{noise_note(results)}", end="")

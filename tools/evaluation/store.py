@@ -50,6 +50,10 @@ class Store:
     def pictures(self, identity: str) -> Path:
         return self.folder / "pictures" / identity
 
+    def pictures_of(self, result: Result) -> Path:
+        """The pictures of a result that this store returned."""
+        return self.pictures(next(identity for identity, entry in self.entries.items() if entry.get("result") is result))
+
     def entries_of(self, kind: str) -> list[dict[str, Any]]:
         return [entry for entry in self.entries.values() if entry["kind"] == kind]
 

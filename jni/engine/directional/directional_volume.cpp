@@ -15,6 +15,15 @@ std::uint32_t capacityFor(std::uint32_t count) {
     return count + count / 2 + 256;
 }
 
+// A bit for each cascade that is not where it was.
+std::uint32_t movedCascades(const std::optional<Cascades>& before, const Cascades& now) {
+    if (!before) return DirectionalVoxels::allCascades;
+    std::uint32_t moved = 0;
+    for (int i = 0; i < now.count(); ++i)
+        moved |= before->corner(i) != now.corner(i) ? 1U << i : 0U;
+    return moved;
+}
+
 }  // namespace
 
 DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene,
@@ -22,15 +31,17 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
     : shaders_(shaders),
       settings_(settings),
       sources_(sources),
-      voxelizesAll_(settings.revoxelize || settings.cascades > 1),
+      hasCascades_(settings.cascades > 1),
+      voxelizesAll_(settings.revoxelize && !hasCascades_),
       hasDynamic_(scene.moves() || voxelizesAll_),
       voxels_(shaders, settings.grid, settings.cascades, settings.activeVoxelLimit, hasDynamic_,
               sources.emission),
-      voxelizer_(shaders, scene, settings.grid, sources.emission),
-      counts_("counts of dynamic faces", sizeof(shared::CommandLists)),
+      voxelizer_(shaders, scene, settings.grid, settings.cascades, sources.emission),
+      counts_("counts of listed faces", sizeof(shared::CommandLists)),
       injector_(shaders, sources),
-      mipmapper_(shaders),
-      cascades_(settings.cascades, settings.grid) {}
+      mipmapper_(shaders) {
+    if (hasCascades_) settings_.gather.bounceGain = 1.0F;
+}
 
 // Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene) {
@@ -41,9 +52,9 @@ void DirectionalVolume::prepare(const GpuScene& scene) {
         return;
     }
     voxelizeStatic(scene);
-    bool grew = hasDynamic_;
+    bool grew = hasDynamic_ || hasCascades_;
     while (grew) {
-        voxelizeDynamic(scene);
+        voxelize(scene, hasCascades_ ? DirectionalVoxels::allCascades : 0);
         grew = growIfNeeded(voxels_.index().readCommands());
     }
     isPrepared_ = true;
@@ -52,7 +63,8 @@ void DirectionalVolume::prepare(const GpuScene& scene) {
 // Lists the faces twice: the first pass counts them, the second has room for them.
 void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.reset({});
-    if (voxelizesAll_) return;
+    cascades_.reset();
+    if (voxelizesAll_ || hasCascades_) return;
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
     const shared::CommandLists found = voxels_.index().readCommands();
     voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
@@ -65,37 +77,59 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
     voxels_.markStatic();
 }
 
-void DirectionalVolume::voxelizeDynamic(const GpuScene& scene) {
-    voxels_.beginPose();
+void DirectionalVolume::voxelize(const GpuScene& scene, std::uint32_t moved) {
+    if (moved != 0) {
+        voxels_.beginStatic(moved);
+        const std::uint32_t list = voxels_.staticList();
+        voxelizer_.listFaces(scene, ScenePart::staticOnly, list, voxels_, moved);
+        voxelizer_.accumulate(scene, ScenePart::staticOnly, list, voxels_, moved);
+        voxels_.endStatic();
+    } else {
+        voxels_.beginPose();
+    }
+    if (!hasDynamic_) return;
     const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
     voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_);
     voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_);
-    counts_.start(voxels_.index().commands());
 }
 
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     FaceCapacities capacities = voxels_.capacities();
     const shared::LevelCommands& dynamic = found.lists[found.dynamicList];
+    const shared::LevelCommands& still = found.lists[found.staticList];
     bool grows = dynamic.faceCount > capacities[VCT_LIST_DYNAMIC];
+    if (hasCascades_) grows |= still.faceCount > capacities[VCT_LIST_STATIC];
     for (int level = 1; level < voxels_.levels(); ++level)
         grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
     if (grows) {
         const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
             capacities[list] = std::max(capacities[list], staticCount + capacityFor(count));
         };
-        reserve(VCT_LIST_DYNAMIC, 0, dynamic.faceCount);
-        reserve(VCT_LIST_DYNAMIC + 1, 0, dynamic.faceCount);
+        for (const std::size_t pose : {0U, 1U}) {
+            if (hasDynamic_) reserve(VCT_LIST_DYNAMIC + pose, 0, dynamic.faceCount);
+            if (hasCascades_) reserve(VCT_LIST_STATIC + pose, 0, still.faceCount);
+        }
         for (int level = 1; level < voxels_.levels(); ++level) {
             const shared::LevelCommands& above = found.lists[level];
-            reserve(static_cast<std::size_t>(level), above.staticFaces, above.faceCount - above.staticFaces);
+            const std::uint32_t fixed = hasCascades_ ? 0 : above.staticFaces;
+            reserve(static_cast<std::size_t>(level), fixed, above.faceCount - fixed);
         }
     }
-    if (grows || dynamic.voxelCount > dynamic.capacity) voxels_.growDynamic(capacities);
-    if (dynamic.voxelCount > dynamic.capacity) {
+    const auto overflows = [](const shared::LevelCommands& list) { return list.voxelCount > list.capacity; };
+    const bool fails = overflows(dynamic) || (hasCascades_ && overflows(still));
+    if (grows || fails) {
+        if (hasCascades_)
+            voxels_.reset(capacities);
+        else
+            voxels_.growDynamic(capacities);
+        cascades_.reset();
+    }
+    if (fails) {
         cachedFor_.reset();
-        throw Error("dynamic objects occupy " + std::to_string(dynamic.voxelCount) + " voxels at " +
-                    std::to_string(voxels_.grid()) + "^3, but their list has a capacity of " +
-                    std::to_string(dynamic.capacity) +
+        const shared::LevelCommands& list = overflows(dynamic) ? dynamic : still;
+        throw Error((overflows(dynamic) ? "dynamic objects occupy " : "static objects occupy ") +
+                    std::to_string(list.voxelCount) + " voxels at " + std::to_string(voxels_.grid()) +
+                    "^3, but their list has a capacity of " + std::to_string(list.capacity) +
                     "; raise the limit of active voxels, or use a coarser grid");
     }
     return grows;
@@ -104,14 +138,23 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
 VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const std::optional<SceneState> before = std::exchange(cachedFor_, {});
     const bool sameObjects = before && before->placements == inputs.now.placements;
-    const bool moved = !(cascades_ == inputs.cascades);
+    std::uint32_t moved = 0;
+    if (hasCascades_)
+        moved =
+            inputs.forceRebuild ? DirectionalVoxels::allCascades : movedCascades(cascades_, inputs.cascades);
+    const bool isMoved = hasCascades_ && cascades_ != inputs.cascades;
     cascades_ = inputs.cascades;
-    const bool voxelizes = hasDynamic_ && (inputs.forceRebuild || !sameObjects || moved);
-    if (voxelizes) timer.time(Step::voxelize, [&] { voxelizeDynamic(inputs.scene); });
+    const bool voxelizes = moved != 0 || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
+    if (voxelizes)
+        timer.time(Step::voxelize, [&] {
+            voxelize(inputs.scene, moved);
+            counts_.start(voxels_.index().commands());
+        });
     if (voxelizes || inputs.forceRebuild || before != inputs.now) {
         isInjected_ = false;
         for (std::optional<Irradiance>* irradiance : {&light_, &occlusion_})
-            if (*irradiance) (*irradiance)->onVoxelsChanged({voxelizes, before != inputs.now, moved});
+            if (*irradiance)
+                (*irradiance)->onVoxelsChanged({voxelizes, moved, before != inputs.now, isMoved});
     }
     cachedFor_ = inputs.now;
 
@@ -148,7 +191,7 @@ Irradiance& DirectionalVolume::irradianceFor(GatherPurpose of) {
     std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
     if (!pass)
         pass.emplace(shaders_, of == GatherPurpose::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, hasDynamic_, featuresFor(of, sources_));
+                     settings_.lightFrames, hasDynamic_ || hasCascades_, featuresFor(of, sources_));
     return *pass;
 }
 

@@ -1,6 +1,6 @@
 // Directional voxels and the irradiance of their faces, which pixels look up. Static geometry is voxelized
-// once, dynamic objects in each pose. With cascades, everything is voxelized when one of them moves. Light is
-// injected into both when a light or a dynamic object changes.
+// once, dynamic objects in each pose. When a cascade moves, the static geometry in it is voxelized again.
+// Light is injected into both when a light or a dynamic object changes.
 #pragma once
 
 #include <optional>
@@ -39,26 +39,28 @@ class DirectionalVolume final : public VoxelVolume {
 
   private:
     void voxelizeStatic(const GpuScene& scene);
-    void voxelizeDynamic(const GpuScene& scene);
-    // Grows the face lists if dynamic objects did not fit, and removes these objects. Returns true if it
-    // did. Throws vct::Error if the list of their voxels overflowed, because its capacity is fixed.
+    // Voxelizes the dynamic objects in a new pose, and the static geometry in the cascades of `moved`, a bit
+    // for each.
+    void voxelize(const GpuScene& scene, std::uint32_t moved);
+    // Grows the face lists if something did not fit, and removes the dynamic objects, and with cascades all.
+    // Returns true if it did. Throws vct::Error if a list of voxels overflowed, because its capacity is
+    // fixed.
     bool growIfNeeded(const shared::CommandLists& found);
     Irradiance& irradianceFor(GatherPurpose of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
     LightFeatures sources_;
-    // Everything is voxelized in each pose, and not the dynamic objects only: with Settings::revoxelize, and
-    // with cascades, which move with the camera.
-    bool voxelizesAll_;
-    bool hasDynamic_;  // a part of the scene is voxelized in each pose
+    bool hasCascades_;   // more than one
+    bool voxelizesAll_;  // Settings::revoxelize: everything is voxelized in each pose, as dynamic objects are
+    bool hasDynamic_;    // a part of the scene is voxelized in each pose
     DirectionalVoxels voxels_;
     DirectionalVoxelizer voxelizer_;
     gl::AsyncRead counts_;  // list counts after the last voxelization of dynamic objects
     LightInjector injector_;
     DirectionalMipmapper mipmapper_;
     std::optional<Irradiance> light_, occlusion_;  // created when an output needs them
-    Cascades cascades_;                            // their places in the last voxelization
+    std::optional<Cascades> cascades_;             // their places in the last voxelization, if it is valid
     bool isPrepared_ = false;
     bool isInjected_ = false;              // the faces hold the light of the present state
     bool allBounces_ = true;               // light_ has all bounces

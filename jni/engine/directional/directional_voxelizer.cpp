@@ -27,6 +27,14 @@ gl::ProgramDescription listFacesProgram() {
     return {"directional/list_faces", {"directional/list_faces.comp"}, {}};
 }
 
+gl::ProgramDescription keepVoxelsProgram() {
+    return {"directional/keep_voxels", {"directional/keep_voxels.comp"}, {}};
+}
+
+gl::ProgramDescription keepSumsProgram(bool emission) {
+    return {"directional/keep_sums", {"directional/keep_sums.comp"}, emissionDefines(emission)};
+}
+
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission) {
     return voxelizing(
         "directional/accumulate",
@@ -48,33 +56,50 @@ void FaceProjection::use() const {
 }
 
 DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid,
-                                           bool emission)
+                                           int cascades, bool emission)
     : markFaces_(shaders, scene, markFacesProgram),
       accumulate_(shaders, scene, [=](unsigned features) { return accumulateProgram(features, emission); }),
       listFaces_(shaders, listFacesProgram()),
-      projection_(grid) {}
+      projection_(grid) {
+    if (cascades == 1) return;
+    keepVoxels_ = gl::Program(shaders, keepVoxelsProgram());
+    keepSums_ = gl::Program(shaders, keepSumsProgram(emission));
+}
 
 void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,
-                                            ScenePart part, const DirectionalVoxels& voxels) const {
+                                            ScenePart part, const DirectionalVoxels& voxels,
+                                            std::uint32_t moved) const {
     for (int cascade = 0; cascade < voxels.cascades(); ++cascade) {
+        if ((moved >> cascade & 1U) == 0) continue;
         if (voxels.cascades() > 1) programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
         scene.drawForVoxels(programs, part);
     }
 }
 
+bool DirectionalVoxelizer::keeps(std::uint32_t list, const DirectionalVoxels& voxels, std::uint32_t moved) {
+    const std::uint32_t all = (1U << voxels.cascades()) - 1U;
+    return list >= VCT_LIST_STATIC && (moved & all) != all;
+}
+
 void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                     const DirectionalVoxels& voxels) const {
+                                     const DirectionalVoxels& voxels, std::uint32_t moved) const {
     const gl::DebugGroup group("list faces");
     projection_.use();
     voxels.bindLists();
     voxels.indexOf(list).bindImage(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
+    if (keeps(list, voxels, moved)) {
+        keepVoxels_.use();
+        voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
+        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+        voxels.index().dispatchOverLevel(list ^ 1U);
+    }
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
-    drawIntoCascades(scene, markFaces_, part, voxels);
+    drawIntoCascades(scene, markFaces_, part, voxels, moved);
     // The next pass loads from the index image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
     listFaces_.use();
-    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.index().dispatchOverLevel(list);
     // Later passes fetch from the index texture, read the lists and are dispatched over them. The debug view
     // draws the listed voxels.
@@ -83,13 +108,19 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
 }
 
 void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                      const DirectionalVoxels& voxels) const {
+                                      const DirectionalVoxels& voxels, std::uint32_t moved) const {
     const gl::DebugGroup group("accumulate");
     projection_.use();
     voxels.bindLists();
+    if (keeps(list, voxels, moved)) {
+        keepSums_.use();
+        voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
+        gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+        voxels.index().dispatchOverFaces(0);
+    }
     voxels.indexOf(list).bind(VCT_TEX_VOXELS);
     accumulate_.setUniform(VCT_UNIFORM_LIST, list);
-    drawIntoCascades(scene, accumulate_, part, voxels);
+    drawIntoCascades(scene, accumulate_, part, voxels, moved);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

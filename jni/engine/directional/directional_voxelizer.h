@@ -10,6 +10,8 @@ namespace vct {
 
 gl::ProgramDescription markFacesProgram(unsigned features);
 gl::ProgramDescription listFacesProgram();
+gl::ProgramDescription keepVoxelsProgram();
+gl::ProgramDescription keepSumsProgram(bool emission);
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
 // The viewport that the volume is projected to along an axis, one pixel per voxel. The framebuffer has no
@@ -30,22 +32,29 @@ class FaceProjection {
 
 class DirectionalVoxelizer {
   public:
-    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, bool emission);
+    DirectionalVoxelizer(const gl::ShaderLibrary& shaders, const GpuScene& scene, int grid, int cascades,
+                         bool emission);
 
-    // Lists the faces that a part of the scene covers. `list` is 0 or the voxels' dynamic list.
-    void listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                   const DirectionalVoxels& voxels) const;
+    // Lists the faces that a part of the scene covers, in the static or the dynamic list. `moved`: a bit for
+    // each cascade that is voxelized. The others, in a list of static geometry, keep their faces of the last
+    // list.
+    void listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list, const DirectionalVoxels& voxels,
+                   std::uint32_t moved = DirectionalVoxels::allCascades) const;
     // Adds that part to the sums of its faces. listFaces() has to come first.
     void accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                    const DirectionalVoxels& voxels) const;
+                    const DirectionalVoxels& voxels,
+                    std::uint32_t moved = DirectionalVoxels::allCascades) const;
 
   private:
-    // Draws that part once per cascade.
+    // Draws that part once for each of these cascades.
     void drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs, ScenePart part,
-                          const DirectionalVoxels& voxels) const;
+                          const DirectionalVoxels& voxels, std::uint32_t moved) const;
+    // True if the static list takes over faces of cascades that have not moved.
+    static bool keeps(std::uint32_t list, const DirectionalVoxels& voxels, std::uint32_t moved);
 
     MaterialPrograms markFaces_, accumulate_;
     gl::Program listFaces_;
+    gl::Program keepVoxels_, keepSums_;  // only with cascades
     FaceProjection projection_;
 };
 

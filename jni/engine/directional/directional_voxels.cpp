@@ -21,6 +21,10 @@ gl::ProgramDescription resetListsProgram() {
     return {"directional/reset_lists", {"directional/reset_lists.comp"}, {}};
 }
 
+gl::ProgramDescription markStaticProgram() {
+    return {"directional/mark_static", {"directional/mark_static.comp"}, {}};
+}
+
 float faceSumUnits(std::size_t triangles) {
     const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
@@ -38,11 +42,15 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
     faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     const shared::FaceRange unknown{};
     range_ = gl::Buffer("range of voxel faces", GL_UNIFORM_BUFFER, sizeof unknown, &unknown, GL_DYNAMIC_COPY);
-    if (!dynamicObjects) return;
+    if (!dynamicObjects && cascades == 1) return;
     clearDynamic_ = gl::Program(shaders, clearDynamicProgram(emission));
     clearLevel_ = gl::Program(shaders, clearLevelProgram());
     resetLists_ = gl::Program(shaders, resetListsProgram());
-    for (int i = 0; i < 2; ++i)
+    if (cascades > 1) {
+        markStatic_ = gl::Program(shaders, markStaticProgram());
+        otherStaticIndex_ = gl::Texture::make3d("voxels", GL_R32UI, grid, grid, cascades * grid, 1);
+    }
+    for (int i = 0; dynamicObjects && i < 2; ++i)
         dynamicIndices_.push_back(
             gl::Texture::make3d("voxels of dynamic objects", GL_R32UI, grid, grid, cascades * grid, 1));
 }
@@ -59,14 +67,23 @@ Resources DirectionalVoxels::resources() const {
     add(resources, range_);
     for (const gl::Texture& texture : dynamicIndices_)
         add(resources, texture);
+    if (otherStaticIndex_) add(resources, *otherStaticIndex_);
     return resources;
+}
+
+const gl::Texture& DirectionalVoxels::indexOf(std::uint32_t list) const {
+    if (list == VCT_LIST_STATIC + 1) return *otherStaticIndex_;
+    if (list < VCT_LIST_DYNAMIC || list == VCT_LIST_STATIC || dynamicIndices_.empty())
+        return index_.texture();
+    return dynamicIndices_[list - VCT_LIST_DYNAMIC];
 }
 
 // Sets the positions of the lists and of the levels' bits in faceData(), in words
 // (shaders/directional/face_lists.glsl).
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
-    for (const std::uint32_t list : {0U, VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U}) {
+    for (const std::uint32_t list :
+         {0U, VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U, VCT_LIST_STATIC + 0U, VCT_LIST_STATIC + 1U}) {
         shared::LevelCommands& base = commands.lists[list];
         base.firstFace = next + firstId;
         base.firstId = firstId;
@@ -98,10 +115,11 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
         gl::clearTexture3d(texture, cascades_ * grid());
+    if (otherStaticIndex_) gl::clearTexture3d(*otherStaticIndex_, cascades_ * grid());
     // The old buffer is released first, so that the two need not fit into memory together.
     faceData_ = {};
     capacities_ = capacities;
-    pose_ = 0;
+    pose_ = staticPose_ = 0;
     const std::vector<std::uint32_t> zeros(words());
     faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
                            zeros.size() * sizeof zeros[0], zeros.data(), GL_DYNAMIC_COPY);
@@ -155,15 +173,29 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::beginPose() {
-    const gl::DebugGroup group("remove dynamic objects");
+// `list`: the list of the last pose.
+void DirectionalVoxels::clearLast(std::uint32_t list, std::uint32_t moved) const {
+    gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
+    indexOf(list ^ 1U).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
+    index_.dispatchOverFaces(0);
+}
+
+void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
+    const gl::DebugGroup group(withStatic ? "remove geometry" : "remove dynamic objects");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     bindLists();
+    if (withStatic) {
+        markStatic_.use();
+        gl::Uniform1ui(VCT_UNIFORM_LIST, 0);
+        gl::DispatchCompute(1, 1, 1);
+        gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     clearDynamic_.use();
     bindLevel(VCT_IMAGE_FACES, 0);
-    previousIndex().bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
-    index_.dispatchOverFaces(0);
+    if (hasDynamicObjects()) clearLast(dynamicList(), allCascades);
+    if (withStatic) clearLast(staticList(), moved);
     clearLevel_.use();
     for (int level = 1; level < levels(); ++level) {
         bindLevel(VCT_IMAGE_FACES, level);
@@ -171,17 +203,27 @@ void DirectionalVoxels::beginPose() {
         index_.dispatchOverFaces(level);
     }
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    resetLists_.use();
-    gl::DispatchCompute(1, 1, 1);
     pose_ = 1 - pose_;
+    if (withStatic) staticPose_ = 1 - staticPose_;
+    resetLists_.use();
+    gl::Uniform1ui(VCT_UNIFORM_LIST, withStatic ? staticList() : 0);
+    gl::DispatchCompute(1, 1, 1);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void DirectionalVoxels::endStatic() const {
+    bindLists();
+    markStatic_.use();
+    gl::Uniform1ui(VCT_UNIFORM_LIST, 1);
+    gl::DispatchCompute(1, 1, 1);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() const {
     const shared::CommandLists commands = index_.readCommands();
     std::vector<BaseFace> faces;
-    for (const std::uint32_t list : {0U, dynamicList()}) {
+    for (const std::uint32_t list : {staticList(), dynamicList()}) {
         const shared::LevelCommands& base = commands.lists[list];
         std::vector<std::uint32_t> entries(std::min(base.faceCount, base.faceCapacity));
         faceData_.read(entries.data(), entries.size() * sizeof entries[0],

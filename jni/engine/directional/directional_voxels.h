@@ -19,6 +19,7 @@ float faceSumUnits(std::size_t triangles);
 gl::ProgramDescription clearDynamicProgram(bool emission);
 gl::ProgramDescription clearLevelProgram();
 gl::ProgramDescription resetListsProgram();
+gl::ProgramDescription markStaticProgram();
 
 // Capacities of the face lists, by list (VCT_LISTS).
 using FaceCapacities = std::array<std::uint32_t, VCT_LISTS>;
@@ -53,17 +54,20 @@ class DirectionalVoxels {
     // Words per face in faceData().
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
-    // Number of face ids: one per static face, and one per dynamic face in each of two poses.
-    std::uint32_t idCapacity() const { return capacities_[0] + 2 * capacities_[VCT_LIST_DYNAMIC]; }
+    // Number of face ids: one per static face, and one per dynamic face in each of two poses. With cascades,
+    // there are two per static face as well.
+    std::uint32_t idCapacity() const {
+        return capacities_[0] + 2 * (capacities_[VCT_LIST_DYNAMIC] + capacities_[VCT_LIST_STATIC]);
+    }
 
     bool hasDynamicObjects() const { return !dynamicIndices_.empty(); }
-    // The list of the dynamic objects in the present pose, and the index of their occupied voxels in it.
+    // The lists of the static geometry, and of the dynamic objects in the present pose.
+    std::uint32_t staticList() const { return cascades_ > 1 ? VCT_LIST_STATIC + staticPose_ : 0; }
     std::uint32_t dynamicList() const { return VCT_LIST_DYNAMIC + pose_; }
-    const gl::Texture& dynamicIndex() const { return indexOfPose(pose_); }
-    const gl::Texture& previousIndex() const { return indexOfPose(1 - pose_); }
-    const gl::Texture& indexOf(std::uint32_t list) const {
-        return list < VCT_LIST_DYNAMIC ? index_.texture() : dynamicIndex();
-    }
+    // The index of the occupied voxels of a list. The indices of a pair of lists alternate with them.
+    const gl::Texture& indexOf(std::uint32_t list) const;
+    const gl::Texture& staticIndex() const { return indexOf(staticList()); }
+    const gl::Texture& dynamicIndex() const { return indexOf(dynamicList()); }
 
     // Clears everything, and allocates buffers for these capacities.
     void reset(const FaceCapacities& capacities);
@@ -73,7 +77,13 @@ class DirectionalVoxels {
     void growDynamic(const FaceCapacities& capacities);
     // Removes the dynamic objects of the last pose. Faces that they shared with static geometry keep their
     // radiance until the next injection of light.
-    void beginPose();
+    void beginPose() { begin(false, allCascades); }
+    // With cascades: removes the static geometry as well, but for the radiance of the faces of cascades that
+    // have not moved. `moved`: a bit per cascade.
+    void beginStatic(std::uint32_t moved) { begin(true, moved); }
+    static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
+    // Ends beginStatic(): what is listed now is static.
+    void endStatic() const;
 
     // Entries (shared::packFace()) and ids of the base level's faces in the present pose, without merged
     // faces. Waits for the GPU.
@@ -89,9 +99,8 @@ class DirectionalVoxels {
     void bindLists() const;
 
   private:
-    const gl::Texture& indexOfPose(std::uint32_t pose) const {
-        return dynamicIndices_.empty() ? index_.texture() : dynamicIndices_[pose];
-    }
+    void begin(bool withStatic, std::uint32_t moved);
+    void clearLast(std::uint32_t list, std::uint32_t moved) const;
     void placeLists(shared::CommandLists& commands) const;
     std::size_t words() const;
 
@@ -99,11 +108,13 @@ class DirectionalVoxels {
     bool emission_;
     VoxelPyramid index_;
     gl::Texture faces_;
-    std::vector<gl::Texture> dynamicIndices_;  // two, alternately of the present pose and the last one
+    std::vector<gl::Texture> dynamicIndices_;      // two, alternately of the present pose and the last one
+    std::optional<gl::Texture> otherStaticIndex_;  // with cascades; the first one is index_'s
     gl::Buffer faceData_, range_;
     FaceCapacities capacities_{};
-    std::uint32_t pose_ = 0;
-    gl::Program clearDynamic_, clearLevel_, resetLists_;  // only if there are dynamic objects
+    std::uint32_t pose_ = 0, staticPose_ = 0;
+    gl::Program clearDynamic_, clearLevel_, resetLists_;  // only with dynamic objects or cascades
+    gl::Program markStatic_;                              // only with cascades
 };
 
 }  // namespace vct

@@ -24,9 +24,8 @@ constexpr float smoothingDecay = 0.25F;
 // Steps after cascades have moved in which only the faces that are new to their cascade gather, with a budget
 // of cones, so that a walk costs the same in every frame. The light of all others has not changed.
 constexpr int stepsAfterMove = 24;
-// Cones per turn of a face, and the length of its history that ends these turns: 128 cones.
+// Cones per turn of a face.
 constexpr std::uint32_t conesAfterMove = 8;
-constexpr float longEnoughAfterMove = 24.0F;
 
 }  // namespace
 

@@ -34,11 +34,15 @@ class GatherSchedule {
 
     // A change of the voxels in the time between two steps.
     struct Change {
-        bool lists = false;     // the dynamic objects were voxelized in a new pose
-        bool light = false;     // the light or the occluders have changed
-        bool cascades = false;  // cascades have moved with the camera
+        bool lists = false;           // lists of faces were made anew
+        std::uint32_t voxelized = 0;  // a bit for each cascade whose static geometry was voxelized
+        bool light = false;           // the light or the occluders have changed
+        bool cascades = false;        // cascades have moved with the camera
         bool any() const { return lists || light || cascades; }
     };
+    // After cascades have moved, faces with a history of this length are no longer new to their cascade: 128
+    // cones.
+    static constexpr float longEnoughAfterMove = 24.0F;
     // Returns the parameters of the next step.
     GatherStep advance(const Change& change);
     // Makes the next step start without histories.

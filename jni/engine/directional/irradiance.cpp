@@ -73,8 +73,7 @@ gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpo
 }
 
 Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
-                       GatherPurpose purpose, int lightFrames, bool dynamicObjects,
-                       const LightFeatures& sources)
+                       GatherPurpose purpose, int lightFrames, bool listsChange, const LightFeatures& sources)
     : settings_(settings),
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
@@ -86,7 +85,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       lightBlocks_(shaders, lightProgram("light_blocks", sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
-    if (dynamicObjects) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
+    if (listsChange) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
     if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
     const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
     if (purpose == GatherPurpose::occlusion)
@@ -95,11 +94,12 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
 
 void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
     pending_.lists |= change.lists;
+    pending_.voxelized |= change.voxelized;
     pending_.light |= change.light;
     pending_.cascades |= change.cascades;
     if (!change.lists) return;
     placesBricks_ = true;
-    emitterSteps_ = emitterUpdatePeriod;
+    (change.cascades && !change.light ? newEmitterSteps_ : emitterSteps_) = emitterUpdatePeriod;
 }
 
 void Irradiance::invalidate() {
@@ -110,7 +110,9 @@ void Irradiance::invalidate() {
 
 void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     const gl::DebugGroup group("begin light step");
-    step_ = schedule_.advance(std::exchange(pending_, {}));
+    const GatherSchedule::Change change = std::exchange(pending_, {});
+    step_ = schedule_.advance(change);
+    voxelized_ = change.voxelized;
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
@@ -119,25 +121,33 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
                       GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bind(voxels);
     if (std::exchange(placesBricks_, false)) {
-        if (carryOver_) {
-            carryOver_->use();
-            voxels.indexOf(0).bind(VCT_TEX_VOXELS);
-            voxels.previousIndex().bind(VCT_TEX_PREVIOUS_VOXELS);
-            voxels.index().dispatchOverFaces(0);
-        }
+        if (change.voxelized != 0) carryOver(voxels, voxels.staticList());
+        if (carryOver_ && voxels.hasDynamicObjects()) carryOver(voxels, voxels.dynamicList());
         placeBricks(voxels);
     }
+}
+
+void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const {
+    carryOver_->use();
+    gl::Uniform1ui(VCT_UNIFORM_LIST, list);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
+    voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) {
     const gl::DebugGroup group("gather");
     bind(voxels);
     chooseFaces(voxels, surface);
-    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    if (emitters_ && emitterSteps_ > 0) {
-        --emitterSteps_;
+    if (emitters_ && std::max(emitterSteps_, newEmitterSteps_) > 0) {
         emitters_->use();
+        gl::Uniform1ui(VCT_UNIFORM_LONG_HISTORY,
+                       emitterSteps_ > 0 ? 0U : static_cast<GLuint>(GatherSchedule::longEnoughAfterMove));
+        emitterSteps_ = std::max(emitterSteps_ - 1, 0);
+        newEmitterSteps_ = std::max(newEmitterSteps_ - 1, 0);
         voxels.index().dispatchOverFaces(0);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -241,6 +251,7 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
     values.longEnough = step_.longEnough;
+    values.voxelizedCascades = voxelized_;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
@@ -276,7 +287,7 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels) const {
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     markWalls_.use();
-    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |

@@ -28,9 +28,9 @@ LightFeatures featuresFor(GatherPurpose purpose, const LightFeatures& sources);
 
 class Irradiance {
   public:
-    // `lightFrames`: as in GatherSchedule.
+    // `lightFrames`: as in GatherSchedule. `listsChange`: there are dynamic objects or cascades.
     Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, GatherPurpose purpose,
-               int lightFrames, bool dynamicObjects, const LightFeatures& sources);
+               int lightFrames, bool listsChange, const LightFeatures& sources);
 
     // Reports a change of the voxels, which the next step takes into account.
     void onVoxelsChanged(const GatherSchedule::Change& change);
@@ -48,6 +48,8 @@ class Irradiance {
     // cones, faces that the pixels of the G-buffer `surface` look up gather more often than others
     // (shaders/directional/gather_turns.glsl).
     void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
+    // True if light is injected into all faces in the step, whatever their number of cascades.
+    bool injectsAll() const { return step_.coneBudget == 0; }
     // The number of the step, which seeds the dither.
     std::uint32_t frameIndex() const { return step_.frame; }
 
@@ -73,6 +75,8 @@ class Irradiance {
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
     void uploadUniforms(bool allBounces) const;
+    // Gives the faces of a list the histories of the last list of its pair.
+    void carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const;
     void placeBricks(const DirectionalVoxels& voxels) const;
     void chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const;
 
@@ -81,10 +85,12 @@ class Irradiance {
     GatherSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markWalls_, markLookups_, chooseFaces_, gather_, lightBlocks_,
         fillBricks_;
-    std::optional<gl::Program> carryOver_;    // only if there are dynamic objects
-    std::optional<gl::Program> emitters_;     // only if the scene has compact emitters
-    int emitterSteps_ = emitterUpdatePeriod;  // steps left in which faces trace cones towards emitters
-    bool placesBricks_ = true;                // the next step has to place the bricks
+    std::optional<gl::Program> carryOver_;  // only if lists change
+    std::optional<gl::Program> emitters_;   // only if the scene has compact emitters
+    // Steps left in which faces trace cones towards emitters: all of them, or those with a short history.
+    int emitterSteps_ = emitterUpdatePeriod, newEmitterSteps_ = 0;
+    std::uint32_t voxelized_ = 0;  // GatherSchedule::Change::voxelized of the step
+    bool placesBricks_ = true;     // the next step has to place the bricks
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Buffer> visibilityRange_;  // for ambient visibility, whose range is 1
     std::optional<gl::Texture> irradiance_, bricks_, walls_, blockLight_, lastLookups_;

@@ -37,6 +37,8 @@ void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& l
     voxels.bindLists();
     voxels.range().bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_RANGE);
     chooseRange_.use();
+    gl::Uniform1ui(VCT_UNIFORM_COMPLETE, isComplete_ ? 1U : 0U);
+    isComplete_ = irradiance == nullptr || voxels.cascades() == 1 || irradiance->injectsAll();
     gl::DispatchCompute(1, 1, 1);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
     std::optional<gl::Program>& program = irradiance != nullptr ? bounces_ : direct_;
@@ -45,7 +47,7 @@ void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& l
     gl::Uniform1ui(VCT_UNIFORM_FRAME_INDEX, frameIndex);
     voxels.bindLists();
     if (irradiance != nullptr) irradiance->bind(voxels);
-    voxels.indexOf(0).bind(VCT_TEX_VOXELS);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     light.bind();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);

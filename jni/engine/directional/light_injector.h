@@ -34,6 +34,7 @@ class LightInjector {
     LightFeatures sources_;
     gl::Program chooseRange_;
     bool isMeasured_ = false;
+    bool isComplete_ = true;                       // the last injection was into all faces
     std::optional<gl::Program> direct_, bounces_;  // compiled on first use
 };
 

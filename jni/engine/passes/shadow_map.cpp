@@ -76,11 +76,16 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
                                  Output output, bool forceRebuild, StepTimer& timer) {
-    const bool isCached = cachedFor_ && cachedFor_->placements == now.placements &&
-                          cachedFor_->directionToLight == now.directionToLight && cascades_ == cascades;
-    if (forceRebuild || !isCached) {
+    const bool isSameScene = !forceRebuild && cachedFor_ && cachedFor_->placements == now.placements &&
+                             cachedFor_->directionToLight == now.directionToLight;
+    if (!isSameScene || cascades_ != cascades) {
         cachedFor_.reset();
-        timer.time(Step::shadowMap, [&] { draw(scene); });
+        timer.time(Step::shadowMap, [&] {
+            if (isSameScene)
+                drawMovedTiles(scene, cascades);
+            else
+                draw(scene);
+        });
         momentsAreDrawn_ = false;
         cachedFor_ = now;
         cascades_ = cascades;
@@ -95,12 +100,30 @@ const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
     const gl::RenderPass pass(framebuffer_);
     // Single-sided surfaces cast shadows from both sides, as they do in a path tracer.
     if (tiles_ == 1) scene.draw(GpuScene::Culling::none, programs_);
-    for (int tile = 0; tiles_ > 1 && tile < VCT_SHADOW_TILES; ++tile) {
-        programs_.setUniform(VCT_UNIFORM_SHADOW_TILE, static_cast<GLuint>(tile));
-        gl::Viewport(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
-        scene.draw(GpuScene::Culling::none, programs_);
-    }
+    for (int tile = 0; tiles_ > 1 && tile < VCT_SHADOW_TILES; ++tile)
+        drawTile(scene, tile);
     return depth_;
+}
+
+void ShadowMap::drawTile(const GpuScene& scene, int tile) {
+    programs_.setUniform(VCT_UNIFORM_SHADOW_TILE, static_cast<GLuint>(tile));
+    gl::Viewport(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
+    scene.draw(GpuScene::Culling::none, programs_);
+}
+
+void ShadowMap::drawMovedTiles(const GpuScene& scene, const Cascades& cascades) {
+    const gl::DebugGroup group("shadow map, moved tiles");
+    const gl::RenderPass pass(framebuffer_, gl::Load::keep);
+    const GLfloat far = 1.0F;
+    for (int tile = 0; tile < VCT_SHADOW_TILES; ++tile) {
+        const int cascade = cascades.ofShadowTile(tile);
+        if (cascades_->corner(cascade) == cascades.corner(cascade)) continue;
+        gl::Enable(GL_SCISSOR_TEST);
+        gl::Scissor(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
+        gl::ClearBufferfv(GL_DEPTH, 0, &far);
+        gl::Disable(GL_SCISSOR_TEST);
+        drawTile(scene, tile);
+    }
 }
 
 void ShadowMap::drawMoments() {

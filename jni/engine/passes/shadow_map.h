@@ -47,6 +47,9 @@ class ShadowMap {
     const gl::Texture* moments() const { return moments_ ? &*moments_ : nullptr; }
 
   private:
+    void drawTile(const GpuScene& scene, int tile);
+    // Draws the tiles whose cascades are not at cascades_.
+    void drawMovedTiles(const GpuScene& scene, const Cascades& cascades);
     void drawMoments();
 
     gl::ShaderLibrary shaders_;
