@@ -26,6 +26,7 @@ VERBS = {
     "sweep": "the same at several grids: time against error",
     "motion": "light and times while camera, light or objects move",
     "cases": "small scenes with known answers",
+    "compare": "the presets beside other renderers: three.js, Godot, and Cycles as a check of the references",
     "report": "one page of all results in the folder",
     "mali": "time below which a Mali-T880 cannot draw a frame",
 }
