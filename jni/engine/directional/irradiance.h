@@ -87,8 +87,9 @@ class Irradiance {
         fillBricks_;
     std::optional<gl::Program> carryOver_;  // only if lists change
     std::optional<gl::Program> emitters_;   // only if the scene has compact emitters
-    // Steps left in which faces trace cones towards emitters: all of them, or those with a short history.
-    int emitterSteps_ = emitterUpdatePeriod, newEmitterSteps_ = 0;
+    // Steps left in which faces trace cones towards emitters: all of them, or those with a short history. At
+    // first, all have none and one step is enough.
+    int emitterSteps_ = 0, newEmitterSteps_ = 1;
     std::uint32_t voxelized_ = 0;  // GatherSchedule::Change::voxelized of the step
     bool placesBricks_ = true;     // the next step has to place the bricks
     gl::Buffer uniforms_, faceIrradiance_;
