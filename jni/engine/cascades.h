@@ -24,9 +24,10 @@ class Cascades {
 
     // Centres the cascades on the eye (volume space), in steps of their own bricks of eight voxels, so that
     // their voxels stay in place. A cascade moves once the eye is more than 3/4 of a step from its centre, so
-    // that an eye at the border of two steps does not move it back and forth. Only the cascade that is
-    // farthest from its place moves, which bounds the cost of a frame; but any moves that is 1 1/2 steps
-    // away, as after a jump, so that each cascade stays inside of the next. Returns true if any has moved.
+    // that an eye at the border of two steps does not move it back and forth. In one
+    // call only the cascade farthest from its place moves, which bounds the cost of a frame. After a jump,
+    // every cascade that is 1 1/2 steps away moves, so that each stays inside of the next. Returns true if
+    // any has moved.
     bool follow(const glm::dvec3& eye);
 
     // The cascade around which a tile of the sun's shadow map is drawn.

@@ -4,7 +4,7 @@
 #include "shared/counters.glsl"
 
 layout(local_size_x = VCT_LIST_DYNAMIC) in;
-layout(location = VCT_UNIFORM_LIST) uniform uint keeps;  // 1: all; 0: none
+layout(location = VCT_UNIFORM_KEEPS) uniform uint keeps;  // 1: all; 0: none
 
 void main() {
     COUNT(VCT_COUNTER_MARK_STATIC);

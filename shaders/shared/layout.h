@@ -209,6 +209,7 @@ using glm::vec4;
 #define VCT_UNIFORM_LIST 1          // list that a pass writes (directional/face_lists.glsl)
 #define VCT_UNIFORM_CASCADE 2       // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2      // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_KEEPS 1         // 1: what is listed is static from now on; 0: nothing is
 #define VCT_UNIFORM_COMPLETE 0      // 1: the last injection of light was into all faces
 #define VCT_UNIFORM_LONG_HISTORY 2  // length of a face's history from which on it keeps its light
 #define VCT_UNIFORM_SHADOW_TILE 2   // tile of the sun's shadow map that is drawn

@@ -42,8 +42,8 @@ class DirectionalVolume final : public VoxelVolume {
     // Voxelizes the dynamic objects in a new pose, and the static geometry in the cascades of `moved`, a bit
     // for each.
     void voxelize(const GpuScene& scene, std::uint32_t moved);
-    // Grows the face lists if something did not fit, and removes the dynamic objects, and with cascades all.
-    // Returns true if it did. Throws vct::Error if a list of voxels overflowed, because its capacity is
+    // If faces did not fit into their lists, grows these, removes the dynamic objects (with cascades, all
+    // geometry) and returns true. Throws vct::Error if a list of voxels overflowed, because its capacity is
     // fixed.
     bool growIfNeeded(const shared::CommandLists& found);
     Irradiance& irradianceFor(GatherPurpose of);

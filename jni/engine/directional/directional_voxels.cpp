@@ -188,7 +188,7 @@ void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
     bindLists();
     if (withStatic) {
         markStatic_.use();
-        gl::Uniform1ui(VCT_UNIFORM_LIST, 0);
+        gl::Uniform1ui(VCT_UNIFORM_KEEPS, 0);
         gl::DispatchCompute(1, 1, 1);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -215,7 +215,7 @@ void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
 void DirectionalVoxels::endStatic() const {
     bindLists();
     markStatic_.use();
-    gl::Uniform1ui(VCT_UNIFORM_LIST, 1);
+    gl::Uniform1ui(VCT_UNIFORM_KEEPS, 1);
     gl::DispatchCompute(1, 1, 1);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }

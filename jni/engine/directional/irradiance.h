@@ -85,7 +85,7 @@ class Irradiance {
     GatherSchedule::Change pending_;  // changes that no step has taken into account yet
     gl::Program clearBricks_, placeBricks_, markWalls_, markLookups_, chooseFaces_, gather_, lightBlocks_,
         fillBricks_;
-    std::optional<gl::Program> carryOver_;  // only if lists change
+    std::optional<gl::Program> carryOver_;  // only with dynamic objects or cascades
     std::optional<gl::Program> emitters_;   // only if the scene has compact emitters
     // Steps left in which faces trace cones towards emitters: all of them, or those with a short history. At
     // first, all have none and one step is enough.
