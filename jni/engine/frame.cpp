@@ -32,8 +32,8 @@ void Renderer::render(const RenderRequest& request) {
     // Nested cubes of voxels follow the camera, if the scene has more than one.
     const Cascades lastCascades = cascades_;
     if (readsVoxels) cascades_.follow(eyeInVolume(request.camera, volume_));
-    uploadFrameUniforms(request.camera, lastCascades);
-    if (readsVoxels) voxels().prepare(scene_);
+    const shared::FrameUniforms uniforms = uploadFrameUniforms(request.camera, lastCascades);
+    if (readsVoxels) voxels().prepare(scene_, cascades_);
 
     // Shadow maps of the sun (thesis 4.2) and of the punctual lights. Pixels and voxels take their direct
     // light through them. The sun's map is drawn once for a state. For an output with a soft shadow, update()
@@ -41,13 +41,15 @@ void Renderer::render(const RenderRequest& request) {
     DirectLight direct{{}, punctualLights_ ? &*punctualLights_ : nullptr};
     for (const Output output : request.outputs)
         if (reads(output).shadowMap())
-            direct.sun = shadowMap().update(scene_, now, cascades_, output, settings_.revoxelize, timer_);
+            direct.sun =
+                shadowMap().update(scene_, now, cascades_, uniforms, output, settings_.revoxelize, timer_);
     if (punctualLights_) punctualLights_->update(scene_, now, settings_.revoxelize, timer_);
 
     // The G-buffer: albedo, normal and depth of the visible surfaces (thesis 4.3, "render data").
     const GBuffer::Targets surface =
-        request.surface != nullptr ? *request.surface
-                                   : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_); });
+        request.surface != nullptr
+            ? *request.surface
+            : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_, uniforms.clipFromVolume); });
 
     const int lightSteps = request.lightSteps == LightSteps::all ? std::numeric_limits<int>::max() : 1;
     bool indirectTookSteps = false;

@@ -123,6 +123,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
         static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
                                                [](const Instance& instance) { return !instance.moves(); }));
     std::map<int, std::size_t> movingMeshes;
+    std::map<int, std::vector<glm::dvec3>> corners;  // of the bounds of static meshes
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
@@ -149,7 +150,12 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
         } else if (instance.moves()) {
             addMoving(instance, mesh, indices.firstVertexOf(instance.mesh), draw, movingMeshes);
             moving_.back().emission = glm::vec3(values.emissive);
-        } else if (voxelization == Voxelization::sortedAxes) {
+        } else {
+            std::vector<glm::dvec3>& around = corners[instance.mesh];
+            if (around.empty()) around = cornersOf(boundsOf(positionsOf(mesh), glm::dmat4(1.0)));
+            draw.boundsWorld = boundsOf(around, instance.worldFromObject);
+        }
+        if (!instance.moves() && voxelization == Voxelization::sortedAxes) {
             const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
             std::size_t first = indices.firstOf(instance.mesh, sorted.indices);
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -387,27 +393,37 @@ void GpuScene::bindGeometry() const {
     indices_.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
 
-void GpuScene::draw(Culling culling, const MaterialPrograms& programs) const {
+bool GpuScene::isDrawn(const Draw& draw, const DrawRegion& region) const {
+    const Moving* const moving = draw.moving < 0 ? nullptr : &moving_[static_cast<std::size_t>(draw.moving)];
+    if (moving != nullptr && !moving->isVisible) return false;
+    const Bounds& world = moving != nullptr ? moving->boundsWorld : draw.boundsWorld;
+    // The matrix only scales and translates.
+    return region.meets({glm::dvec3(volumeFromWorld_ * glm::dvec4(world.min, 1.0)),
+                         glm::dvec3(volumeFromWorld_ * glm::dvec4(world.max, 1.0))});
+}
+
+void GpuScene::draw(Culling culling, const MaterialPrograms& programs, const DrawRegion& region) const {
     bindGeometry();
     gl::CullFace(GL_BACK);
     const gl::Program* current = nullptr;
     for (std::size_t i = 0; i < draws_.size(); ++i) {
         const Draw& draw = draws_[culling == Culling::backFaces ? visibleDraws_[i] : i];
-        if (isHidden(draw)) continue;
+        if (!isDrawn(draw, region)) continue;
         bindDraw(draw, current, programs);
         (culling == Culling::backFaces && !draw.doubleSided ? gl::Enable : gl::Disable)(GL_CULL_FACE);
         drawTriangles(draw.triangles.first, draw.triangles.count);
     }
 }
 
-void GpuScene::drawForVoxels(const MaterialPrograms& programs, ScenePart part) const {
+void GpuScene::drawForVoxels(const MaterialPrograms& programs, const DrawRegion& region,
+                             ScenePart part) const {
     bindGeometry();
     gl::Disable(GL_CULL_FACE);
     const gl::Program* current = nullptr;
     for (const Draw& draw : draws_) {
         const bool isDynamic = draw.moving >= 0;
         if (part != ScenePart::all && isDynamic != (part == ScenePart::dynamicOnly)) continue;
-        if (isHidden(draw)) continue;
+        if (!isDrawn(draw, region)) continue;
         bindDraw(draw, current, programs);
         if (voxelization_ == Voxelization::geometryShader) {
             drawTriangles(draw.triangles.first, draw.triangles.count);

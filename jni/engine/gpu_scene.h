@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/deformer.h"
+#include "engine/draw_region.h"
 #include "engine/material_programs.h"
 #include "engine/placement.h"
 #include "engine/resource.h"
@@ -45,12 +46,14 @@ class GpuScene {
     Bounds boundsWith(const Bounds& boundsWorld) const;
 
     enum class Culling { none, backFaces };
-    // Draws every instance with the program for its material features. Culling::backFaces skips the back
-    // faces of single-sided materials. If two surfaces coincide, the one drawn first is visible; with
-    // Culling::backFaces the order of drawing does not depend on the order of the instances.
-    void draw(Culling culling, const MaterialPrograms& programs) const;
+    // Draws the instances that `region` may hold a part of, each with the program for its material features.
+    // Culling::backFaces skips the back faces of single-sided materials. If two surfaces coincide, the one
+    // drawn first is visible; with Culling::backFaces the order of drawing does not depend on the order of
+    // the instances.
+    void draw(Culling culling, const MaterialPrograms& programs, const DrawRegion& region) const;
     // Draws a part of the scene with programs that voxelize: one draw call per instance, or one per axis.
-    void drawForVoxels(const MaterialPrograms& programs, ScenePart part = ScenePart::all) const;
+    void drawForVoxels(const MaterialPrograms& programs, const DrawRegion& region,
+                       ScenePart part = ScenePart::all) const;
 
     const SceneFeatures& features() const { return features_; }
     Resources resources() const;
@@ -71,7 +74,8 @@ class GpuScene {
         IndexRange triangles;
         std::array<IndexRange, 3> trianglesByAxis;  // by axis, with Voxelization::sortedAxes
         std::size_t uniformOffset = 0;
-        int moving = -1;  // index into moving_, or -1: static
+        int moving = -1;     // index into moving_, or -1: static
+        Bounds boundsWorld;  // of a static instance
     };
     // A dynamic object in the present pose.
     struct Moving {
@@ -106,9 +110,8 @@ class GpuScene {
     void addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                    std::map<int, std::size_t>& meshes);
     void place(Draw& draw);
-    bool isHidden(const Draw& draw) const {
-        return draw.moving >= 0 && !moving_[static_cast<std::size_t>(draw.moving)].isVisible;
-    }
+    // True if the instance is visible and its bounds meet the region.
+    bool isDrawn(const Draw& draw, const DrawRegion& region) const;
     void sortVisibleDraws();
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);

@@ -1,7 +1,9 @@
 // The placement of a dynamic object in one pose, and all else that its voxels depend on.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "scene/deformation.h"
 
@@ -20,5 +22,17 @@ struct Placement {
                (form == other.form || (form != nullptr && other.form != nullptr && *form == *other.form));
     }
 };
+
+// The boxes of all objects that differ between two poses, in both poses.
+inline std::vector<Bounds> changedBoxes(const std::vector<Placement>& before,
+                                        const std::vector<Placement>& now) {
+    std::vector<Bounds> boxes;
+    for (std::size_t i = 0; i < std::max(before.size(), now.size()); ++i) {
+        if (i < before.size() && i < now.size() && before[i] == now[i]) continue;
+        if (i < before.size()) boxes.push_back(before[i].box);
+        if (i < now.size()) boxes.push_back(now[i].box);
+    }
+    return boxes;
+}
 
 }  // namespace vct

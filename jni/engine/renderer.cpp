@@ -152,7 +152,7 @@ void Renderer::setSky(std::shared_ptr<const Environment> environment) {
     ++lightChanges_;
 }
 
-void Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {
+shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {
     shared::FrameUniforms values = frameUniforms(camera, light_, radianceUnit_, boundsWorld_, volume_,
                                                  settings_, scene_.boundsWith(boundsWorld_));
     if (pictureShift_ != glm::vec2(0.0F)) {
@@ -169,6 +169,7 @@ void Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
     if (environment_) environment_->bind(VCT_TEX_ENVIRONMENT);
     if (emitters_) emitters_->bind();
+    return values;
 }
 
 void Renderer::invalidateCaches() {

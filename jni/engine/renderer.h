@@ -135,7 +135,7 @@ class Renderer {
 
   private:
     LightFeatures lightFeatures() const;
-    void uploadFrameUniforms(const Camera& camera, const Cascades& last);
+    shared::FrameUniforms uploadFrameUniforms(const Camera& camera, const Cascades& last);
     void invalidateCaches();
     void applyPose(const Pose& pose);
     SceneState state() const;  // a copy, which later frames are compared with

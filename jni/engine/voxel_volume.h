@@ -41,7 +41,7 @@ class VoxelVolume {
     };
     // Allocates the buffers that updates need, and waits for the GPU if their sizes are unknown. Call it
     // before the first pass of a frame.
-    virtual void prepare(const GpuScene&) {}
+    virtual void prepare(const GpuScene&, const Cascades&) {}
     // Brings the voxels, and the part of their light that the output shows, up to date. Computes nothing if
     // nothing has changed since the last call and the light has converged.
     virtual VoxelLight update(const Inputs& inputs, StepTimer& timer) = 0;

@@ -7,6 +7,7 @@
 #include "engine/volume.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
+#include "support/punctual_light.h"
 #include "support/voxel_kinds.h"
 
 namespace vct::test {
@@ -139,6 +140,25 @@ TEST(MovingInstances, ABoxMayPassThroughAWall) {
     PlayingScene stage(context, scene, settings);
     for (double seconds = 0.0; seconds <= 2.0; seconds += 0.4)
         expectFresh(stage, context, scene, settings, seconds);
+}
+
+// The box jumps from one map of the point light to another, and from tile to tile of the sun's map.
+TEST(MovingInstances, TakeTheirShadowsAlong) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box =
+        addCube(builder, {0.2F, 0.2F, 0.9F}, {{"translation", {0, 0.3, 1.5}}, {"scale", {0.3, 0.6, 0.3}}});
+    builder.animate(box, "translation", {0, 1, 2, 3, 4},
+                    {0, 0.3F, 1.5F, -1.6F, 0.3F, -1.6F, 1.6F, 0.3F, -1.6F, 1.2F, 1.6F, 1.2F, 0, 0.3F, 1.5F});
+    Scene scene = load(builder);
+    scene.punctualLights = {punctualLightAt(PunctualLight::Type::point, {0, 1, 0}, {0, 0, 0})};
+    for (const int cascades : {1, 3}) {
+        Settings settings = mobileAt(96);
+        settings.cascades = cascades;
+        PlayingScene stage(context, scene, settings);
+        for (const double seconds : {0.0, 1.0, 2.0, 3.0, 4.0})
+            expectFresh(stage, context, scene, settings, seconds, Output::ao);
+    }
 }
 
 // The bird flies ten times as far away as the scene is wide, where no volume reaches.

@@ -44,53 +44,53 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
 }
 
 // Allocates all buffers before the frame, so that no frame waits for the GPU.
-void DirectionalVolume::prepare(const GpuScene& scene) {
+void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades) {
     shared::CommandLists found;
     if (isPrepared_) {
         // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
         if (counts_.finish(&found) && growIfNeeded(found)) cachedFor_.reset();
         return;
     }
-    voxelizeStatic(scene);
+    voxelizeStatic(scene, cascades);
     bool grew = hasDynamic_ || hasCascades_;
     while (grew) {
-        voxelize(scene, hasCascades_ ? DirectionalVoxels::allCascades : 0);
+        voxelize(scene, cascades, hasCascades_ ? DirectionalVoxels::allCascades : 0);
         grew = growIfNeeded(voxels_.index().readCommands());
     }
     isPrepared_ = true;
 }
 
 // Lists the faces twice: the first pass counts them, the second has room for them.
-void DirectionalVolume::voxelizeStatic(const GpuScene& scene) {
+void DirectionalVolume::voxelizeStatic(const GpuScene& scene, const Cascades& cascades) {
     voxels_.reset({});
     cascades_.reset();
     if (voxelizesAll_ || hasCascades_) return;
-    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
+    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, cascades);
     const shared::CommandLists found = voxels_.index().readCommands();
     voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
     FaceCapacities capacities{};
     for (int list = 0; list < voxels_.levels(); ++list)
         capacities[static_cast<std::size_t>(list)] = found.lists[list].faceCount;
     voxels_.reset(capacities);
-    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_);
-    voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_);
+    voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, cascades);
+    voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_, cascades);
     voxels_.markStatic();
 }
 
-void DirectionalVolume::voxelize(const GpuScene& scene, std::uint32_t moved) {
+void DirectionalVolume::voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved) {
     if (moved != 0) {
         voxels_.beginStatic(moved);
         const std::uint32_t list = voxels_.staticList();
-        voxelizer_.listFaces(scene, ScenePart::staticOnly, list, voxels_, moved);
-        voxelizer_.accumulate(scene, ScenePart::staticOnly, list, voxels_, moved);
+        voxelizer_.listFaces(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
+        voxelizer_.accumulate(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
         voxels_.endStatic();
     } else {
         voxels_.beginPose();
     }
     if (!hasDynamic_) return;
     const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
-    voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_);
-    voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_);
+    voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_, cascades);
+    voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_, cascades);
 }
 
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
@@ -147,11 +147,11 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     const bool voxelizes = moved != 0 || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
     if (voxelizes)
         timer.time(Step::voxelize, [&] {
-            voxelize(inputs.scene, moved);
+            voxelize(inputs.scene, inputs.cascades, moved);
             // A picture of converged light waits for the GPU, so that its lists have room in it already.
             if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands())) {
                 moved = hasCascades_ ? DirectionalVoxels::allCascades : 0;
-                voxelize(inputs.scene, moved);
+                voxelize(inputs.scene, inputs.cascades, moved);
                 cascades_ = inputs.cascades;
             }
             counts_.start(voxels_.index().commands());

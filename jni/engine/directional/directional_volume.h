@@ -19,7 +19,7 @@ class DirectionalVolume final : public VoxelVolume {
     DirectionalVolume(const gl::ShaderLibrary& shaders, const GpuScene& scene, const Settings& settings,
                       const LightFeatures& sources);
 
-    void prepare(const GpuScene& scene) override;
+    void prepare(const GpuScene& scene, const Cascades& cascades) override;
     VoxelLight update(const Inputs& inputs, StepTimer& timer) override;
     void invalidate() override {
         cachedFor_.reset();
@@ -38,10 +38,10 @@ class DirectionalVolume final : public VoxelVolume {
     const Irradiance* irradiance(GatherPurpose of) const;
 
   private:
-    void voxelizeStatic(const GpuScene& scene);
+    void voxelizeStatic(const GpuScene& scene, const Cascades& cascades);
     // Voxelizes the dynamic objects in a new pose, and the static geometry in the cascades of `moved`, a bit
     // for each.
-    void voxelize(const GpuScene& scene, std::uint32_t moved);
+    void voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved);
     // If faces did not fit into their lists, grows these, removes the dynamic objects (with cascades, all
     // geometry) and returns true. Throws vct::Error if a list of voxels overflowed, because its capacity is
     // fixed.

@@ -67,12 +67,13 @@ DirectionalVoxelizer::DirectionalVoxelizer(const gl::ShaderLibrary& shaders, con
 }
 
 void DirectionalVoxelizer::drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs,
-                                            ScenePart part, const DirectionalVoxels& voxels,
+                                            ScenePart part, const Cascades& cascades,
                                             std::uint32_t moved) const {
-    for (int cascade = 0; cascade < voxels.cascades(); ++cascade) {
+    for (int cascade = 0; cascade < cascades.count(); ++cascade) {
         if ((moved >> cascade & 1U) == 0) continue;
-        if (voxels.cascades() > 1) programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
-        scene.drawForVoxels(programs, part);
+        if (cascades.count() > 1) programs.setUniform(VCT_UNIFORM_CASCADE, static_cast<GLuint>(cascade));
+        scene.drawForVoxels(programs, DrawRegion::cube(cascades.corner(cascade), cascades.side(cascade)),
+                            part);
     }
 }
 
@@ -82,7 +83,8 @@ bool DirectionalVoxelizer::keeps(std::uint32_t list, const DirectionalVoxels& vo
 }
 
 void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                     const DirectionalVoxels& voxels, std::uint32_t moved) const {
+                                     const DirectionalVoxels& voxels, const Cascades& cascades,
+                                     std::uint32_t moved) const {
     const gl::DebugGroup group("list faces");
     projection_.use();
     voxels.bindLists();
@@ -94,7 +96,7 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
         voxels.index().dispatchOverLevel(list ^ 1U);
     }
     markFaces_.setUniform(VCT_UNIFORM_LIST, list);
-    drawIntoCascades(scene, markFaces_, part, voxels, moved);
+    drawIntoCascades(scene, markFaces_, part, cascades, moved);
     // The next pass loads from the index image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);
@@ -108,7 +110,8 @@ void DirectionalVoxelizer::listFaces(const GpuScene& scene, ScenePart part, std:
 }
 
 void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                                      const DirectionalVoxels& voxels, std::uint32_t moved) const {
+                                      const DirectionalVoxels& voxels, const Cascades& cascades,
+                                      std::uint32_t moved) const {
     const gl::DebugGroup group("accumulate");
     projection_.use();
     voxels.bindLists();
@@ -120,7 +123,7 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
     }
     voxels.indexOf(list).bind(VCT_TEX_VOXELS);
     accumulate_.setUniform(VCT_UNIFORM_LIST, list);
-    drawIntoCascades(scene, accumulate_, part, voxels, moved);
+    drawIntoCascades(scene, accumulate_, part, cascades, moved);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

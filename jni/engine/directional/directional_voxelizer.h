@@ -3,6 +3,7 @@
 // levels, and the triangles add to the sums of the listed faces.
 #pragma once
 
+#include "engine/cascades.h"
 #include "engine/directional/directional_voxels.h"
 #include "engine/gpu_scene.h"
 
@@ -39,16 +40,16 @@ class DirectionalVoxelizer {
     // each cascade that is voxelized. The others, in a list of static geometry, keep their faces of the last
     // list.
     void listFaces(const GpuScene& scene, ScenePart part, std::uint32_t list, const DirectionalVoxels& voxels,
-                   std::uint32_t moved = DirectionalVoxels::allCascades) const;
+                   const Cascades& cascades, std::uint32_t moved = DirectionalVoxels::allCascades) const;
     // Adds that part to the sums of its faces. listFaces() has to come first.
     void accumulate(const GpuScene& scene, ScenePart part, std::uint32_t list,
-                    const DirectionalVoxels& voxels,
+                    const DirectionalVoxels& voxels, const Cascades& cascades,
                     std::uint32_t moved = DirectionalVoxels::allCascades) const;
 
   private:
     // Draws that part once for each of these cascades.
     void drawIntoCascades(const GpuScene& scene, const MaterialPrograms& programs, ScenePart part,
-                          const DirectionalVoxels& voxels, std::uint32_t moved) const;
+                          const Cascades& cascades, std::uint32_t moved) const;
     // True if the static list takes over faces of cascades that have not moved.
     static bool keeps(std::uint32_t list, const DirectionalVoxels& voxels, std::uint32_t moved);
 

@@ -23,7 +23,7 @@ void PackedVoxelizer::run(const GpuScene& scene, const DirectLight& light, Voxel
     light.bind();
     voxels.bindLevel(VCT_IMAGE_VOXELS, 0, GL_READ_WRITE);
     voxels.bindLists();
-    scene.drawForVoxels(programs_);
+    scene.drawForVoxels(programs_, DrawRegion::volume());
     // The mipmapper comes next. It loads from the image, reads the list and is dispatched by the commands.
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                       GL_COMMAND_BARRIER_BIT);

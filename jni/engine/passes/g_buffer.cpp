@@ -44,10 +44,10 @@ void GBuffer::resize(glm::ivec2 size) {
     framebuffer_ = gl::Framebuffer("G-buffer", colors, &depth_);
 }
 
-GBuffer::Targets GBuffer::draw(const GpuScene& scene) {
+GBuffer::Targets GBuffer::draw(const GpuScene& scene, const glm::mat4& clipFromVolume) {
     const gl::DebugGroup group("G-buffer");
     const gl::RenderPass pass(framebuffer_);
-    scene.draw(GpuScene::Culling::backFaces, programs_);
+    scene.draw(GpuScene::Culling::backFaces, programs_, DrawRegion::inClipSpace(clipFromVolume));
     return targets();
 }
 

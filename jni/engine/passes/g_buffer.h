@@ -33,7 +33,7 @@ class GBuffer {
         // True: `normal` is RGBA16UI with the normal map's normal, by encodeOctahedral(), in blue and alpha.
         bool mappedNormals;
     };
-    Targets draw(const GpuScene& scene);
+    Targets draw(const GpuScene& scene, const glm::mat4& clipFromVolume);
     // Recreates the targets in another size, in pixels. The programs are kept.
     void resize(glm::ivec2 size);
 

@@ -161,9 +161,12 @@ void PunctualLights::update(const GpuScene& scene, const SceneState& now, bool f
         const MapSource source{definition.type, states_[i].worldFromLight, definition.outerConeRad,
                                definition.range, light.firstMap};
         std::vector<Placement> placements = placementsInRange(light, states_[i], now.placements);
-        if (!forceRebuild && light.cachedFor == source && light.cachedPlacements == placements) continue;
+        std::optional<std::vector<Bounds>> changed;
+        if (!forceRebuild && light.cachedFor == source)
+            changed = changedBoxes(light.cachedPlacements, placements);
+        if (changed && changed->empty()) continue;
         light.cachedFor.reset();
-        timer.time(Step::shadowMap, [&] { drawMaps(scene, light); });
+        timer.time(Step::shadowMap, [&] { drawMaps(scene, light, changed); });
         light.cachedFor = source;
         light.cachedPlacements = std::move(placements);
     }
@@ -256,13 +259,17 @@ std::vector<Placement> PunctualLights::placementsInRange(const Light& light, con
     return found;
 }
 
-void PunctualLights::drawMaps(const GpuScene& scene, const Light& light) {
+// `changed`: boxes outside of which the maps are up to date, if there are such.
+void PunctualLights::drawMaps(const GpuScene& scene, const Light& light,
+                              const std::optional<std::vector<Bounds>>& changed) {
     const gl::DebugGroup group("light maps");
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_PUNCTUAL_LIGHTS);
     for (int map = light.firstMap; map < light.firstMap + light.maps; ++map) {
+        const DrawRegion region(values_.map[map].mapFromVolume);
+        if (changed && !region.meetsAny(*changed)) continue;
         const gl::RenderPass pass(framebuffers_[static_cast<std::size_t>(map)]);
         programs_.setUniform(VCT_UNIFORM_LIGHT_MAP, static_cast<GLuint>(map));
-        scene.draw(GpuScene::Culling::none, programs_);
+        scene.draw(GpuScene::Culling::none, programs_, region);
     }
 }
 

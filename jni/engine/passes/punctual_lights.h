@@ -81,7 +81,8 @@ class PunctualLights {
     void placeMaps(const Light& light, const PunctualLightState& state);
     std::vector<Placement> placementsInRange(const Light& light, const PunctualLightState& state,
                                              const std::vector<Placement>& placements) const;
-    void drawMaps(const GpuScene& scene, const Light& light);
+    void drawMaps(const GpuScene& scene, const Light& light,
+                  const std::optional<std::vector<Bounds>>& changed);
 
     LightMeasure measure_;
     std::vector<Light> lights_;

@@ -1,6 +1,7 @@
 #include "engine/passes/shadow_map.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <string>
 #include <utility>
 
@@ -35,6 +36,13 @@ int momentLevels(int mapSize) {
     while (mapSize >> (levels + 1) >= 16)
         ++levels;
     return levels;
+}
+
+DrawRegion regionOfTile(const shared::FrameUniforms& uniforms, int tile) {
+    const glm::dmat4 tileFromMap =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(-(tile & 1), -(tile >> 1), 0.0)) *
+        glm::scale(glm::dmat4(1.0), glm::dvec3(2.0, 2.0, 1.0));
+    return DrawRegion(tileFromMap * glm::dmat4(uniforms.shadowTileFromVolume[tile]));
 }
 
 }  // namespace
@@ -75,16 +83,17 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
 }
 
 ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
-                                 Output output, bool forceRebuild, StepTimer& timer) {
-    const bool isSameScene = !forceRebuild && cachedFor_ && cachedFor_->placements == now.placements &&
-                             cachedFor_->directionToLight == now.directionToLight;
-    if (!isSameScene || cascades_ != cascades) {
-        cachedFor_.reset();
+                                 const shared::FrameUniforms& uniforms, Output output, bool forceRebuild,
+                                 StepTimer& timer) {
+    const bool isSameLight =
+        !forceRebuild && cachedFor_ && cachedFor_->directionToLight == now.directionToLight;
+    if (!isSameLight || cachedFor_->placements != now.placements || cascades_ != cascades) {
+        const std::optional<SceneState> before = std::exchange(cachedFor_, {});
         timer.time(Step::shadowMap, [&] {
-            if (isSameScene)
-                drawMovedTiles(scene, cascades);
+            if (isSameLight && tiles_ > 1)
+                updateTiles(scene, uniforms, cascades, changedBoxes(before->placements, now.placements));
             else
-                draw(scene);
+                draw(scene, uniforms);
         });
         momentsAreDrawn_ = false;
         cachedFor_ = now;
@@ -95,34 +104,35 @@ ShadowTextures ShadowMap::update(const GpuScene& scene, const SceneState& now, c
     return {&depth_, moments(), &plainDepth_};
 }
 
-const gl::Texture& ShadowMap::draw(const GpuScene& scene) {
+void ShadowMap::draw(const GpuScene& scene, const shared::FrameUniforms& uniforms) {
     const gl::DebugGroup group("shadow map");
     const gl::RenderPass pass(framebuffer_);
     // Single-sided surfaces cast shadows from both sides, as they do in a path tracer.
-    if (tiles_ == 1) scene.draw(GpuScene::Culling::none, programs_);
+    if (tiles_ == 1) scene.draw(GpuScene::Culling::none, programs_, DrawRegion(uniforms.shadowFromVolume));
     for (int tile = 0; tiles_ > 1 && tile < VCT_SHADOW_TILES; ++tile)
-        drawTile(scene, tile);
-    return depth_;
+        drawTile(scene, regionOfTile(uniforms, tile), tile);
 }
 
-void ShadowMap::drawTile(const GpuScene& scene, int tile) {
+void ShadowMap::drawTile(const GpuScene& scene, const DrawRegion& region, int tile) {
     programs_.setUniform(VCT_UNIFORM_SHADOW_TILE, static_cast<GLuint>(tile));
     gl::Viewport(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
-    scene.draw(GpuScene::Culling::none, programs_);
+    scene.draw(GpuScene::Culling::none, programs_, region);
 }
 
-void ShadowMap::drawMovedTiles(const GpuScene& scene, const Cascades& cascades) {
-    const gl::DebugGroup group("shadow map, moved tiles");
+void ShadowMap::updateTiles(const GpuScene& scene, const shared::FrameUniforms& uniforms,
+                            const Cascades& cascades, const std::vector<Bounds>& changed) {
+    const gl::DebugGroup group("shadow map, changed tiles");
     const gl::RenderPass pass(framebuffer_, gl::Load::keep);
     const GLfloat far = 1.0F;
     for (int tile = 0; tile < VCT_SHADOW_TILES; ++tile) {
         const int cascade = cascades.ofShadowTile(tile);
-        if (cascades_->corner(cascade) == cascades.corner(cascade)) continue;
+        const DrawRegion region = regionOfTile(uniforms, tile);
+        if (cascades_->corner(cascade) == cascades.corner(cascade) && !region.meetsAny(changed)) continue;
         gl::Enable(GL_SCISSOR_TEST);
         gl::Scissor(size_ * (tile & 1), size_ * (tile >> 1), size_, size_);
         gl::ClearBufferfv(GL_DEPTH, 0, &far);
         gl::Disable(GL_SCISSOR_TEST);
-        drawTile(scene, tile);
+        drawTile(scene, region, tile);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "engine/settings.h"
 #include "engine/step_timer.h"
 #include "gl/objects.h"
+#include "shared/layout.h"
 
 namespace vct {
 
@@ -36,20 +37,20 @@ class ShadowMap {
     // Draws the map if the state differs from the one that it was drawn for, or if `forceRebuild` is set.
     // Draws the moments if `output` has a soft shadow.
     ShadowTextures update(const GpuScene& scene, const SceneState& now, const Cascades& cascades,
-                          Output output, bool forceRebuild, StepTimer& timer);
+                          const shared::FrameUniforms& uniforms, Output output, bool forceRebuild,
+                          StepTimer& timer);
     // Marks the map as out of date. Call it after a frame that failed.
     void invalidate() { cachedFor_.reset(); }
-
-    // Draws the map and returns its depth texture: compare function LEQUAL, linear filter.
-    const gl::Texture& draw(const GpuScene& scene);
 
     const gl::Texture& texture() const { return depth_; }
     const gl::Texture* moments() const { return moments_ ? &*moments_ : nullptr; }
 
   private:
-    void drawTile(const GpuScene& scene, int tile);
-    // Draws the tiles whose cascades are not at cascades_.
-    void drawMovedTiles(const GpuScene& scene, const Cascades& cascades);
+    void draw(const GpuScene& scene, const shared::FrameUniforms& uniforms);
+    void drawTile(const GpuScene& scene, const DrawRegion& region, int tile);
+    // Draws the tiles whose cascades are not at cascades_, and those that show a part of the `changed` boxes.
+    void updateTiles(const GpuScene& scene, const shared::FrameUniforms& uniforms, const Cascades& cascades,
+                     const std::vector<Bounds>& changed);
     void drawMoments();
 
     gl::ShaderLibrary shaders_;
