@@ -1,6 +1,7 @@
 // Lists the faces that gather in this step: faces that have a turn (directional/gather_turns.glsl), and faces
-// without a history.
-#include "directional/face_lists.glsl"
+// without a history. While only cascades move, also lists the active faces, which take part in the other
+// passes of the step: those that gather, those without radiance, and a share of those with a short history.
+#include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
 #include "directional/gather_turns.glsl"
 #include "directional/last_lookups.glsl"
@@ -29,9 +30,19 @@ void main() {
         bool lookedUp = isLookedUp(
             faceTexel(block, listed.face >> 1, listed.face & 1, frame.gridSide >> VCT_BRICK_LEVEL));
         FaceIrradiance mean = faceIrradianceAt(id);
-        if (lightStep.longEnough > 0.0 && mean.steps >= lightStep.longEnough) continue;
+        bool hasLongHistory = lightStep.longEnough > 0.0 && mean.steps >= lightStep.longEnough;
+        bool isChosen =
+            !hasLongHistory && (mean.steps == 0.0 || turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow);
+        bool hasNoRadiance = faceData[id * faceWords + VCT_FACE_SURFACE] == 0u;
+        bool hasTurn =
+            !hasLongHistory && (i / uint(VCT_LIST_GROUP) + lightStep.frame) % VCT_TURN_PERIOD == 0u;
+        if (VCT_CASCADES > 1 && lightStep.longEnough > 0.0 && (isChosen || hasNoRadiance || hasTurn)) {
+            uint before = atomicAdd(faceIrradianceData[sums + VCT_SUM_ACTIVE], 1u);
+            faceIrradianceData[lightStep.lastActiveFace - before] = id;
+        }
+        if (hasLongHistory) continue;
         atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_CONES) : 1u);
-        if (mean.steps > 0.0 && !turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow) continue;
+        if (!isChosen) continue;
         uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);
         faceIrradianceData[lightStep.chosenFaces + chosen] = id | (lookedUp ? lookedUpFlag : 0u);
     }

@@ -1,18 +1,23 @@
-// Clears the bricks of face irradiance and the textures of their locations and walls. Each invocation clears
-// a column of texels.
-#include "shared/counters.glsl"
+// Clears the bricks of face irradiance that place_bricks.comp will use, the texture of their locations, and
+// the static walls of cascades that have moved. Each invocation clears a column of texels.
+#include "directional/cascades.glsl"
+#include "directional/face_irradiance.glsl"
+#include "directional/face_lists.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) writeonly uniform highp uimage3D brickSlots;
-layout(r32ui, binding = VCT_IMAGE_WALLS) writeonly uniform highp uimage3D walls;
+layout(r32ui, binding = VCT_IMAGE_STATIC_WALLS) writeonly uniform highp uimage3D staticWalls;
+layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are cleared
 
 void main() {
     COUNT(VCT_COUNTER_BRICKS_CLEAR);
     ivec2 column = ivec2(gl_GlobalInvocationID);
     ivec3 size = imageSize(irradianceTexels);
+    uint layer = lightStep.bricksAlong * lightStep.bricksAlong;
+    int usedTexels = VCT_BRICK_TEXELS * int((faceCount(uint(VCT_BRICK_LEVEL)) + layer - 1u) / layer);
     if (all(lessThan(column, size.xy)))
-        for (int z = 0; z < size.z; ++z) {
+        for (int z = 0; z < min(usedTexels, size.z); ++z) {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);
             imageStore(irradianceTexels, ivec3(column, z), vec4(0.0));
         }
@@ -21,6 +26,7 @@ void main() {
         for (int z = 0; z < size.z; ++z) {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_PLACE);
             imageStore(brickSlots, ivec3(column, z), uvec4(0u));
-            imageStore(walls, ivec3(column, z), uvec4(0u));
+            int cascade = z / (frame.gridSide >> VCT_BRICK_LEVEL);
+            if ((moved >> uint(cascade) & 1u) != 0u) imageStore(staticWalls, ivec3(column, z), uvec4(0u));
         }
 }

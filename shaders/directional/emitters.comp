@@ -1,16 +1,16 @@
 // Irradiance of the base level's faces by the compact emitters. It depends on geometry only. After something
 // has moved, a quarter of the faces is updated in each step, and new faces at once. If only cascades have
-// moved, faces with a long history keep their light.
+// moved, the active faces are updated.
 #include "directional/face_sums.glsl"
 #include "directional/cones.glsl"
-#include "directional/face_irradiance.glsl"
+#include "directional/active_faces.glsl"
 #define VCT_COUNTER_CONTACT_VOXEL VCT_COUNTER_EMITTERS_VOXEL
 #define VCT_COUNTER_CONTACT_FACE VCT_COUNTER_EMITTERS_OTHER_FACE
 #include "directional/contact.glsl"
 #include "directional/emitter_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_LONG_HISTORY) uniform uint longHistory;  // steps; 0: all faces are updated
+layout(location = VCT_UNIFORM_ALL) uniform bool all;  // false: only active faces are updated
 
 // Irradiance by all emitters, relative to E. `other`: the face's irradiance by other surfaces and the sky.
 // An emitter that would add less than half a percent to it costs no cone.
@@ -32,19 +32,19 @@ vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow, vec3 ot
     return sum;
 }
 
-// True if a face is to be updated: a new face, or one in the quarter of the work groups that have their turn.
+// True if a face is to be updated: a new face, or one in the share of the work groups that have their turn.
 bool isDue(uint id, uint i) {
     float history = historyLength(id);
-    if (longHistory != 0u && history >= float(longHistory)) return false;
-    return history == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % 4u == 0u;
+    if (!all) return history < lightStep.longEnough;
+    return history == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % VCT_TURN_PERIOD == 0u;
 }
 
 void main() {
     COUNT(VCT_COUNTER_EMITTERS);
-    uint count = baseFaceCount();
+    uint count = visitedFaceCount(all);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(all, i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged || !isDue(id, i)) continue;
         COUNT(VCT_COUNTER_EMITTERS_FACE);

@@ -12,6 +12,10 @@
 #define VCT_FACE_ALBEDO 3u    // three words, weighted by coverage
 #define VCT_FACE_EMISSION 6u  // three words, weighted by coverage, relative to frame.emissionRange
 
+// Radiance and coverage of the face's texel before its cascade moved, as packUnorm4x8() packs them. Only in
+// the list before the move, where no pass reads the sums of such a cascade.
+#define VCT_FACE_LAST_RADIANCE VCT_FACE_COVERAGE
+
 #ifdef VCT_EMISSION
 const uint faceWords = VCT_EMISSIVE_FACE_WORDS;
 #else

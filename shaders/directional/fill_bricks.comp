@@ -1,7 +1,7 @@
-// Writes the irradiance of every face into the bricks, where pixels look it up.
+// Writes the irradiance of the faces into the bricks, where pixels look it up.
 #include "directional/face_sums.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/face_irradiance.glsl"
+#include "directional/active_faces.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
@@ -48,11 +48,12 @@ vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
 
 void main() {
     COUNT(VCT_COUNTER_FILL_BRICKS);
-    uint count = baseFaceCount();
+    bool all = lightStep.fillsAll != 0u;
+    uint count = visitedFaceCount(all);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(all, i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceSurface surface = faceSurface(id);

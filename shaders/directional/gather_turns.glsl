@@ -10,6 +10,7 @@
 // Two floats, stored as bits: the turns so far of faces that pixels have looked up recently, and of the
 // others.
 #define VCT_SUM_TURNS 18u
+#define VCT_SUM_ACTIVE 20u  // number of active faces (directional/active_faces.glsl)
 
 // This bit of an entry in the list of gathering faces marks faces that pixels have looked up recently.
 const uint lookedUpFlag = 0x80000000u;

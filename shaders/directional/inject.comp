@@ -73,17 +73,31 @@ float largerOf(float before, vec3 color) {
 }
 
 #ifdef VCT_BOUNCES
+#include "directional/active_faces.glsl"
 #include "directional/light_balance.glsl"
 
 // While something changes, light is injected into the static faces of a cascade once in 2^cascade steps, so
-// that a step costs about twice the finest cascade. Returns this number of steps. While only cascades move,
-// the light of faces with a long history stays; returns 0 for them.
+// that a step costs about twice the finest cascade. Returns this number of steps; 1 for a face that is new to
+// its cascade and has no radiance yet.
 uint injectionPeriod(uint id, uint cascade) {
-    bool all = lightStep.coneBudget == 0u || faceRange.changed != 0.0 ||
-               (lightStep.voxelizedCascades >> cascade & 1u) != 0u;
-    if (cascades == 1 || all) return 1u;
-    if (lightStep.longEnough > 0.0) return historyLength(id) < lightStep.longEnough ? 1u : 0u;
-    return 1u << cascade;
+    bool isNew = faceData[id * faceWords + VCT_FACE_SURFACE] == 0u;
+    bool all = lightStep.coneBudget == 0u || lightStep.longEnough > 0.0 || faceRange.changed != 0.0;
+    return cascades == 1 || isNew || all ? 1u : 1u << cascade;
+}
+
+// While only cascades move, the light of faces that are not active stays, unless its range changes.
+bool visitsAll() {
+    return cascades == 1 || lightStep.longEnough == 0.0 || faceRange.changed != 0.0;
+}
+#else
+bool visitsAll() {
+    return true;
+}
+uint visitedFaceCount(bool all) {
+    return baseFaceCount();
+}
+uint visitedFaceId(bool all, uint i) {
+    return baseFaceId(i);
 }
 #endif
 
@@ -116,22 +130,23 @@ void main() {
 #ifdef VCT_BOUNCES
     beginBalance();
 #endif
-    uint count = baseFaceCount();
+    bool all = visitsAll();
+    uint count = visitedFaceCount(all);
     bool hasDynamic = faceCount(dynamicList) > 0u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_INJECT_FACE);
-        uint id = baseFaceId(i);
+        uint id = visitedFaceId(all, i);
         ListedFace listed = baseFace(id);
         // The sums of a merged dynamic face are added to a static face, which is injected with both.
         if (listed.isMerged) continue;
-        uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
 #ifdef VCT_BOUNCES
         uint period =
             hasFace(dynamicCell, listed.face) ? 1u : injectionPeriod(id, uint(cascadeOf(listed.voxel)));
-        if (period == 0u || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
+        if ((i / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
 #endif
+        uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         SurfacePlane plane = unpackPlane(sums.plane);
         float coverage = min(sums.coverage, 1.0);

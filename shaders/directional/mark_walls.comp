@@ -1,5 +1,6 @@
 // Finds the thin walls that cross a floor, a ceiling or another wall, and writes them into the words of the
-// bricks that these faces have (directional/walls.glsl).
+// bricks that these faces have (directional/walls.glsl). Static walls have words of their own, which stay as
+// they are until the cascade moves; walls of dynamic objects are added to the bricks.
 #include "directional/cascades.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
@@ -9,7 +10,9 @@ layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 layout(r32ui, binding = VCT_IMAGE_BRICKS) coherent uniform highp uimage3D brickSlots;
-layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;
+layout(r32ui, binding = VCT_IMAGE_WALLS) coherent uniform highp uimage3D walls;  // static or of the bricks
+layout(location = VCT_UNIFORM_LEVEL) uniform uint list;      // the list of the walls' faces
+layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascade whose walls are marked
 
 struct Cells {
     uint still;
@@ -58,13 +61,13 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
             block != clampToCascade(block, voxel >> VCT_BRICK_LEVEL, blocks))
             continue;
         ivec3 texel = faceTexel(block, faceAxis, face & 1, blocks);
-        if (imageLoad(brickSlots, texel).r == 0u) continue;
+        if (list == dynamicList && imageLoad(brickSlots, texel).r == 0u) continue;
         uint word = uint(middle * wallUnits + 0.5) << (8u * second);
         word |= layerBits(uint(voxel[other] & (VCT_BRICK_SIDE - 1))) << (16u + 6u * second);
         float texelMiddle = floor(middle) + 0.5;
         if (from - first < texelMiddle + nearWall && to - first > texelMiddle - nearWall)
             word |= 1u << (28u + second);
-        imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
+        if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
         uint before = imageLoad(walls, texel).r;
         for (;;) {
             COUNT(VCT_COUNTER_MARK_WALLS_WORD);
@@ -77,14 +80,14 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
 
 void main() {
     COUNT(VCT_COUNTER_MARK_WALLS);
-    uint count = baseFaceCount();
-    bool hasDynamic = faceCount(dynamicList) > 0u;
+    uint count = faceCount(list);
+    bool hasDynamic = list == dynamicList;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_MARK_WALLS_FACE);
-        ListedFace listed = baseFace(baseFaceId(i));
+        ListedFace listed = listedFace(list, i);
         // A wall has two faces, and is found from the one that looks along its axis.
-        if (listed.isMerged || (listed.face & 1) != 0) continue;
+        if ((listed.face & 1) != 0 || (moved >> uint(cascadeOf(listed.voxel)) & 1u) == 0u) continue;
         const float minCoverage = 0.25;
         int axis = listed.face >> 1;
         Cells cells = cellsAt(listed.voxel, listed.voxel, hasDynamic);

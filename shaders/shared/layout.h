@@ -185,6 +185,7 @@ using glm::vec4;
 
 // Image units.
 #define VCT_IMAGE_VOXELS 0
+#define VCT_IMAGE_STATIC_WALLS 0  // shared with VCT_IMAGE_VOXELS; no pass needs both
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_WALLS 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
 #define VCT_IMAGE_FACES 2
@@ -205,17 +206,17 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0         // mip level of a pass over a list
-#define VCT_UNIFORM_LIST 1          // list that a pass writes (directional/face_lists.glsl)
-#define VCT_UNIFORM_CASCADE 2       // cascade that triangles are voxelized into
-#define VCT_UNIFORM_CASCADES 2      // the cascades that have moved, a bit for each
-#define VCT_UNIFORM_KEEPS 1         // 1: what is listed is static from now on; 0: nothing is
-#define VCT_UNIFORM_COMPLETE 0      // 1: the last injection of light was into all faces
-#define VCT_UNIFORM_LONG_HISTORY 2  // length of a face's history from which on it keeps its light
-#define VCT_UNIFORM_SHADOW_TILE 2   // tile of the sun's shadow map that is drawn
-#define VCT_UNIFORM_FRAME_INDEX 1   // number of the light step, which seeds the dither
-#define VCT_UNIFORM_AXIS 0          // axis along which the triangles of a draw call are voxelized
-#define VCT_UNIFORM_LIGHT_MAP 0     // index of the light's shadow map
+#define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
+#define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_CASCADE 2      // cascade that triangles are voxelized into
+#define VCT_UNIFORM_CASCADES 2     // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_KEEPS 1        // 1: what is listed is static from now on; 0: nothing is
+#define VCT_UNIFORM_COMPLETE 0     // 1: the last injection of light was into all faces
+#define VCT_UNIFORM_ALL 2          // true: a pass visits all faces, false: the active ones
+#define VCT_UNIFORM_SHADOW_TILE 2  // tile of the sun's shadow map that is drawn
+#define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
+#define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
+#define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
 // An array of uniforms for passes/copy_vertices.comp, passes/deform.comp and passes/sort_axes.comp: positions
 // of a mesh in their buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
@@ -262,14 +263,17 @@ using glm::vec4;
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
 // The gather (directional/face_irradiance.glsl).
-#define VCT_LIGHT_SUMS 20u    // words of the sums over all faces in a step
-#define VCT_LIGHT_HEADER 60u  // words of the sums of three steps
+#define VCT_LIGHT_SUMS 21u    // words of the sums over all faces in a step
+#define VCT_LIGHT_HEADER 63u  // words of the sums of three steps
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
-#define VCT_BRICK_SIDE 4            // 2^VCT_BRICK_LEVEL voxels
-#define VCT_BRICK_TEXELS 6          // the voxels and a border for the filter
-#define VCT_MIN_CREASE_CONES 4      // minimum number of cones per step of a face near other surfaces
-#define VCT_INITIAL_HISTORY 6.0     // history length of a face after its first step
+#define VCT_BRICK_SIDE 4         // 2^VCT_BRICK_LEVEL voxels
+#define VCT_BRICK_TEXELS 6       // the voxels and a border for the filter
+#define VCT_MIN_CREASE_CONES 4   // minimum number of cones per step of a face near other surfaces
+#define VCT_INITIAL_HISTORY 6.0  // history length of a face after its first step
+// Steps in which all faces trace cones towards the emitters once, and after a move of the cascades, in which
+// all faces with a short history are active once.
+#define VCT_TURN_PERIOD 4u
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
 #define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
@@ -372,7 +376,9 @@ struct LightStep {
     uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
     float longEnough;
-    uint voxelizedCascades;  // a bit for each cascade whose static geometry was voxelized before the step
+    uint lastActiveFace;  // word of the irradiance buffer with the first of the active faces; more are before
+    uint fillsAll;        // 1: bricks take the light of all faces; 0: only of the active faces
+    float unused0, unused1, unused2;
 };
 
 struct DrawUniforms {

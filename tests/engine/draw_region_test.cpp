@@ -32,9 +32,9 @@ void expectToSkipOnlyUnseenBoxes(const DrawRegion& region, const glm::dmat4& reg
         const Bounds box = randomBox(random);
         bool isSeen = false;
         for (int k = 0; k < 500 && !isSeen; ++k)
-            isSeen = isInside(regionFromVolume,
-                              glm::mix(box.min, box.max,
-                                       glm::dvec3(within(random), within(random), within(random))));
+            isSeen = isInside(
+                regionFromVolume,
+                glm::mix(box.min, box.max, glm::dvec3(within(random), within(random), within(random))));
         const bool meets = region.meets(box);
         EXPECT_TRUE(meets || !isSeen);
         unseen += isSeen ? 0 : 1;

@@ -10,7 +10,7 @@ namespace vct {
 
 namespace {
 
-// Capacity for a count that changes: half as many again, so that buffers rarely grow.
+// Capacity for a count that changes: a quarter more, so that buffers rarely grow.
 std::uint32_t capacityFor(std::uint32_t count) {
     return count + count / 2 + 256;
 }
@@ -183,9 +183,10 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         irradiance.invalidate();
     if (occlusion && !isInjected_) inject(nullptr);
     for (int i = 0; i < inputs.lightSteps && !irradiance.isConverged(); ++i) {
-        timer.time(Step::irradiance, [&] { irradiance.beginStep(voxels_, inputs.allBounces); });
+        timer.time(Step::irradiance,
+                   [&] { irradiance.beginStep(voxels_, inputs.surface, inputs.allBounces); });
         if (!occlusion) inject(&irradiance);
-        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_, inputs.surface); });
+        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_); });
     }
     light.irradiance = irradiance.irradiance();
     light.bricks = irradiance.bricks();

@@ -193,6 +193,7 @@ void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     clearDynamic_.use();
+    faces_.bind(VCT_TEX_FACES);
     bindLevel(VCT_IMAGE_FACES, 0);
     if (hasDynamicObjects()) clearLast(dynamicList(), allCascades);
     if (withStatic) clearLast(staticList(), moved);

@@ -26,6 +26,8 @@ constexpr float smoothingDecay = 0.25F;
 constexpr int stepsAfterMove = 24;
 // Cones per turn of a face.
 constexpr std::uint32_t conesAfterMove = 8;
+// Divides the budget of the step in which the cascades move, because that frame also voxelizes.
+constexpr std::uint32_t moveShare = 4;
 
 }  // namespace
 
@@ -86,6 +88,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
     if (moved) {
         step.cones = conesAfterMove;
         step.coneBudget /= conesAfterMove;  // of faces, in this case
+        if (change.cascades) step.coneBudget /= moveShare;
         step.longEnough = longEnoughAfterMove;
     }
     step.beginsRound = inRound.length > 0 && inRound.place == 0;

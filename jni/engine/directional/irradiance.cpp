@@ -99,20 +99,23 @@ void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
     pending_.cascades |= change.cascades;
     if (!change.lists) return;
     placesBricks_ = true;
-    (change.cascades && !change.light ? newEmitterSteps_ : emitterSteps_) = emitterUpdatePeriod;
+    (change.cascades && !change.light ? newEmitterSteps_ : emitterSteps_) = VCT_TURN_PERIOD;
 }
 
 void Irradiance::invalidate() {
-    placesBricks_ = true;
-    emitterSteps_ = emitterUpdatePeriod;
+    placesBricks_ = marksAllWalls_ = true;
+    emitterSteps_ = VCT_TURN_PERIOD;
     schedule_.invalidate();
 }
 
-void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
+void Irradiance::beginStep(const DirectionalVoxels& voxels, const GBuffer::Targets& surface,
+                           bool allBounces) {
     const gl::DebugGroup group("begin light step");
     const GatherSchedule::Change change = std::exchange(pending_, {});
+    const bool wasSmoothed = step_.smoothing > 0.0F;
     step_ = schedule_.advance(change);
-    voxelized_ = change.voxelized;
+    // While only cascades move, most faces do not gather, and their texels stay as they are.
+    fillsAll_ = visitsAll() || placesBricks_ || wasSmoothed;
     reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
@@ -123,39 +126,45 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, bool allBounces) {
     if (std::exchange(placesBricks_, false)) {
         if (change.voxelized != 0) carryOver(voxels, voxels.staticList());
         if (carryOver_ && voxels.hasDynamicObjects()) carryOver(voxels, voxels.dynamicList());
-        placeBricks(voxels);
+        placeBricks(voxels, marksAllWalls_ ? DirectionalVoxels::allCascades : change.voxelized);
+        marksAllWalls_ = false;
     }
+    chooseFaces(voxels, surface);
+}
+
+void Irradiance::dispatchOverFaces(const DirectionalVoxels& voxels, bool all) const {
+    if (all)
+        voxels.index().dispatchOverFaces(0);
+    else
+        gl::DispatchCompute(static_cast<GLuint>(settings_.coneBudget / VCT_LIST_GROUP), 1, 1);
 }
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const {
     carryOver_->use();
+    voxels.bindLevel(VCT_IMAGE_FACES, 0);
     gl::Uniform1ui(VCT_UNIFORM_LIST, list);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
     voxels.index().dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) {
+void Irradiance::gather(const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("gather");
     bind(voxels);
-    chooseFaces(voxels, surface);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     if (emitters_ && std::max(emitterSteps_, newEmitterSteps_) > 0) {
         emitters_->use();
-        gl::Uniform1ui(VCT_UNIFORM_LONG_HISTORY,
-                       emitterSteps_ > 0 ? 0U : static_cast<GLuint>(GatherSchedule::longEnoughAfterMove));
+        const bool all = emitterSteps_ > 0 || visitsAll();
+        gl::Uniform1ui(VCT_UNIFORM_ALL, all ? 1 : 0);
         emitterSteps_ = std::max(emitterSteps_ - 1, 0);
         newEmitterSteps_ = std::max(newEmitterSteps_ - 1, 0);
-        voxels.index().dispatchOverFaces(0);
+        dispatchOverFaces(voxels, all);
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gather_.use();
-    if (step_.coneBudget > 0)
-        gl::DispatchCompute((step_.coneBudget + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP, 1, 1);
-    else
-        voxels.index().dispatchOverFaces(0);
+    dispatchOverFaces(voxels, step_.coneBudget == 0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     lightBlocks_.use();
     blockLight_->bindImage(VCT_IMAGE_BLOCK_LIGHT, 0, GL_WRITE_ONLY);
@@ -163,7 +172,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels, const GBuffer::Targets&
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     fillBricks_.use();
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    voxels.index().dispatchOverFaces(0);
+    dispatchOverFaces(voxels, fillsAll_);
     // The last pass of the frame fetches the bricks.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -226,6 +235,7 @@ void Irradiance::reserveBricks(const DirectionalVoxels& voxels, std::uint32_t co
     const glm::ivec3 size = blocksSize(voxels);
     bricks_ = gl::Texture::make3d("places of irradiance", GL_R32UI, size.x, size.y, size.z, 1);
     walls_ = gl::Texture::make3d("walls across irradiance", GL_R32UI, size.x, size.y, size.z, 1);
+    staticWalls_ = gl::Texture::make3d("static walls", GL_R32UI, size.x, size.y, size.z, 1);
     blockLight_ = gl::Texture::make3d("irradiance of blocks", GL_RGBA16F, size.x, size.y, size.z, 1);
     blockLight_->setFilter(GL_LINEAR, GL_LINEAR);
     lastLookups_ = gl::Texture::make3d("last look-ups of blocks", GL_R32UI, size.x, size.y, size.z, 1);
@@ -251,8 +261,9 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.energyCorrection = step_.energyCorrection;
     values.coneBudget = step_.coneBudget;
     values.longEnough = step_.longEnough;
-    values.voxelizedCascades = voxelized_;
+    values.fillsAll = fillsAll_ ? 1 : 0;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
+    values.lastActiveFace = values.chosenFaces + idCapacity_ - 1;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
     values.smoothing = step_.smoothing;
     // 2^30 units for all faces together, so that the 32-bit sums hold a mean of up to 4, and at most 2^16
@@ -274,29 +285,42 @@ void Irradiance::bind(const DirectionalVoxels& voxels) const {
     blockLight_->bind(VCT_TEX_BLOCK_LIGHT);
 }
 
-void Irradiance::placeBricks(const DirectionalVoxels& voxels) const {
+void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const {
     clearBricks_.use();
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
     bricks_->bindImage(VCT_IMAGE_BRICKS, 0, GL_READ_WRITE);
-    walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
+    staticWalls_->bindImage(VCT_IMAGE_STATIC_WALLS, 0, GL_READ_WRITE);
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
     const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    if (moved != 0) markWalls(voxels, voxels.staticList(), *staticWalls_, moved);
     placeBricks_.use();
+    walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    markWalls_.use();
-    voxels.staticIndex().bind(VCT_TEX_VOXELS);
-    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
-    voxels.index().dispatchOverFaces(0);
+    if (voxels.hasDynamicObjects())
+        markWalls(voxels, voxels.dynamicList(), *walls_, DirectionalVoxels::allCascades);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
+                           std::uint32_t cascades) const {
+    markWalls_.use();
+    gl::Uniform1ui(VCT_UNIFORM_LEVEL, list);
+    gl::Uniform1ui(VCT_UNIFORM_CASCADES, cascades);
+    words.bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
+    voxels.staticIndex().bind(VCT_TEX_VOXELS);
+    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    voxels.index().dispatchOverFaces(0);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
 std::vector<const gl::Texture*> Irradiance::textures() const {
     if (!irradiance_) return {};
-    return {&*irradiance_, &*bricks_, &*walls_, &*blockLight_, &*lastLookups_};
+    return {&*irradiance_, &*bricks_, &*walls_, &*staticWalls_, &*blockLight_, &*lastLookups_};
 }
 
 }  // namespace vct

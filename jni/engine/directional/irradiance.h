@@ -41,13 +41,18 @@ class Irradiance {
     bool isConverged() const { return schedule_.isConverged() && !pending_.any(); }
 
     // Begins a step: reserves buffers. After a new pose, faces of dynamic objects first take over the
-    // histories of faces of the previous pose. The caller injects light next. `allBounces`: faces also
+    // histories of faces of the previous pose. Then chooses the faces that gather: if the step has a budget
+    // of cones, faces that the pixels of the G-buffer `surface` look up gather more often than others
+    // (shaders/directional/gather_turns.glsl). The caller injects light next. `allBounces`: faces also
     // reflect their irradiance; false: the first bounce only.
-    void beginStep(const DirectionalVoxels& voxels, bool allBounces);
-    // Ends the step: faces gather, and trace cones towards the compact emitters. If the step has a budget of
-    // cones, faces that the pixels of the G-buffer `surface` look up gather more often than others
-    // (shaders/directional/gather_turns.glsl).
-    void gather(const DirectionalVoxels& voxels, const GBuffer::Targets& surface);
+    void beginStep(const DirectionalVoxels& voxels, const GBuffer::Targets& surface, bool allBounces);
+    // Ends the step: faces gather, and trace cones towards the compact emitters.
+    void gather(const DirectionalVoxels& voxels);
+    // False while only cascades move: then the passes visit the active faces alone
+    // (shaders/directional/active_faces.glsl).
+    bool visitsAll() const { return step_.longEnough == 0.0F; }
+    // Dispatches one invocation per face, or a fixed number of them, which loop over a list of faces.
+    void dispatchOverFaces(const DirectionalVoxels& voxels, bool all) const;
     // True if light is injected into all faces in the step, whatever their number of cascades.
     bool injectsAll() const { return step_.coneBudget == 0; }
     // The number of the step, which seeds the dither.
@@ -68,16 +73,16 @@ class Irradiance {
     void bind(const DirectionalVoxels& voxels) const;
 
   private:
-    // Steps in which all faces trace cones towards the emitters once, a quarter of the faces per step
-    // (shaders/directional/emitters.comp).
-    static constexpr int emitterUpdatePeriod = 4;
-
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
     void uploadUniforms(bool allBounces) const;
     // Gives the faces of a list the histories of the last list of its pair.
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const;
-    void placeBricks(const DirectionalVoxels& voxels) const;
+    // `moved`: the cascades whose static walls have changed, a bit for each.
+    void placeBricks(const DirectionalVoxels& voxels, std::uint32_t moved) const;
+    // Marks the walls of a list's faces in a texture of their words.
+    void markWalls(const DirectionalVoxels& voxels, std::uint32_t list, const gl::Texture& words,
+                   std::uint32_t cascades) const;
     void chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Targets& surface) const;
 
     GatherSettings settings_;
@@ -90,11 +95,12 @@ class Irradiance {
     // Steps left in which faces trace cones towards emitters: all of them, or those with a short history. At
     // first, all have none and one step is enough.
     int emitterSteps_ = 0, newEmitterSteps_ = 1;
-    std::uint32_t voxelized_ = 0;  // GatherSchedule::Change::voxelized of the step
-    bool placesBricks_ = true;     // the next step has to place the bricks
+    bool placesBricks_ = true;   // the next step has to place the bricks
+    bool marksAllWalls_ = true;  // the next step has to mark all static walls
+    bool fillsAll_ = true;       // shared::LightStep::fillsAll
     gl::Buffer uniforms_, faceIrradiance_;
     std::optional<gl::Buffer> visibilityRange_;  // for ambient visibility, whose range is 1
-    std::optional<gl::Texture> irradiance_, bricks_, walls_, blockLight_, lastLookups_;
+    std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;
     GatherStep step_;

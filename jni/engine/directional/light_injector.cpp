@@ -51,7 +51,10 @@ void LightInjector::inject(const DirectionalVoxels& voxels, const DirectLight& l
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     light.bind();
     voxels.bindLevel(VCT_IMAGE_FACES, 0);
-    voxels.index().dispatchOverFaces(0);
+    if (irradiance != nullptr)
+        irradiance->dispatchOverFaces(voxels, irradiance->visitsAll());
+    else
+        voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

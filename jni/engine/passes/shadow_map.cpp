@@ -62,11 +62,9 @@ ShadowMap::ShadowMap(const gl::ShaderLibrary& shaders, const GpuScene& scene, in
       size_(size),
       tiles_(cascades > 1 ? 2 : 1),
       programs_(shaders, scene, shadowMapProgram),
-      // 16 bits are enough for the soft shadow, because a texel is at least 16 times as wide as a step of
-      // depth. For the hard one they would add a rounding error to the thesis's bias, and the texels of a
-      // finest cascade's tile are narrower.
-      depth_(gl::Texture::make2d("shadow map",
-                                 soft && cascades == 1 ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
+      // 16 bits are enough for the soft shadow, which tolerates their rounding (depthRounding in
+      // shaders/shared/shadow.glsl). To the hard one they would add an error besides the thesis's bias.
+      depth_(gl::Texture::make2d("shadow map", soft ? GL_DEPTH_COMPONENT16 : GL_DEPTH_COMPONENT24,
                                  tiles_ * size, tiles_ * size)),
       framebuffer_("shadow map", {}, &depth_) {
     // With a comparison, the linear filter averages four comparisons.
