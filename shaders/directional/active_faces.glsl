@@ -1,6 +1,6 @@
-// The faces that the passes of a light step visit: all faces, or while only cascades move, the active ones that
-// directional/choose_faces.comp lists. Their list grows from the end of the buffer, towards that of the faces
-// that gather.
+// The faces that the passes of a light step visit: all faces, or while only cascades move, the active ones
+// that directional/choose_faces.comp lists. Their list grows from the end of the buffer, towards that of the
+// faces that gather.
 #include "directional/face_lists.glsl"
 #include "directional/gather_turns.glsl"
 

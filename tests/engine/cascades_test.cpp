@@ -9,6 +9,7 @@
 
 #include "engine/frame_uniforms.h"
 #include "gl/api.h"
+#include "gl/read_back.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 #include "support/frame_inspector.h"
@@ -258,6 +259,49 @@ TEST(CascadesOnAWalk, HoldTheVoxelsOfANewRenderer) {
     }
     EXPECT_GE(compared, 4);
     EXPECT_GE(onlyFinest, 2);
+}
+
+// The words of the bricks that thin walls cross; 0 for the others.
+std::vector<std::uint32_t> wallWords(const Renderer& renderer) {
+    const Irradiance& light = *renderer.directional()->irradiance(GatherPurpose::light);
+    const std::vector<std::uint32_t> bricks = readVoxels(*light.bricks(), 0);
+    std::vector<std::uint32_t> words = readVoxels(*light.walls(), 0);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if ((bricks[i] & VCT_BRICK_HAS_WALLS) == 0) words[i] = 0;
+    return words;
+}
+
+TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = hall();
+    for (const double x : {4.3, 9.1, 14.6, 19.2}) {
+        addQuad(scene, {x - 0.02, 0, 0}, {0, 0, 8}, {0, 6, 0});
+        addQuad(scene, {x + 0.02, 0, 0}, {0, 6, 0}, {0, 0, 8});
+    }
+    scene = finished(std::move(scene));
+    const auto makeHere = [&] {
+        return makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
+    };
+    Renderer walking = makeHere();
+    Cascades places(3, walking.volume().grid);
+    int compared = 0;
+    for (int frame = 0; frame <= 32; ++frame) {
+        const Camera camera = Walk::at(2.0 + 0.5 * frame);
+        const glm::dvec3 eye = eyeInVolume(camera, walking.volume());
+        places.follow(eye);
+        walking.render({{Output::irradiance}, camera});
+        gl::Finish();  // the next frame grows lists that had no room
+        Cascades placedHere(3, walking.volume().grid);
+        placedHere.follow(eye);
+        if (frame % 4 != 0 || !(placedHere == places)) continue;
+        ++compared;
+        Renderer fresh = makeHere();
+        fresh.render({{Output::irradiance}, camera});
+        const std::vector<std::uint32_t> expected = wallWords(fresh);
+        EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](auto word) { return word != 0; }), 50);
+        EXPECT_TRUE(wallWords(walking) == expected) << "frame " << frame;
+    }
+    EXPECT_GE(compared, 4);
 }
 
 // Cascades that are a step further on show the same light. The panel is in coarse voxels from one place and
