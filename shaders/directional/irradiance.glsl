@@ -64,13 +64,16 @@ vec3 cornerOffset(uint i) {
 // surface on the border of two blocks into the other block: the first eight tries use the bricks of the
 // blocks at most half a voxel away. A surface so thin that the voxels missed it takes the mean of its
 // block, of faces on the normal's side if possible: six faces with eight fetches each. If the block has no
-// faces, the blocks around it follow, at twice the distance each time. All tries share the fetch in the loop,
+// faces of any side, the blocks around it follow, at twice the distance each time. (Faces of the right side
+// in a block further away would often be the outside of a wall.) All tries share the fetch in the loop,
 // because a second fetch would cost registers in every pixel.
 mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) {
     // An axis with a smaller weight is skipped, because the others give nearly the same result.
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
     const mediump float minCoverage = 0.03;
+    // Weight of faces that do not look to the normal's side.
+    const mediump float otherSide = 1e-4;
     const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
     vec3 position = voxelsFromVolume(positionVolume, cascade);
@@ -90,7 +93,8 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
         } while (axes > 0);
         // The eight fetches of a block's face belong together.
         bool whole = i <= borderTries || (i & 7u) == 0u;
-        if (i == tries || whole && sum.a >= minCoverage) break;
+        bool blockEnds = i > borderTries && (i - borderTries) % 48u == 0u;
+        if (i == tries || whole && sum.a >= (blockEnds ? otherSide * minCoverage : minCoverage)) break;
         COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;
@@ -98,7 +102,7 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
         vec3 size = abs(normal);
         int axis = onBorder ? size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2 : int(face >> 1);
         float side = (face & 1u) == 0u ? 1.0 : -1.0, cosine = side * normal[axis];
-        if (!onBorder) instead = side * (cosine > 0.1 ? cosine : 0.01);
+        if (!onBorder) instead = side * (cosine > 0.1 ? cosine : sqrt(otherSide));
         float aside = onBorder ? 1.0 : around == 0u ? 0.0 : exp2(float(2u + (around - 1u) / 8u));
         int blocks = frame.gridSide >> VCT_BRICK_LEVEL;
         block = clampToCascade(

@@ -195,6 +195,29 @@ TEST(Gather, NoLightPassesBelowAThinWall) {
     }
 }
 
+// A bar on the dark side of a thin wall, so thin that the voxels miss it. In the blocks around, the only
+// faces that look to the bar's +x side are those of the wall's lit side. The floor below the bar is nearer.
+TEST(LookUp, ABarThatTheVoxelsMissTakesTheLightOfTheFloorBelow) {
+    const Context context = openContext(Backend::egl);
+    const double voxel = 2.0 / 60.0, wallX = 4.0 * voxel, barX = wallX - 6.0 * voxel;
+    Scene scene = closedBox(0.0);
+    addBox(scene, {0.3 * voxel, 2, 2}, {wallX, 0, 0});
+    addBox(scene, {0.06 * voxel, 3 * voxel, 0.06 * voxel}, {barX, 1.5 * voxel - 1.0, 0});
+    addQuad(scene, {0.99, -0.5, 0.5}, {0, 0, -1}, {0, 1, 0}, addEmitter(scene));
+    Camera camera = lookAt({barX + 0.06, -0.94, 0.02}, {barX, 1.5 * voxel - 1.0, 0}, 60);
+    camera.nearest = 0.01;
+    FrameInspector frame(context, finished(std::move(scene)), noLight(), mobileAt(pictureSide), camera);
+    Spread bar, floor;
+    for (const auto& [surface, light] : frame.seen(Output::irradiance)) {
+        if (surface.normal.x > 0.5 && std::abs(surface.positionWorld.x - barX) < 0.1 * voxel)
+            bar.add(light.x);
+        if (surface.normal.y > 0.5) floor.add(light.x);
+    }
+    ASSERT_GT(bar.count, 20);
+    ASSERT_GT(floor.count, 100);
+    EXPECT_LE(bar.max, 1.5 * floor.max);
+}
+
 // A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in
 // the dark below the floor.
 TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
