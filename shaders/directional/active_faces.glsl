@@ -4,9 +4,9 @@
 #include "directional/face_lists.glsl"
 #include "directional/gather_turns.glsl"
 
-uint visitedFaceCount(bool all) {
-    return all ? baseFaceCount() : faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_ACTIVE];
+uint visitedFaceCount(bool everyFace) {
+    return everyFace ? baseFaceCount() : faceIrradianceData[lightSums(lightStep.frame) + VCT_SUM_ACTIVE];
 }
-uint visitedFaceId(bool all, uint i) {
-    return all ? baseFaceId(i) : faceIrradianceData[lightStep.lastActiveFace - i];
+uint visitedFaceId(bool everyFace, uint i) {
+    return everyFace ? baseFaceId(i) : faceIrradianceData[lightStep.lastActiveFace - i];
 }

@@ -1,8 +1,9 @@
 // Clears the bricks of face irradiance that place_bricks.comp will use, the texture of their locations, and
 // the static walls of cascades that have moved. Each invocation clears a column of texels.
 #include "directional/cascades.glsl"
-#include "directional/face_irradiance.glsl"
-#include "directional/face_lists.glsl"
+#include "directional/light_step.glsl"
+#include "shared/commands.glsl"
+#include "shared/counters.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
@@ -15,7 +16,8 @@ void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID);
     ivec3 size = imageSize(irradianceTexels);
     uint layer = lightStep.bricksAlong * lightStep.bricksAlong;
-    int usedTexels = VCT_BRICK_TEXELS * int((faceCount(uint(VCT_BRICK_LEVEL)) + layer - 1u) / layer);
+    uint used = min(commands[VCT_BRICK_LEVEL].faceCount, commands[VCT_BRICK_LEVEL].faceCapacity);
+    int usedTexels = VCT_BRICK_TEXELS * int((used + layer - 1u) / layer);
     if (all(lessThan(column, size.xy)))
         for (int z = 0; z < min(usedTexels, size.z); ++z) {
             COUNT(VCT_COUNTER_BRICKS_CLEAR_TEXEL);

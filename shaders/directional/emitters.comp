@@ -10,7 +10,7 @@
 #include "directional/emitter_light.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_ALL) uniform bool all;  // false: only active faces are updated
+layout(location = VCT_UNIFORM_ALL) uniform bool visitsAll;  // false: only active faces are updated
 
 // Irradiance by all emitters, relative to E. `other`: the face's irradiance by other surfaces and the sky.
 // An emitter that would add less than half a percent to it costs no cone.
@@ -35,16 +35,16 @@ vec3 lightOfEmitters(ConeStart start, SurfacePlane plane, vec3 ownBelow, vec3 ot
 // True if a face is to be updated: a new face, or one in the share of the work groups that have their turn.
 bool isDue(uint id, uint i) {
     float history = historyLength(id);
-    if (!all) return history < lightStep.longEnough;
+    if (!visitsAll) return history < lightStep.longEnough;
     return history == 0.0 || (i / uint(VCT_LIST_GROUP) + lightStep.frame) % VCT_TURN_PERIOD == 0u;
 }
 
 void main() {
     COUNT(VCT_COUNTER_EMITTERS);
-    uint count = visitedFaceCount(all);
+    uint count = visitedFaceCount(visitsAll);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = visitedFaceId(all, i);
+        uint id = visitedFaceId(visitsAll, i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged || !isDue(id, i)) continue;
         COUNT(VCT_COUNTER_EMITTERS_FACE);

@@ -3,10 +3,8 @@
 // for the last three steps, the histories of the faces, the sums of the blocks, and the list of the faces
 // that gather.
 #include "directional/face_range.glsl"
+#include "directional/light_step.glsl"
 
-layout(std140, binding = VCT_UBO_LIGHT) uniform LightBlock {
-    LightStep lightStep;
-};
 layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
     uint faceIrradianceData[];
 };

@@ -48,12 +48,12 @@ vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
 
 void main() {
     COUNT(VCT_COUNTER_FILL_BRICKS);
-    bool all = lightStep.fillsAll != 0u;
-    uint count = visitedFaceCount(all);
+    bool fillsAll = lightStep.fillsAll != 0u;
+    uint count = visitedFaceCount(fillsAll);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
-        uint id = visitedFaceId(all, i);
+        uint id = visitedFaceId(fillsAll, i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
         FaceSurface surface = faceSurface(id);

@@ -81,8 +81,8 @@ float largerOf(float before, vec3 color) {
 // its cascade and has no radiance yet.
 uint injectionPeriod(uint id, uint cascade) {
     bool isNew = faceData[id * faceWords + VCT_FACE_SURFACE] == 0u;
-    bool all = lightStep.coneBudget == 0u || lightStep.longEnough > 0.0 || faceRange.changed != 0.0;
-    return cascades == 1 || isNew || all ? 1u : 1u << cascade;
+    bool atOnce = lightStep.coneBudget == 0u || lightStep.longEnough > 0.0 || faceRange.changed != 0.0;
+    return cascades == 1 || isNew || atOnce ? 1u : 1u << cascade;
 }
 
 // While only cascades move, the light of faces that are not active stays, unless its range changes.
@@ -93,10 +93,10 @@ bool visitsAll() {
 bool visitsAll() {
     return true;
 }
-uint visitedFaceCount(bool all) {
+uint visitedFaceCount(bool everyFace) {
     return baseFaceCount();
 }
-uint visitedFaceId(bool all, uint i) {
+uint visitedFaceId(bool everyFace, uint i) {
     return baseFaceId(i);
 }
 #endif
@@ -130,13 +130,13 @@ void main() {
 #ifdef VCT_BOUNCES
     beginBalance();
 #endif
-    bool all = visitsAll();
-    uint count = visitedFaceCount(all);
+    bool everyFace = visitsAll();
+    uint count = visitedFaceCount(everyFace);
     bool hasDynamic = faceCount(dynamicList) > 0u;
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_INJECT_FACE);
-        uint id = visitedFaceId(all, i);
+        uint id = visitedFaceId(everyFace, i);
         ListedFace listed = baseFace(id);
         // The sums of a merged dynamic face are added to a static face, which is injected with both.
         if (listed.isMerged) continue;

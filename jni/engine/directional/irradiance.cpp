@@ -293,15 +293,17 @@ void Irradiance::placeBricks(const DirectionalVoxels& voxels, std::uint32_t move
     gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
     const glm::uvec3 groups = (glm::max(irradianceSize_, blocksSize(voxels)) + 7) / 8;
     gl::DispatchCompute(groups.x, groups.y, 1);
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
     if (moved != 0) markWalls(voxels, voxels.staticList(), *staticWalls_, moved);
     placeBricks_.use();
+    staticWalls_->bind(VCT_TEX_WALLS);
     walls_->bindImage(VCT_IMAGE_WALLS, 0, GL_READ_WRITE);
     gl::Uniform1ui(VCT_UNIFORM_LEVEL, VCT_BRICK_LEVEL);
     voxels.index().dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     if (voxels.hasDynamicObjects())
         markWalls(voxels, voxels.dynamicList(), *walls_, DirectionalVoxels::allCascades);
+    walls_->bind(VCT_TEX_WALLS);
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                       GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -315,7 +317,7 @@ void Irradiance::markWalls(const DirectionalVoxels& voxels, std::uint32_t list, 
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
     voxels.index().dispatchOverFaces(0);
-    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 std::vector<const gl::Texture*> Irradiance::textures() const {
