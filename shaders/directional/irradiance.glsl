@@ -72,8 +72,8 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
     const float minWeight = 0.02;
     // With less coverage the result is unknown.
     const mediump float minCoverage = 0.03;
-    // Weight of faces that do not look to the normal's side.
-    const mediump float otherSide = 1e-4;
+    // Weight of faces that do not look to the normal's side, as much as a half float needs for dim light.
+    const mediump float otherSide = 0.01;
     const uint borderTries = 8u, tries = borderTries + 25u * 48u;
 
     vec3 position = voxelsFromVolume(positionVolume, cascade);
@@ -91,10 +91,9 @@ mediump vec3 irradianceInCascade(vec3 positionVolume, vec3 normal, int cascade) 
             mediump float weight = along * along;
             sum += weight * irradianceOfBlock(block, axis, along > 0.0 ? 0 : 1, inBrick);
         } while (axes > 0);
-        // The eight fetches of a block's face belong together.
-        bool whole = i <= borderTries || (i & 7u) == 0u;
-        bool blockEnds = i > borderTries && (i - borderTries) % 48u == 0u;
-        if (i == tries || whole && sum.a >= (blockEnds ? otherSide * minCoverage : minCoverage)) break;
+        // The 48 fetches of a block belong together.
+        bool inBlocks = i > borderTries, whole = !inBlocks || (i - borderTries) % 48u == 0u;
+        if (i == tries || whole && sum.a >= (inBlocks ? otherSide * minCoverage : minCoverage)) break;
         COUNT(VCT_COUNTER_IRRADIANCE_NEARBY);
 
         bool onBorder = i < borderTries;

@@ -10,7 +10,7 @@ namespace vct {
 
 namespace {
 
-// Capacity for a count that changes: a quarter more, so that buffers rarely grow.
+// Capacity for a count that changes: half as many again, so that buffers rarely grow.
 std::uint32_t capacityFor(std::uint32_t count) {
     return count + count / 2 + 256;
 }

@@ -26,8 +26,8 @@ constexpr float smoothingDecay = 0.25F;
 constexpr int stepsAfterMove = 24;
 // Cones per turn of a face.
 constexpr std::uint32_t conesAfterMove = 8;
-// Divides the budget of the step in which the cascades move, because that frame also voxelizes.
-constexpr std::uint32_t moveShare = 4;
+// The step in which cascades move has a smaller budget, because its frame also voxelizes.
+constexpr std::uint32_t movingBudgetDivisor = 4;
 
 }  // namespace
 
@@ -88,7 +88,7 @@ GatherStep GatherSchedule::advance(const Change& change) {
     if (moved) {
         step.cones = conesAfterMove;
         step.coneBudget /= conesAfterMove;  // of faces, in this case
-        if (change.cascades) step.coneBudget /= moveShare;
+        if (change.cascades) step.coneBudget /= movingBudgetDivisor;
         step.longEnough = longEnoughAfterMove;
     }
     step.beginsRound = inRound.length > 0 && inRound.place == 0;

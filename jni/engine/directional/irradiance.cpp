@@ -136,7 +136,8 @@ void Irradiance::dispatchOverFaces(const DirectionalVoxels& voxels, bool all) co
     if (all)
         voxels.index().dispatchOverFaces(0);
     else
-        gl::DispatchCompute(static_cast<GLuint>(settings_.coneBudget / VCT_LIST_GROUP), 1, 1);
+        gl::DispatchCompute(static_cast<GLuint>((settings_.coneBudget + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP),
+                            1, 1);
 }
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const {
