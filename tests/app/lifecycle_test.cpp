@@ -98,7 +98,7 @@ TEST(Lifecycle, RotationGivesASurfaceOfTheNewSize) {
 
 // The driver may report the loss at any call of a frame, or while GL objects are set up.
 TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
-    for (int call : {1, 2, 3, 5, 8, 13, 21, 34}) {
+    for (const int call : {1, 5, 13, 34}) {
         Small android;
         android.startUntilSceneShown(width, height);
         android.then([&] { android.loseContextAtGlError(call); });
@@ -107,7 +107,7 @@ TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
         EXPECT_EQ(android.contextsMade, 2) << call;
         expectClean(android);
     }
-    for (int call : {1, 4, 9, 16, 25, 36}) {
+    for (const int call : {1, 9, 25}) {
         Small android;
         android.command(APP_CMD_START);
         android.command(APP_CMD_RESUME);

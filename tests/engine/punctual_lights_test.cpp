@@ -214,48 +214,6 @@ TEST(PunctualLights, SixtyFourGiveTheSumOfTheirIrradiances) {
     }
 }
 
-// Lights that are added, changed and removed give the picture of a renderer that had them from the start.
-TEST(PunctualLights, MayChangeAtRunTime) {
-    const Context context = openContext(Backend::egl);
-    const PunctualLight first = punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});
-    const PunctualLight spot = punctualLightAt(PunctualLight::Type::spot, {0.4, 0.9, 0.6}, {0.1, -1, 0.1});
-    PunctualLight red = first;
-    red.color = {1.0F, 0.1F, 0.1F};
-    red.size = 0.1;
-    Scene scene = roomAtNight({first});
-    scene.punctualLightRoom = 2;
-    Settings settings = presetSettings("mobile");
-    settings.size = glm::ivec2(64);
-    settings.gather.refinedDirections = 0;
-    Renderer renderer = makeRenderer(context, scene, darkSun(), settings);
-    const auto picture = [](Renderer& of) {
-        of.render({{Output::giConeShadow}, intoRoom, LightSteps::all});
-        return of.radiance();
-    };
-    const auto expectAsFresh = [&](const std::vector<PunctualLight>& lights, const char* what) {
-        SCOPED_TRACE(what);
-        Scene fresh = roomAtNight(lights);
-        fresh.punctualLightRoom = 3 - lights.size();
-        Renderer other = makeRenderer(context, fresh, darkSun(), settings);
-        const Image expected = picture(other);
-        const Difference difference = compareImages(picture(renderer), expected, 0.04F);
-        EXPECT_TRUE(difference.comparable);
-        EXPECT_LE(difference.fraction, 0.01) << "largest difference " << difference.largest;
-    };
-    const Image one = picture(renderer);
-    renderer.setPunctualLight(1, spot);
-    EXPECT_GT(compareImages(picture(renderer), one, 0.01F).fraction, 0.1);
-    expectAsFresh({first, spot}, "added");
-    renderer.setPunctualLight(0, red);
-    expectAsFresh({red, spot}, "changed");
-    renderer.setPunctualLight(1, std::nullopt);
-    expectAsFresh({red}, "removed");
-    renderer.setPunctualLight(0, std::nullopt);
-    renderer.setPunctualLight(2, first);
-    renderer.setPunctualLight(1, spot);
-    expectAsFresh({spot, first}, "in other places");
-}
-
 TEST(PunctualLights, ASwitchedOffLightLeavesNothingAfterTheLastStep) {
     const Context context = openContext(Backend::egl);
     const PunctualLight stays = punctualLightAt(PunctualLight::Type::point, {-0.3, 0.5, 0.2}, {0, 0, 0});

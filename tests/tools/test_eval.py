@@ -1,6 +1,7 @@
 """tools/eval.py with the real program: pictures, motion, cases and the page."""
 import json
 import re
+import shutil
 import subprocess
 import sys
 from urllib.parse import unquote, urlsplit
@@ -67,15 +68,15 @@ def test_a_camera_has_a_row_and_a_reference_of_its_own(program, tmp_path):
     assert done.returncode == 1 and "references assets/cornell.glb --cameras side" in done.stderr
 
 
-def test_numbers_of_cascades_have_rows_and_pictures_of_their_own(program, tmp_path):
-    done = evaluate("render cornell --measures gi --presets mobile --cascades 1,2 --size 32x32 --out", tmp_path,
-                    "--sheet", tmp_path / "sheet.png")
+def test_numbers_of_cascades_have_rows_and_pictures_of_their_own(measured, tmp_path):
+    folder = shutil.copytree(measured, tmp_path / "with one cascade")
+    done = evaluate("render contact --presets mobile --cascades 1,2 --size 32x32 --out", folder, "--sheet", tmp_path / "two.png")
     assert done.returncode == 0, done.stderr
-    assert "| cornell | mobile, 64³ | " in done.stdout and "| cornell | mobile, 64³, 2 cascades | " in done.stdout
-    one, two = (results(tmp_path)[f"render-cornell-mobile{more}"] for more in ("", "-2-cascades"))
+    assert "| contact | mobile, 64³ | " in done.stdout and "| contact | mobile, 64³, 2 cascades | " in done.stdout
+    one, two = (results(folder)[f"render-contact-mobile{more}"] for more in ("", "-2-cascades"))
     assert (one["cascades"], two["cascades"]) == (1, 2)
     assert two["camera"]["errors"]["gi"]["relmse"] != one["camera"]["errors"]["gi"]["relmse"]
-    sheet = np.asarray(Image.open(tmp_path / "sheet.png"))[HEAD:HEAD + CELL, GAP:]
+    sheet = np.asarray(Image.open(tmp_path / "two.png"))[HEAD:HEAD + CELL, GAP:]
     first, second = sheet[:, :CELL], sheet[:, CELL + GAP:2 * CELL + GAP]
     assert (first != second).any()
     done = evaluate("render cornell --presets thesis --cascades 2 --size 32x32 --out", tmp_path / "thesis")
