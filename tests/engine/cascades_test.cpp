@@ -12,6 +12,7 @@
 #include "gl/read_back.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
+#include "support/face_irradiance.h"
 #include "support/frame_inspector.h"
 #include "support/grids.h"
 #include "support/moving_scenes.h"
@@ -302,6 +303,47 @@ TEST(CascadesOnAWalk, KnowTheThinWallsThatANewRendererFinds) {
         EXPECT_TRUE(wallWords(walking) == expected) << "frame " << frame;
     }
     EXPECT_GE(compared, 4);
+}
+
+// A comb of plates, which fills more faces than the lists have room for when the finest cascade reaches it.
+// The lists grow, and all others keep their light.
+TEST(CascadesOnAWalk, KeepTheirLightWhenTheListsGrow) {
+    const Context context = openContext(Backend::egl);
+    Scene scene = hall();
+    for (double x = 11.0; x < 15.0; x += 0.2) {
+        addQuad(scene, {x, 0.2, 1}, {0, 0, 6}, {0, 5, 0});
+        addQuad(scene, {x + 0.05, 0.2, 1}, {0, 5, 0}, {0, 0, 6});
+    }
+    scene = finished(std::move(scene));
+    Renderer walking = makeRenderer(context, scene, noLight(), withCascades(Walk::pixels, 3));
+    walking.render({{Output::irradiance}, Walk::at(2.0), LightSteps::all});
+    Cascades places(3, walking.volume().grid);
+    int grown = 0;
+    for (int frame = 0; frame <= 40; ++frame) {
+        const Camera camera = Walk::at(2.0 + 0.4 * (frame / 2));
+        const bool isMoved = places.follow(eyeInVolume(camera, walking.volume()));
+        const IrradianceByFace before = readIrradiance(walking);
+        const std::size_t bytes = bytesOf(walking.resources(), "face irradiance");
+        walking.render({{Output::irradiance}, camera});
+        gl::Finish();  // the next frame grows lists that had no room
+        if (isMoved || bytesOf(walking.resources(), "face irradiance") == bytes) continue;
+        ++grown;
+        const IrradianceByFace after = readIrradiance(walking);
+        int same = 0, kept = 0;
+        double change = 0.0, sum = 0.0;
+        for (const auto& [entry, face] : before) {
+            const auto now = after.find(entry);
+            if (now == after.end() || face.steps <= 8.0) continue;
+            ++same;
+            kept += now->second.steps >= 0.9 * face.steps ? 1 : 0;
+            change += std::abs(now->second.light.g - face.light.g);
+            sum += face.light.g;
+        }
+        EXPECT_GT(same, 5000);
+        EXPECT_GT(kept, 99 * same / 100) << "of " << same << ", frame " << frame;
+        EXPECT_LT(change, 0.01 * sum) << "frame " << frame;
+    }
+    EXPECT_GE(grown, 1);
 }
 
 // Cascades that are a step further on show the same light. The panel is in coarse voxels from one place and

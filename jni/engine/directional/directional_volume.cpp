@@ -48,7 +48,7 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
     shared::CommandLists found;
     if (isPrepared_) {
         // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
-        if (counts_.finish(&found) && growIfNeeded(found)) cachedFor_.reset();
+        if (counts_.finish(&found)) growIfNeeded(found);
         return;
     }
     voxelizeStatic(scene, cascades);
@@ -114,18 +114,15 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
             const std::uint32_t fixed = hasCascades_ ? 0 : above.staticFaces;
             reserve(static_cast<std::size_t>(level), fixed, above.faceCount - fixed);
         }
+        voxels_.grow(capacities);
+        // All is voxelized again. With cascades, faces that were there keep their light.
+        if (hasCascades_)
+            cascades_.reset();
+        else
+            cachedFor_.reset();
     }
     const auto overflows = [](const shared::LevelCommands& list) { return list.voxelCount > list.capacity; };
-    const bool fails = overflows(dynamic) || (hasCascades_ && overflows(still));
-    if (grows || fails) {
-        if (hasCascades_)
-            voxels_.reset(capacities);
-        else
-            voxels_.growDynamic(capacities);
-        cascades_.reset();
-    }
-    if (fails) {
-        cachedFor_.reset();
+    if (overflows(dynamic) || (hasCascades_ && overflows(still))) {
         const shared::LevelCommands& list = overflows(dynamic) ? dynamic : still;
         throw Error((overflows(dynamic) ? "dynamic objects occupy " : "static objects occupy ") +
                     std::to_string(list.voxelCount) + " voxels at " + std::to_string(voxels_.grid()) +
@@ -142,7 +139,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     if (hasCascades_)
         moved =
             inputs.forceRebuild ? DirectionalVoxels::allCascades : movedCascades(cascades_, inputs.cascades);
-    const bool isMoved = hasCascades_ && cascades_ != inputs.cascades;
+    bool isMoved = hasCascades_ && cascades_ != inputs.cascades;
     cascades_ = inputs.cascades;
     const bool voxelizes = moved != 0 || (hasDynamic_ && (inputs.forceRebuild || !sameObjects));
     if (voxelizes)
@@ -150,6 +147,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
             voxelize(inputs.scene, inputs.cascades, moved);
             // A picture of converged light waits for the GPU, so that its lists have room in it already.
             if (inputs.lightSteps > 1 && growIfNeeded(voxels_.index().readCommands())) {
+                isMoved = hasCascades_;
                 moved = hasCascades_ ? DirectionalVoxels::allCascades : 0;
                 voxelize(inputs.scene, inputs.cascades, moved);
                 cascades_ = inputs.cascades;

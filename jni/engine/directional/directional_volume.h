@@ -42,8 +42,8 @@ class DirectionalVolume final : public VoxelVolume {
     // Voxelizes the dynamic objects in a new pose, and the static geometry in the cascades of `moved`, a bit
     // for each.
     void voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved);
-    // If faces did not fit into their lists, grows these, removes the dynamic objects (with cascades, all
-    // geometry) and returns true. Throws vct::Error if a list of voxels overflowed, because its capacity is
+    // If faces did not fit into their lists, grows these, and returns true: what changes has to be voxelized
+    // again, in all cascades. Throws vct::Error if a list of voxels overflowed, because its capacity is
     // fixed.
     bool growIfNeeded(const shared::CommandLists& found);
     Irradiance& irradianceFor(GatherPurpose of);

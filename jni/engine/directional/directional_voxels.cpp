@@ -25,6 +25,16 @@ gl::ProgramDescription markStaticProgram() {
     return {"directional/mark_static", {"directional/mark_static.comp"}, {}};
 }
 
+namespace {
+
+// The position of a listed face's voxel in an array of side^2 voxels per layer.
+std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
+    const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
+    return voxel.x + side * (voxel.y + std::size_t{side} * voxel.z);
+}
+
+}  // namespace
+
 float faceSumUnits(std::size_t triangles) {
     const std::size_t room = 0xFFFFFFFFU / std::max<std::size_t>(triangles, 1);
     return static_cast<float>(std::clamp<std::size_t>(room, 1, 4096));
@@ -82,8 +92,7 @@ const gl::Texture& DirectionalVoxels::indexOf(std::uint32_t list) const {
 // (shaders/directional/face_lists.glsl).
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
     std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
-    for (const std::uint32_t list :
-         {0U, VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U, VCT_LIST_STATIC + 0U, VCT_LIST_STATIC + 1U}) {
+    for (const std::uint32_t list : baseLists) {
         shared::LevelCommands& base = commands.lists[list];
         base.firstFace = next + firstId;
         base.firstId = firstId;
@@ -137,8 +146,7 @@ void DirectionalVoxels::markStatic() {
     index_.setCommands(commands);
 }
 
-void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
-    beginPose();
+void DirectionalVoxels::grow(const FaceCapacities& capacities) {
     shared::CommandLists commands = index_.readCommands();
     const shared::CommandLists old = commands;
     std::vector<std::uint32_t> before(faceData_.bytes() / sizeof(std::uint32_t));
@@ -150,27 +158,53 @@ void DirectionalVoxels::growDynamic(const FaceCapacities& capacities) {
         std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(from), count,
                     after.begin() + static_cast<std::ptrdiff_t>(to));
     };
-    copy(0, 0, std::size_t{commands.lists[0].staticFaces} * faceWords());
-    for (int level = 0; level < levels(); ++level) {
-        const shared::LevelCommands& list = commands.lists[level];
-        copy(old.lists[level].firstFace, list.firstFace, list.staticFaces);
-        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
-        // The bits are rebuilt from the list, because they also mark faces that did not fit into the list.
-        for (std::uint32_t i = 0; level > 0 && i < list.staticFaces; ++i) {
-            const std::uint32_t entry = after[list.firstFace + i];
-            const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
-            const std::uint32_t place = voxel.x + side * (voxel.y + side * voxel.z);
-            after[list.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entry));
+    for (std::uint32_t list = 0; list < VCT_LISTS; ++list) {
+        const bool isBase = list == 0 || list >= VCT_LIST_DYNAMIC;
+        const bool isOlder = list >= VCT_LIST_DYNAMIC && list != staticList() && list != dynamicList();
+        shared::LevelCommands& now = commands.lists[list];
+        const shared::LevelCommands& was = old.lists[list];
+        const std::uint32_t count = isOlder ? 0 : std::min(was.faceCount, was.faceCapacity);
+        copy(was.firstFace, now.firstFace, count);
+        if (isBase)
+            copy(std::size_t{was.firstId} * faceWords(), std::size_t{now.firstId} * faceWords(),
+                 std::size_t{count} * faceWords());
+        if (list == 0) continue;  // its groups cover all lists of the base level
+        now.faceCount = count;
+        now.staticFaces = std::min(now.staticFaces, count);
+        // The index and the bits also mark faces that did not fit into the lists, so they are rebuilt.
+        const auto first = after.begin() + static_cast<std::ptrdiff_t>(now.firstFace);
+        const std::vector<std::uint32_t> entries(first, first + count);
+        if (isBase && now.faceCapacity > 0) writeIndex(list, entries);
+        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> list;
+        for (std::size_t i = 0; !isBase && i < entries.size(); ++i) {
+            const std::size_t place = placeIn(side, entries[i]);
+            after[now.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entries[i]));
         }
     }
-    for (const std::uint32_t list : {VCT_LIST_DYNAMIC + 0U, VCT_LIST_DYNAMIC + 1U})
-        commands.lists[list].faceCount = commands.lists[list].voxelCount = commands.lists[list].groupsX = 0;
-    for (const gl::Texture& texture : dynamicIndices_)
-        gl::clearTexture3d(texture, cascades_ * grid());
     faceData_ = {};
     faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
                            after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
+}
+
+// Writes the index of the faces in a list: packCell() of shaders/directional/face_lists.glsl. The entries of
+// a voxel follow each other.
+void DirectionalVoxels::writeIndex(std::uint32_t list, const std::vector<std::uint32_t>& entries) const {
+    const gl::Texture& index = indexOf(list);
+    if (entries.empty()) {
+        gl::clearTexture3d(index, cascades_ * grid());
+        return;
+    }
+    const auto side = static_cast<std::uint32_t>(grid());
+    std::vector<std::uint32_t> cells(std::size_t{side} * side * side * static_cast<std::uint32_t>(cascades_));
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+        std::uint32_t& cell = cells[placeIn(side, entries[i])];
+        if (cell == 0) cell = (i + 1) << VCT_FACE_MASK_BITS;
+        cell |= 1U << shared::unpackFace(entries[i]);
+    }
+    index.bind(VCT_TEX_VOXELS);
+    gl::TexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, grid(), grid(), cascades_ * grid(), GL_RED_INTEGER,
+                      GL_UNSIGNED_INT, cells.data());
 }
 
 // `list`: the list of the last pose.

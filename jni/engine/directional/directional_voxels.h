@@ -54,6 +54,9 @@ class DirectionalVoxels {
     // Words per face in faceData().
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
     const FaceCapacities& capacities() const { return capacities_; }
+    // The lists of the base level in the order of their ids.
+    static constexpr std::array<std::uint32_t, 5> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1,
+                                                            VCT_LIST_STATIC, VCT_LIST_STATIC + 1};
     // Number of face ids: one per static face, and one per dynamic face in each of two poses. With cascades,
     // there are two per static face as well.
     std::uint32_t idCapacity() const {
@@ -73,8 +76,9 @@ class DirectionalVoxels {
     void reset(const FaceCapacities& capacities);
     // Marks the listed faces as static. The lists return to these counts for each pose. Waits for the GPU.
     void markStatic();
-    // Removes the dynamic objects and grows the lists to these capacities. Waits for the GPU.
-    void growDynamic(const FaceCapacities& capacities);
+    // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
+    // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
+    void grow(const FaceCapacities& capacities);
     // Removes the dynamic objects of the last pose. Faces that they shared with static geometry keep their
     // radiance until the next injection of light.
     void beginPose() { begin(false, allCascades); }
@@ -102,6 +106,7 @@ class DirectionalVoxels {
     void begin(bool withStatic, std::uint32_t moved);
     void clearLast(std::uint32_t list, std::uint32_t moved) const;
     void placeLists(shared::CommandLists& commands) const;
+    void writeIndex(std::uint32_t list, const std::vector<std::uint32_t>& entries) const;
     std::size_t words() const;
 
     int cascades_;

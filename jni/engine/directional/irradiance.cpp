@@ -116,7 +116,7 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const GBuffer::Targe
     step_ = schedule_.advance(change);
     // While only cascades move, most faces do not gather, and their texels stay as they are.
     fillsAll_ = visitsAll() || placesBricks_ || wasSmoothed;
-    reserveFaces(voxels.idCapacity(), voxels.capacities()[VCT_BRICK_LEVEL]);
+    reserveFaces(voxels);
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
     // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
@@ -193,29 +193,39 @@ void Irradiance::chooseFaces(const DirectionalVoxels& voxels, const GBuffer::Tar
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void Irradiance::reserveFaces(std::uint32_t ids, std::uint32_t bricks) {
-    if (idCapacity_ > 0 && ids == idCapacity_ && bricks == brickCapacity_) return;
+void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
+    const FaceCapacities before = std::exchange(capacities_, voxels.capacities());
     const bool isFirst = idCapacity_ == 0;
+    if (!isFirst && before == capacities_) return;
+    idCapacity_ = voxels.idCapacity();
     // The buffer begins with the sums over all faces. The faces' histories follow, then the sums of the
     // blocks, and the list of the faces that gather.
-    const std::size_t words =
-        VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{ids} + 4 * std::size_t{bricks};
+    const std::size_t words = VCT_LIGHT_HEADER + (irradianceWords() + 1) * std::size_t{idCapacity_} +
+                              4 * std::size_t{capacities_[VCT_BRICK_LEVEL]};
     const std::vector<std::uint32_t> zeros(words);
     gl::Buffer larger("face irradiance", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
                       zeros.data(), GL_DYNAMIC_COPY);
     if (!isFirst) {
-        // The static faces keep their histories. On PowerVR Rogue, dispatches before a copy may already read
-        // the copied values (VoxelPyramid::setCommands()). That cannot happen here, because no dispatch has
-        // used the new buffer yet.
+        // Faces keep their histories. On PowerVR Rogue, dispatches before a copy may already read the copied
+        // values (VoxelPyramid::setCommands()). That cannot happen here, because no dispatch has used the new
+        // buffer yet.
         gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         faceIrradiance_.bind(GL_COPY_READ_BUFFER);
         larger.bind(GL_COPY_WRITE_BUFFER);
-        const std::size_t kept =
-            VCT_LIGHT_HEADER + irradianceWords() * std::size_t{std::min(ids, idCapacity_)};
-        gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                              static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
+        std::size_t from = 0, to = 0;
+        const auto copy = [&](std::size_t kept, std::size_t oldCount, std::size_t newCount) {
+            gl::CopyBufferSubData(
+                GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from * sizeof zeros[0]),
+                static_cast<GLintptr>(to * sizeof zeros[0]), static_cast<GLsizeiptr>(kept * sizeof zeros[0]));
+            from += oldCount;
+            to += newCount;
+        };
+        copy(VCT_LIGHT_HEADER, VCT_LIGHT_HEADER, VCT_LIGHT_HEADER);
+        for (const std::uint32_t list : DirectionalVoxels::baseLists) {
+            const std::size_t perFace = irradianceWords(), old = before[list], now = capacities_[list];
+            copy(perFace * std::min(old, now), perFace * old, perFace * now);
+        }
     }
-    idCapacity_ = ids;
     faceIrradiance_ = std::move(larger);
 }
 

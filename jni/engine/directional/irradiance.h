@@ -74,7 +74,7 @@ class Irradiance {
 
   private:
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
-    void reserveFaces(std::uint32_t ids, std::uint32_t bricks);
+    void reserveFaces(const DirectionalVoxels& voxels);
     void uploadUniforms(bool allBounces) const;
     // Gives the faces of a list the histories of the last list of its pair.
     void carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const;
@@ -102,6 +102,7 @@ class Irradiance {
     std::optional<gl::Buffer> visibilityRange_;  // for ambient visibility, whose range is 1
     std::optional<gl::Texture> irradiance_, bricks_, walls_, staticWalls_, blockLight_, lastLookups_;
     glm::ivec3 irradianceSize_{0};
+    FaceCapacities capacities_{};  // of the lists whose faces faceIrradiance_ has room for
     std::uint32_t idCapacity_ = 0, brickCapacity_ = 0, bricksAlong_ = 0;
     GatherStep step_;
 };
