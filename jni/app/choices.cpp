@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "engine/grid_choice.h"
 #include "lab/options.h"
 #include "scene/light_choice.h"
 
@@ -36,7 +37,7 @@ const char* skyName(Sky sky) {
 ShowRequest showRequestFromText(const std::string& text) {
     ShowRequest request;
     Choices& choices = request.choices;
-    std::optional<int> grid;  // replaces the preset's, in whatever order both are given
+    std::optional<int> grid, cascades;  // replace the preset's, in whatever order they are given
     const auto setSwitch = [](const char* name, bool& on) {
         return [name, &on](const std::string& value) {
             if (value != "on" && value != "off")
@@ -78,7 +79,8 @@ ShowRequest showRequestFromText(const std::string& text) {
                {"grid", [&](const auto& value) { grid = wholeNumberFromText("show: grid", value, 100000); }},
                {"cascades",
                 [&](const auto& value) {
-                    choices.cascades = wholeNumberFromText("show: cascades", value, VCT_MAX_CASCADES);
+                    if (value != "auto")
+                        cascades = wholeNumberFromText("show: cascades", value, VCT_MAX_CASCADES);
                 }},
                {"cone-angle",
                 [&](const auto& value) {
@@ -92,13 +94,20 @@ ShowRequest showRequestFromText(const std::string& text) {
                {"lights-off", setLightsOff},
                {"time", setTime}});
     if (grid) request.choices.grid = *grid;
+    choices.cascades = cascades;
     validate(settingsFor(request.choices, glm::ivec2(1), 1.0));
     return request;
 }
 
 void choosePreset(Choices& choices, const std::string& name) {
     choices.grid = presetSettings(name).grid;
+    choices.cascades.reset();
     choices.preset = name;
+}
+
+int cascadesFor(const Scene& scene, const Settings& settings) {
+    constexpr double largestVoxel = 0.25;  // metres
+    return cascadesForVoxelSize(scene.boundsWorld, settings, largestVoxel);
 }
 
 bool scaleFollowsTime(const Choices& choices) {
@@ -108,7 +117,7 @@ bool scaleFollowsTime(const Choices& choices) {
 Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor) {
     Settings settings = presetSettings(choices.preset);
     settings.grid = choices.grid;
-    settings.cascades = choices.cascades;
+    settings.cascades = choices.cascades.value_or(1);
     settings.shadowConeAngleDeg = choices.coneAngleDeg;
     settings.revoxelize = choices.revoxelize;
     const Resolution& resolution = resolutionOf(choices);

@@ -35,7 +35,7 @@ struct Choices {
     std::string preset = defaultPreset;
     Output mode = Output::giConeShadow;
     int grid = presetSettings(preset).grid;  // voxels per side
-    int cascades = 1;                        // Settings::cascades
+    std::optional<int> cascades;             // Settings::cascades; empty: cascadesFor() the scene
     float coneAngleDeg = 5.0F;
     int resolution = 0;  // index into resolutions()
     // Direction to the sun: degrees from +Z towards +X, and degrees above the horizon. Empty: as in the
@@ -50,10 +50,11 @@ struct Choices {
     bool operator==(const Choices& other) const = default;
 };
 
-// The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64 cascades=1
-// cone-angle=5 pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3". Each word but
-// the first may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or thesis; `time`
-// stops the animation at this second; `lights-off` has the numbers of lights besides the sun, counted from 1.
+// The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64
+// cascades=auto cone-angle=5 pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3".
+// Each word but the first may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or
+// thesis; `time` stops the animation at this second; `lights-off` has the numbers of lights besides the sun,
+// counted from 1.
 struct ShowRequest {
     std::string scene;
     Choices choices;
@@ -63,14 +64,19 @@ struct ShowRequest {
 // Throws vct::Error.
 ShowRequest showRequestFromText(const std::string& text);
 
-// Chooses a preset and its grid: presets differ so much in memory per voxel that a grid that fits with one
-// may not fit with another. Throws vct::Error.
+// Chooses a preset, its grid and the number of cascades by the scene: presets differ so much in memory per
+// voxel that a grid that fits with one may not fit with another. Throws vct::Error.
 void choosePreset(Choices& choices, const std::string& name);
 
 // True if the size of the picture follows the time that frames take.
 bool scaleFollowsTime(const Choices& choices);
 
-// The renderer's settings, except for the sky. `divisor` divides the window's sides if the size follows the
+// The number of cascades that `settings` need so that voxels around the camera are at most 25 cm, about as
+// thick as walls; or as many as there may be. 1 for packed voxels.
+int cascadesFor(const Scene& scene, const Settings& settings);
+
+// The renderer's settings, except for the sky, and with one cascade if `choices` leave their number to the
+// scene. `divisor` divides the window's sides if the size follows the
 // time.
 Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor);
 

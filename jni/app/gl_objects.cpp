@@ -54,7 +54,7 @@ std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
                                  const Settings& settings, const Choices& choices) {
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
-        settings.grid != renderer_->settings().grid ||
+        settings.grid != renderer_->settings().grid || settings.cascades != renderer_->settings().cascades ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
         settings.environment != renderer_->settings().environment ||
         settings.background != renderer_->settings().background) {

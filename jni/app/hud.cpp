@@ -227,6 +227,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     if (const Output* chosen = choose("mode", allModes(), outputName(choices.mode), outputName))
         choices.mode = *chosen;
     buildGrid(content);
+    buildCascades(content);
     const std::vector<Resolution>& all = resolutions();
     if (const Resolution* chosen = choose("pixels", all, all[choices.resolution].name,
                                           [](const Resolution& resolution) { return resolution.name; }))
@@ -257,6 +258,22 @@ void Hud::buildGrid(const HudContent& content) const {
     for (const int grid : content.possibleGrids())
         if (ImGui::Selectable(name(grid).c_str(), grid == chosen)) chosen = grid;
     ImGui::EndCombo();
+}
+
+// Only directional voxels have cascades.
+void Hud::buildCascades(const HudContent& content) const {
+    Choices& choices = *content.choices;
+    if (presetSettings(choices.preset).voxels != Voxels::directional) return;
+    if (choices.cascades > maxCascadesFor(choices.grid)) choices.cascades.reset();  // another grid was chosen
+    const std::string automatic = "automatic: " + std::to_string(content.cascades);
+    std::vector<std::optional<int>> all{std::nullopt};
+    for (int count = 1; count <= maxCascadesFor(choices.grid); ++count)
+        all.emplace_back(count);
+    const auto name = [&](const std::optional<int>& count) {
+        return count ? std::to_string(*count) : choices.cascades ? "automatic" : automatic;
+    };
+    if (const std::optional<int>* chosen = choose("cascades", all, name(choices.cascades), name))
+        choices.cascades = *chosen;
 }
 
 void Hud::buildLight(const HudContent& content) const {

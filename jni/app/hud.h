@@ -30,6 +30,7 @@ struct HudContent {
     std::optional<double> divisor;  // divisor of the window's sides, if the size follows the time
     bool isLimitedByHeat = false;   // the size would be larger if the device were cooler
     std::function<std::vector<int>()> possibleGrids;  // grids that driver and free memory allow now
+    int cascades = 1;                                 // of the picture
     bool animated = false;                            // the scene has an animation
     std::vector<std::string> lights;                  // names of the scene's lights besides the sun
     std::string status;                               // current activity: loading, measuring
@@ -81,6 +82,7 @@ class Hud {
     void buildTimes(const HudContent& content) const;
     void buildChoices(const HudContent& content, HudActions& actions) const;
     void buildGrid(const HudContent& content) const;
+    void buildCascades(const HudContent& content) const;
     void buildLight(const HudContent& content) const;
     void buildLights(const HudContent& content) const;
     void scrollByTouch() const;

@@ -98,6 +98,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.possibleGrids = [&] {
         return gl_->possibleGrids(settingsFor(choices_, window, scale_.divisor()));
     };
+    content.cascades = settingsOf(window).cascades;
     content.animated = scene_ && !scene_->animation.channels.empty();
     if (scene_)
         for (const PunctualLight& light : scene_->punctualLights)
@@ -203,6 +204,7 @@ void Viewer::logSize(const std::string& limit, glm::ivec2 window) const {
 
 Settings Viewer::settingsOf(glm::ivec2 window) const {
     Settings settings = settingsFor(choices_, window, scale_.divisor());
+    if (!choices_.cascades && scene_) settings.cascades = cascadesFor(*scene_, settings);
     settings.skyRadiance = skyRadianceFor(choices_, defaults_.skyRadiance, light());
     if (choices_.sky == Sky::scene) {
         settings.environment = defaults_.environment;
@@ -304,7 +306,7 @@ void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, 
     features_ = featuresOf(*scene_);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
-    choices_.cascades = look.cascades.value_or(choices_.cascades);
+    if (look.cascades) choices_.cascades = look.cascades;
     exposure_ = {};
     aspect_ = aspectOf(sizeIn(window));
     view_.emplace(*scene_, defaults_.camera, aspect_);

@@ -127,7 +127,7 @@ bool view(const ViewOptions& options) {
     app::Choices& choices = request.show.choices;
     app::choosePreset(choices, options.preset);
     choices.grid = options.scene.settings(options.preset).grid;
-    choices.cascades = options.scene.cascades.value_or(1);
+    choices.cascades = options.scene.cascades;
     const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
     if (modes.size() != 1) throw Error("--mode " + options.mode + ": a window shows one mode; name one");
     choices.mode = modes.front();

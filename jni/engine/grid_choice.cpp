@@ -40,14 +40,6 @@ std::string lengthText(double metres) {
     return text;
 }
 
-// The fewest cascades whose finest voxels are not larger than this, or as many as there may be.
-int cascadesFor(const Bounds& boundsWorld, int grid, double metres) {
-    int cascades = 1;
-    while (cascades < maxCascadesFor(grid) && std::ldexp(voxelSize(boundsWorld, grid), 1 - cascades) > metres)
-        ++cascades;
-    return cascades;
-}
-
 struct Narrow {
     double across = HUGE_VAL;  // metres
     bool isPart = false;
@@ -114,14 +106,23 @@ std::string coarseGridWarning(const Scene& scene, const Settings& settings) {
            "remove distant objects from the scene";
 }
 
+int cascadesForVoxelSize(const Bounds& boundsWorld, const Settings& settings, double metres) {
+    const int most = settings.voxels == Voxels::directional ? maxCascadesFor(settings.grid) : 1;
+    int cascades = 1;
+    while (cascades < most && std::ldexp(voxelSize(boundsWorld, settings.grid), 1 - cascades) > metres)
+        ++cascades;
+    return cascades;
+}
+
 GridChoice chooseForVoxelSize(const Bounds& boundsWorld, const Settings& settings, double metres) {
     const bool directional = settings.voxels == Voxels::directional;
     for (const int grid : allGrids()) {
         if (directional && grid > settings.gridRange.finest) break;
         if (voxelSize(boundsWorld, grid) <= metres) return {grid, gridText(boundsWorld, grid), 1};
     }
-    const int grid = directional ? settings.gridRange.coarsest : allGrids().back();
-    const int cascades = directional ? cascadesFor(boundsWorld, grid, metres) : 1;
+    Settings nested = settings;
+    nested.grid = directional ? settings.gridRange.coarsest : allGrids().back();
+    const int grid = nested.grid, cascades = cascadesForVoxelSize(boundsWorld, nested, metres);
     const double finest = std::ldexp(voxelSize(boundsWorld, grid), 1 - cascades);
     if (finest > metres)
         throw Error("no grid has voxels of " + lengthText(metres) + ": the finest, " + std::to_string(grid) +
@@ -161,7 +162,7 @@ GridChoice chooseGrid(const Scene& scene, const Settings& settings, const gl::Ca
     if (settings.voxels == Voxels::directional && !enough(chosen)) {
         Settings nested = settings;
         nested.grid = settings.gridRange.coarsest;
-        nested.cascades = cascadesFor(scene.boundsWorld, nested.grid, needed);
+        nested.cascades = cascadesForVoxelSize(scene.boundsWorld, nested, needed);
         if (isPossible(nested, capabilities) && voxelBytes(nested, nested.grid) <= bytes &&
             std::ldexp(voxelSize(scene.boundsWorld, nested.grid), 1 - nested.cascades) <
                 voxelSize(scene.boundsWorld, chosen)) {

@@ -23,6 +23,10 @@ std::string gridText(const Bounds& boundsWorld, int grid, int cascades = 1);
 // the remedy. Empty if there are none.
 std::string coarseGridWarning(const Scene& scene, const Settings& settings);
 
+// The fewest cascades of Settings::grid whose finest voxels are not larger than this, or as many as there may
+// be. 1 for packed voxels.
+int cascadesForVoxelSize(const Bounds& boundsWorld, const Settings& settings, double metres);
+
 // The coarsest grid whose voxels are not larger than this. If those of the finest grid of Settings::gridRange
 // are, and voxels are directional, the fewest cascades whose finest voxels are not larger. Throws vct::Error
 // if there is no such choice.

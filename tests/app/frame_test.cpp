@@ -155,6 +155,22 @@ TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }
 
+// A floor of 24 m with a box, which one cube has in voxels of 38 cm and two cascades in 19 cm.
+TEST(Frame, ALargeSceneHasCascadesUnlessTheirNumberIsGiven) {
+    const TemporaryFolder scenes;
+    GltfBuilder builder = openFloor();
+    builder.document["nodes"][0]["scale"] = {6, 1, 6};
+    addCube(builder, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.6, 0}}, {"scale", {1.2, 1.2, 1.2}}});
+    writeBytes(scenes.file("large.glb"), builder.glb());
+    const auto screenWith = [&](const std::string& cascades) {
+        return screenOf("preset=mobile grid=64 pixels=1 mode=ao scene=large.glb" + cascades, 96, 72,
+                        scenes.path());
+    };
+    const Image screen = screenWith("");
+    EXPECT_TRUE(screen.pixels == screenWith(" cascades=2").pixels);
+    EXPECT_FALSE(screen.pixels == screenWith(" cascades=1").pixels);
+}
+
 TEST(Frame, TheThesissSquareIsNotStretched) {
     const Image screen = screenOf("grid=64 mode=phong pixels=thesis", 128, 64);
     EXPECT_EQ(screen.at(10, 32), glm::vec3(0.0F));
