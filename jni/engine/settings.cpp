@@ -59,7 +59,7 @@ Settings presetSettings(const std::string& name) {
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.gather.height = 0.295F;
+        settings.gather.height = 0.22F;
         settings.gather.threshold = 0.21F;
         settings.gather.bounceGain = 1.06F;
         settings.filterTaps = 4;

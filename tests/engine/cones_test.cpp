@@ -78,9 +78,9 @@ TEST(Cones, GiveTheNumbersOfTheExampleAndOfSamples) {
     gl::MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     results.read(found, sizeof found);
 
-    EXPECT_NEAR(found[0].x, 0.682, 0.002);  // radiance
+    EXPECT_NEAR(found[0].x, 0.682, 0.004);  // radiance
     EXPECT_EQ(found[0].y, 0.0F);            // transmittance
-    EXPECT_NEAR(found[0].z, 0.297, 0.002);  // nearness
+    EXPECT_NEAR(found[0].z, 0.291, 0.002);  // nearness
     const glm::dvec3 squares = direction * direction * coverage;
     const double covered = glm::dot(direction, coverage);
     EXPECT_NEAR(found[1].a, covered, 0.003);

@@ -82,9 +82,9 @@ struct Emitter {
     Deviation bound;
 };
 const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.11, 0.115}},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.115, 0.125}},
+                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.12, 0.125}},
                             {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.01, 0.045}},
-                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.025, 0.1}}};
+                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.03, 0.1}}};
 
 TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
     const Context context = openContext(Backend::egl);
