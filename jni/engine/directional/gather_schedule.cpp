@@ -24,6 +24,8 @@ constexpr float smoothingDecay = 0.25F;
 // Steps after cascades have moved in which only the faces that are new to their cascade gather, with a budget
 // of cones, so that a walk costs the same in every frame. The light of all others has not changed.
 constexpr int stepsAfterMove = 24;
+// Faces with a history of this length are no longer new to their cascade: 128 cones.
+constexpr float longEnoughAfterMove = 24.0F;
 // Cones per turn of a face.
 constexpr std::uint32_t conesAfterMove = 8;
 // The step in which cascades move has a smaller budget, because its frame also voxelizes.

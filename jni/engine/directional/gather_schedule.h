@@ -40,9 +40,6 @@ class GatherSchedule {
         bool cascades = false;        // cascades have moved with the camera
         bool any() const { return lists || light || cascades; }
     };
-    // After cascades have moved, faces with a history of this length are no longer new to their cascade: 128
-    // cones.
-    static constexpr float longEnoughAfterMove = 24.0F;
     // Returns the parameters of the next step.
     GatherStep advance(const Change& change);
     // Makes the next step start without histories.
