@@ -17,6 +17,6 @@ echo "rendering the Cornell box and the courtyard by each preset (about four min
 .venv/bin/python tools/eval.py render cornell courtyard --measures gi --out out/demo --sheet out/demo/presets.png
 echo "rendering the five modes of the preset thesis, and the stages of the pipeline (half a minute)"
 build/desktop/vct render assets/cornell.glb --out out/demo --preset thesis --mode all --size 400x400 \
-    --debug-views --contact-sheet --revoxelize --timings out/demo/timings.json
+    --sky 0,0,0 --debug-views --contact-sheet --revoxelize --timings out/demo/timings.json
 cp docs/demo.md out/demo/README.md
 echo "Look at out/demo/presets.png first; out/demo/README.md explains every picture."

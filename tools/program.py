@@ -8,6 +8,7 @@ from typing import Any
 import files
 from files import ROOT, Failed
 
+NO_SKY = ("--sky", "0,0,0")  # the sun alone, where `vct render` would add a sky
 TIMINGS_VERSION = 4  # of timings.json (docs/timings.md)
 vct = Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))  # eval.py --program sets another one
 

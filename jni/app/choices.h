@@ -24,7 +24,7 @@ const std::vector<Resolution>& resolutions();
 
 // The sky outside the scene.
 enum class Sky {
-    scene,  // the scene's own: dark, or a plain sky if the scene has no light (chooseSky())
+    scene,  // the one that goes with the scene's sun, or dark if it has none (chooseSky())
     dark,
     plain,
 };

@@ -52,7 +52,9 @@ void Viewer::measure() {
             gl_->dropRenderer();
             stepMs_.reset();
             Settings sky;
-            if (request_->light.empty()) sky.skyRadiance = chooseSky(*scene_);
+            // As `vct bench`, the app measures a scene with a sun without a sky.
+            if (request_->light.empty() && scene_->lights.empty())
+                sky.skyRadiance = chooseSky(chooseLight(*scene_));
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{
                     *request_, scene_, lightFromText(request_->light, *scene_), sky, gl_->capabilities(),

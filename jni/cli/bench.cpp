@@ -48,7 +48,9 @@ void bench(BenchOptions& options) {
     DirectionalLight light = lightFromText(given.light, *scene);
     Settings sky;
     options.sky.applyTo(sky);
-    options.sky.lightScene(*scene, camera, aspectOf(given.size), given.light, light, sky);
+    // A measurement of a file with a sun is of the sun alone, as in the thesis.
+    if (scene->lights.empty() && given.light.empty())
+        options.sky.lightScene(*scene, camera, aspectOf(given.size), given.light, light, sky);
     const Context context = given.backend.open();
     if (given.grid || given.voxelSize || given.cascades) {
         Settings settings = given.settings(request.presets.front());

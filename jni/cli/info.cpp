@@ -111,7 +111,7 @@ void printCamera(const InfoOptions& options) {
                                       {"eye_world", three(3)},
                                       {"right_up_back", {three(0), three(1), three(2)}},
                                       {"vertical_fov_rad", camera.verticalFovRad},
-                                      {"lights_itself", chooseSky(scene) == glm::vec3(0.0F)}};
+                                      {"lights_itself", isLitByEmitters(scene)}};
     std::puts(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 

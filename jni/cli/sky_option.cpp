@@ -32,8 +32,8 @@ std::string sunText(const DirectionalLight& sun) {
 void SkyOption::addTo(CLI::App& command) {
     CLI::Option* sky = command.add_option("--sky", radiance,
                                           "Sky of one colour: radiance R,G,B from all directions outside the "
-                                          "scene (default: black, or a plain sky if neither the scene nor an "
-                                          "option has a light, which vct then prints)");
+                                          "scene (default: a plain sky where there is a sun, or no light at "
+                                          "all, which vct then prints; otherwise black)");
     sky->group(lightGroup);
     CLI::Option* behind = command.add_option(
         "--background", background,
@@ -70,12 +70,12 @@ void SkyOption::addRoomLight(Scene& scene, const Camera& camera, const std::stri
 
 void SkyOption::lightScene(const Scene& scene, const Camera& camera, double aspect,
                            const std::string& lightText, DirectionalLight& light, Settings& settings) const {
-    if (!scene.lights.empty() || !lightText.empty()) return;
+    const bool hasSun = !scene.lights.empty() || !lightText.empty();
     if (given()) {
-        if (scene.punctualLights.empty()) light.intensity = 0.0F;
+        if (!hasSun && scene.punctualLights.empty()) light.intensity = 0.0F;
         return;
     }
-    if (!scene.punctualLights.empty()) {
+    if (!hasSun && !scene.punctualLights.empty()) {
         if (isLitByRoomLight(scene)) return;
         DirectionalLight sun = defaultLight();
         if (light.intensity > 0.0F) sun.intensity = light.intensity;
@@ -86,15 +86,18 @@ void SkyOption::lightScene(const Scene& scene, const Camera& camera, double aspe
             radianceText(plainSky(sun)) + " adds both");
         return;
     }
-    const glm::vec3 sky = chooseSky(scene);
+    const glm::vec3 sky = chooseSky(light);
     if (sky == glm::vec3(0.0F)) return;
     settings.skyRadiance = sky;
     if (!background) settings.background = chooseBackground(scene, camera, aspect, sky);
     const bool contrasts = !background && settings.background != sky;
-    say(std::string("note: the scene has no light of its own; vct adds a sun and a sky, ") +
+    say(std::string("note: ") +
+        (hasSun ? "the sun comes without a sky; vct adds a plain one, "
+                : "the scene has no light of its own; vct adds a sun and a sky, ") +
         (contrasts ? "and a background against which white surfaces show, " : "") + "as with " +
-        sunText(light) + " --sky " + radianceText(sky) +
-        (contrasts ? " --background " + radianceText(*settings.background) : ""));
+        (hasSun ? "" : sunText(light) + " ") + "--sky " + radianceText(sky) +
+        (contrasts ? " --background " + radianceText(*settings.background) : "") +
+        (hasSun ? "; --sky 0,0,0 leaves the sun alone" : ""));
 }
 
 }  // namespace vct::cli

@@ -23,9 +23,11 @@ struct SkyOption {
     void addRoomLight(Scene& scene, const Camera& camera, const std::string& lightText) const;
     // Chooses what the scene's file and the options leave open, and prints the choice with the options for
     // it:
-    // - For a scene without a light, if the user gave none either (`lightText` is empty): only the given sky,
-    //   or only the scene's emitters, or else a sun and a sky of one colour, with a background that
-    //   contrasts.
+    // - For a sun without a sky, of the file or of the user (`lightText`): a sky of one colour, with a
+    // background
+    //   that contrasts.
+    // - For a scene without a light, if the user gave none either: only the given sky, or only the scene's
+    //   emitters, or else a sun with such a sky and background.
     // - For a scene with point lights and no sun: no sky, with a dim background.
     void lightScene(const Scene& scene, const Camera& camera, double aspect, const std::string& lightText,
                     DirectionalLight& light, Settings& settings) const;

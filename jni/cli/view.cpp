@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "lab/options.h"
 #include "scene/gltf.h"
+#include "scene/light_choice.h"
 #ifdef VCT_HAS_GLFW
 #include "app/log.h"
 #include "core/number_text.h"
@@ -92,13 +93,13 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
                        seen.cameraOption;
     const DirectionalLight& light = seen.light;
     // A sun that the scene animates, or one that is off, comes from the scene again.
-    if (light.node < 0 && light.intensity > 0.0F && light.color != glm::vec3(0.0F)) {
+    if (light.node < 0 && isOn(light)) {
         line += " --light direction=" + threeText(-glm::vec3(light.directionToLight)) +
                 ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
     }
     if (settings.environment)
         line += " --environment '" + options.sky.environment + "'";
-    else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F))
+    else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F) || isOn(light))
         line += " --sky " + threeText(settings.skyRadiance);
     if (settings.background) line += " --background " + threeText(*settings.background);
     char time[32];

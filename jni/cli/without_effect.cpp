@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/light_choice.h"
 #include "scene/scene_features.h"
 
 namespace vct::cli {
@@ -17,7 +18,7 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
     const bool gathers =
         shown([](const OutputReads& read) { return read.ambientVisibility || read.indirectLight; });
     const bool reflections = shown([](const OutputReads& read) { return read.reflections; });
-    const bool hasSun = run.sun.intensity > 0.0F && run.sun.color != glm::vec3(0.0F);
+    const bool hasSun = isOn(run.sun);
     const std::vector<PunctualLight>& others = run.scene.punctualLights;
     const bool hasSoftDirectional = run.settings.lightRadius > 0.0F &&
                                     std::any_of(others.begin(), others.end(), [](const PunctualLight& light) {

@@ -218,13 +218,18 @@ DirectionalLight defaultLight() {
     return light;
 }
 
-glm::vec3 chooseSky(const Scene& scene) {
-    const bool isLit = !scene.lights.empty() || !scene.punctualLights.empty() || isLitByEmitters(scene);
-    return isLit ? glm::vec3(0.0F) : plainSky(defaultLight());
+bool isOn(const DirectionalLight& light) {
+    return light.intensity > 0.0F && light.color != glm::vec3(0.0F);
+}
+
+glm::vec3 chooseSky(const DirectionalLight& light) {
+    return isOn(light) ? plainSky(light) : glm::vec3(0.0F);
 }
 
 glm::vec3 plainSky(const DirectionalLight& light) {
-    const float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
+    float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
+    // A light of a file may have its strength in its colour.
+    if (isOn(light)) lux *= std::max({light.color.r, light.color.g, light.color.b});
     return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
 }
 

@@ -28,9 +28,12 @@ bool isLitByRoomLight(const Scene& scene);
 std::string roomLightNote(const PunctualLight& light);
 // A sun from the upper front right with an illuminance of pi.
 DirectionalLight defaultLight();
-// The radiance of a plain sky if the scene has no light of its own, so that its first picture is not dark;
-// otherwise black.
-glm::vec3 chooseSky(const Scene& scene);
+// True if the light has a colour and an intensity.
+bool isOn(const DirectionalLight& light);
+// The radiance of the sky of a scene for which nobody chose one: plainSky() if its sun is on, because
+// exporters write the sun alone; otherwise black. `light` is that of chooseLight(), which is off in a scene
+// that lamps or emitters light.
+glm::vec3 chooseSky(const DirectionalLight& light);
 // The radiance of a light blue sky that gives a floor a quarter of the illuminance of `light`, or of the
 // default light if `light` is off.
 glm::vec3 plainSky(const DirectionalLight& light);

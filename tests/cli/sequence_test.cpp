@@ -18,7 +18,7 @@ std::string renderOf(const char* scene, const std::string& options, const char* 
 TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     ProgramRun program;
     // Light of the other presets depends on the frames before.
-    const char* const options = "--grid 64 --time 0.5 --frames 3 --fps 2 --timings t.json";
+    const char* const options = "--grid 64 --time 0.5 --frames 3 --fps 2 --exposure 1 --timings t.json";
     program.expectSuccess(renderOf(moving, options, "thesis"));
     EXPECT_EQ(program.folder.list("out"),
               (std::vector<std::string>{"gi_0000.exr", "gi_0000.png", "gi_0001.exr", "gi_0001.png",
@@ -31,7 +31,7 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
         EXPECT_EQ(timings.at("modes").at("gi").at("steps").at(step).at("samples").size(), 3U) << step;
 
     const auto bytes = [&](const std::string& name) { return readBytes(program.folder.file("out/" + name)); };
-    program.expectSuccess(renderOf(moving, "--grid 64 --samples 1 --time 1.5", "thesis"));
+    program.expectSuccess(renderOf(moving, "--grid 64 --samples 1 --time 1.5 --exposure 1", "thesis"));
     EXPECT_EQ(bytes("gi.png"), bytes("gi_0002.png"));
     EXPECT_NE(bytes("gi.png"), bytes("gi_0000.png"));
     expectMentions(program.err, {"out also has files of earlier runs: gi_0000.exr"});

@@ -141,6 +141,35 @@ Image rendered(ProgramRun& program, const GltfBuilder& scene, const std::string&
     return readImage(program.folder.file("out/gi.exr"));
 }
 
+// Adds a directional light of this illuminance, which travels towards the triangle's front.
+void addSun(GltfBuilder& builder, float lux) {
+    builder.document["extensionsUsed"].push_back("KHR_lights_punctual");
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"].push_back(
+        {{"type", "directional"}, {"intensity", lux}});
+    builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+}
+
+// Exporters write a sun without a sky.
+TEST(SkyOption, ASunWithoutASkyGetsAPlainOneAndSaysSo) {
+    ProgramRun program;
+    GltfBuilder scene = triangleOf(0.5F);
+    addSun(scene, 2.0F * 3.14159265F);
+    const Image byDefault = rendered(program, scene);
+    expectMentions(program.err, {"note: the sun comes without a sky", "--sky 0.4,0.5,0.7", "--sky 0,0,0"});
+    expectSameInHalves(rendered(program, scene, "--sky 0.4,0.5,0.7"), byDefault);
+    EXPECT_EQ(program.err.find("note: the sun"), std::string::npos) << program.err;
+    // In the middle of the triangle, which sees the sun and half of the sky: albedo times (E / pi + L).
+    EXPECT_NEAR(byDefault.at(16, 16).b, 0.5F * (2.0F + 0.7F), 0.05F);
+    EXPECT_NEAR(rendered(program, scene, "--sky 0,0,0").at(16, 16).b, 0.5F * 2.0F, 0.02F);
+}
+
+TEST(SkyOption, ALightOfAnOptionDoesNotTakeTheSkyAway) {
+    ProgramRun program;
+    const Image lit = rendered(program, triangleOf(0.5F), "--light direction=0,0,-1,intensity=6.2831853");
+    expectMentions(program.err, {"note: the sun comes without a sky", "--sky 0.4,0.5,0.7"});
+    EXPECT_NEAR(lit.at(16, 16).b, 0.5F * (2.0F + 0.7F), 0.05F);
+}
+
 TEST(Background, ContrastsWithWhiteUnlessASkyIsGiven) {
     ProgramRun program;
     const glm::vec3 sky(0.2F, 0.25F, 0.35F);

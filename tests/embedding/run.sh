@@ -43,7 +43,7 @@ engine() { "$folder/engine/engine" assets/studio.glb --headless 1 --time 0.2 "$@
 engine --out "$folder/pane.png"
 engine --no-lamp --out "$folder/dark.png"
 engine --no-pane --out "$folder/no_pane.png"
-"$1/vct" render assets/studio.glb --time 0.2 --size 320x240 --samples 1 --mode gi-cone-shadow --tone-map none --exposure 1 \
+"$1/vct" render assets/studio.glb --time 0.2 --size 320x240 --samples 1 --mode gi-cone-shadow --tone-map none --exposure 1 --sky 0,0,0 \
     --out "$folder/tool" >"$folder/log" 2>&1
 tool="$folder/tool/gi-cone-shadow.png"
 "$1/vct" compare "$folder/no_pane.png" "$tool" --max-difference 2/255 --max-fraction 0.002

@@ -40,7 +40,7 @@ TEST(ChooseLight, AnEmitterLightsItsRoom) {
     for (const std::size_t walls : {6, 5}) {
         const Scene room = roomWithAnEmitter(walls);
         EXPECT_EQ(chooseLight(room).intensity, 0.0F) << walls;
-        EXPECT_EQ(chooseSky(room), glm::vec3(0.0F)) << walls;
+        EXPECT_EQ(chooseSky(chooseLight(room)), glm::vec3(0.0F)) << walls;
     }
 }
 
@@ -48,7 +48,7 @@ TEST(ChooseLight, AnEmitterLightsItsRoom) {
 TEST(ChooseLight, AnEmitterInTheOpenDoesNotReplaceTheSun) {
     const Scene open = roomWithAnEmitter(1);
     EXPECT_GT(chooseLight(open).intensity, 3.0F);
-    EXPECT_GT(chooseSky(open).b, 0.1F);
+    EXPECT_GT(chooseSky(chooseLight(open)).b, 0.1F);
     Scene car = emptyScene();
     addBox(car, {4, 1, 2});
     car.materials[0].doubleSided = true;
@@ -63,7 +63,22 @@ TEST(ChooseLight, AnEmissiveTextureDoesNotReplaceTheSun) {
     room.textures.resize(1);
     room.materials.back().emissiveTexture = 0;
     EXPECT_GT(chooseLight(room).intensity, 3.0F);
-    EXPECT_GT(chooseSky(room).b, 0.1F);
+    EXPECT_GT(chooseSky(chooseLight(room)).b, 0.1F);
+}
+
+TEST(ChooseSky, GoesWithTheSun) {
+    DirectionalLight sun = defaultLight();
+    const glm::vec3 sky = chooseSky(sun);
+    EXPECT_GT(sky.b, 0.1F);
+    sun.intensity *= 1000.0F;
+    EXPECT_NEAR(chooseSky(sun).b / sky.b, 1000.0F, 0.01F);
+    sun.color = glm::vec3(0.5F, 0.25F, 0.1F);
+    EXPECT_NEAR(chooseSky(sun).b / sky.b, 500.0F, 0.01F);
+    sun.color = glm::vec3(0.0F);
+    EXPECT_EQ(chooseSky(sun), glm::vec3(0.0F)) << "a scene with point lights alone";
+    sun = defaultLight();
+    sun.intensity = 0.0F;
+    EXPECT_EQ(chooseSky(sun), glm::vec3(0.0F));
 }
 
 Camera cameraAt(const glm::dvec3& eye) {

@@ -65,7 +65,7 @@ def draw(scene: bytes, preset: str, folder: Path, grid: int = 64) -> dict[str, n
     path = folder / "scene.glb"
     path.write_bytes(scene)
     program.render(path, folder, "--preset", preset, "--mode", "gi,gi-cone-shadow", "--grid", grid, "--size", "128x128",
-                   "--light-parts")
+                   "--light-parts", *program.NO_SKY)
     found = {name: read_exr(folder / f"{name}.exr") for name in ("gi", "gi-cone-shadow", "indirect_light")}
     for name, image in found.items():
         if not np.isfinite(image).all() or (image < 0).any():

@@ -62,7 +62,7 @@ def preset_task(scene: Path, preset: str) -> Task:
     references = measures.References(scene)
 
     def measure(out: Path) -> Result:
-        asked = ["--preset", preset, "--mode", "gi", "--size", "{}x{}".format(*references.size), "--exposure", 1]
+        asked = ["--preset", preset, "--mode", "gi", "--size", "{}x{}".format(*references.size), "--exposure", 1, *program.NO_SKY]
         timings = program.render_timed(scene, out / "timed", *asked)
         program.render(scene, out, "--samples", SAMPLES**2, *asked)
         return {"scene": scene.stem, "preset": preset, "grid": timings["settings"]["grid"], "cpu": timings["machine"]["cpu"],

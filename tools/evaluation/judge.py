@@ -74,12 +74,15 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
         said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "{}x{}".format(*asked.size),
                               "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
                               "--emission", asked.emission, *given)
-    chosen = re.search(r"as with --light (\S+) --sky (\S+)", said)
+    chosen = re.search(r"as with (?:--light (\S+) )?--sky ([^\s;]+)", said)
     room_light = re.search(r"adds a point light of (\S+) cd at (\S+)\. ", said)
     asked.room_light = room_light and room_light.groups()
-    if chosen and not given:
-        asked.light, asked.sky = chosen.groups()
-        given += ["--light", asked.light, "--sky", asked.sky]
+    if chosen:
+        light, asked.sky = chosen.groups()
+        given += ["--sky", asked.sky]
+        if light:
+            asked.light = light
+            given += ["--light", light]
     lines = said.splitlines()
     return [line for line in lines if line.startswith(("note: ", "warning: "))] + [
         f"hint: the scene wants --{line}" for line in lines if line.startswith("grid ")]

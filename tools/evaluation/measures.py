@@ -107,9 +107,9 @@ def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] |
     """One preset's picture of a scene that has references."""
     references, name = References(scene, camera=camera), view_name(scene, camera)
     size, sky = size or references.size, sky_file(scene)
-    given = {"--camera": camera, "--environment": sky and str(sky), "--grid": grid,
-             "--cascades": str(cascades) if cascades > 1 else None}
-    options = [word for option, value in given.items() if value for word in (option, value)]
+    given = {"--camera": camera, "--grid": grid, "--cascades": str(cascades) if cascades > 1 else None}
+    options = [*(("--environment", str(sky)) if sky else program.NO_SKY),
+               *(word for option, value in given.items() if value for word in (option, value))]
 
     def measure(folder: Path) -> Result:
         result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options)

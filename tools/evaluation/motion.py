@@ -62,7 +62,7 @@ def lag(name: str, preset: str, asked: argparse.Namespace, folder: Path) -> Resu
     numbers = list(range(0, min(asked.frames or 1000, int(seconds * FPS)), asked.every))
     countdown, path = Countdown(len(numbers) + 1), folder / "scene.glb"
     path.write_bytes(build().to_bytes())
-    common = ("--preset", preset, "--mode", "gi", "--size", f"{asked.size[0]}x{asked.size[1]}")
+    common = ("--preset", preset, "--mode", "gi", "--size", f"{asked.size[0]}x{asked.size[1]}", *program.NO_SKY)
     program.render(path, folder, *common, "--frames", numbers[-1] + 1, "--fps", f"{FPS:g}")
     countdown.advance(1)
     found = []
@@ -86,7 +86,7 @@ def dynamic(preset: str, asked: argparse.Namespace, folder: Path) -> Result:
         for change, (moves, flags) in CHANGES.items():
             path.write_bytes(balls.build(**moves).to_bytes())
             timings = program.render_timed(path, folder, "--mode", "gi-cone-shadow", "--preset", preset, "--size", size,
-                                           "--frames", frames, "--fps", frames / balls.SECONDS, *flags)
+                                           "--frames", frames, "--fps", frames / balls.SECONDS, *program.NO_SKY, *flags)
             steps = timings["modes"]["gi-cone-shadow"]["steps"]
             runs[change].append({step: steps[step]["median"] for step in STEPS})
             countdown.advance(1)
