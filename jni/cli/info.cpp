@@ -99,8 +99,9 @@ void printScene(const InfoOptions& options) {
 }
 
 // Prints the camera as JSON, so that other tools need not know how a camera is chosen. Needs no driver.
-void printCamera(const InfoOptions& options) {
+void printCamera(InfoOptions& options) {
     const Scene scene = options.scene.load();
+    options.scene.fitSize(scene);
     const Camera camera = options.scene.cameraOf(scene);
     const auto three = [&](int column) {
         const glm::dvec4& v = camera.worldFromCamera[column];

@@ -1,4 +1,5 @@
 // vct: the command-line tool. It runs the same shaders as the Android app.
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/guess.h"
 #include "cli/options.h"
 #include "core/files.h"
 #include "core/list_text.h"
@@ -41,22 +43,48 @@ std::string optionsOf(const std::string& error) {
     return options.empty() ? "" : " (" + options + ")";
 }
 
-// Explains what is wrong with a command line that names none of the commands.
-std::string unknownCommand(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-    if (argc > 1 && argv[1][0] == '-') return error.what();
+std::vector<std::string> commandsOf(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
-    return (argc < 2 ? "A command is required" : "there is no command '" + std::string(argv[1]) + "'") +
-           "; the commands are " + vct::listText(names);
+    return names;
+}
+
+// Explains what is wrong with a command line that names none of the commands.
+std::string unknownCommand(const CLI::App& app, const CLI::ParseError& error,
+                           const std::vector<std::string>& arguments) {
+    if (!arguments.empty() && arguments.front()[0] == '-') return error.what();
+    const std::vector<std::string> names = commandsOf(app);
+    const std::string list = "the commands are " + vct::listText(names);
+    if (arguments.empty()) return "A command is required; " + list;
+    return "there is no command '" + arguments.front() + "'" +
+           vct::cli::guessText(vct::cli::guesses(arguments.front(), names)) + "; " + list;
 }
 
 // CLI11's text, or a clearer one.
-std::string textOf(const CLI::ParseError& error) {
+std::string textOf(const CLI::App& command, const CLI::ParseError& error) {
     const std::string text = error.what();
     const std::size_t twice = text.find(": At Most 1 required");
-    return twice == std::string::npos ? text
-                                      : text.substr(0, twice) + " is given more than once; give it once";
+    if (twice != std::string::npos) return text.substr(0, twice) + " is given more than once; give it once";
+    const std::vector<std::string> unknown = command.remaining();
+    const auto option = std::find_if(unknown.begin(), unknown.end(),
+                                     [](const std::string& word) { return word.rfind('-', 0) == 0; });
+    if (option == unknown.end()) return text;
+    std::vector<std::string> names;
+    for (const CLI::Option* known : command.get_options())
+        if (!known->get_lnames().empty()) names.push_back("--" + known->get_lnames().front());
+    return "there is no option " + *option + vct::cli::guessText(vct::cli::guesses(*option, names));
+}
+
+// The words of the command line. A scene's file without a command is rendered.
+std::vector<std::string> argumentsOf(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const std::vector<std::string> names = commandsOf(app);
+    if (words.empty() || std::find(names.begin(), names.end(), words.front()) != names.end()) return words;
+    const bool beginsWithOption = words.front().rfind('-', 0) == 0;
+    if (std::any_of(words.begin(), beginsWithOption ? words.end() : words.begin() + 1, vct::cli::isSceneFile))
+        words.insert(words.begin(), "render");
+    return words;
 }
 
 // Removes unfinished files and empty new folders, then lets the signal end the process as it would without a
@@ -76,8 +104,9 @@ int main(int argc, char** argv) {
         if (std::signal(signal, endTidily) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
     CLI::App app("Global illumination by voxel cone tracing: pictures, step timings and comparisons.", "vct");
     app.footer(
-        "`vct COMMAND --help` explains a command and its options. For a first picture:\n"
-        "  vct render assets/cornell.glb --out out\n"
+        "`vct COMMAND --help` explains a command and its options. A first picture, "
+        "out/cornell/gi-cone-shadow.png:\n"
+        "  vct assets/cornell.glb      is short for vct render assets/cornell.glb\n"
         "The thesis that commands and options refer to, and that the preset `thesis` reproduces: C. Wahlén, "
         "Global Illumination in Real-Time using Voxel Cone Tracing on Mobile Devices, Linköping 2016.");
     app.set_version_flag("--version", "vct " VCT_VERSION);
@@ -91,18 +120,20 @@ int main(int argc, char** argv) {
     for (CLI::App* command : app.get_subcommands({}))
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().rfind("FLOAT", 0) == 0) option->check(vct::cli::finite);
+    const std::vector<std::string> arguments = argumentsOf(app, argc, argv);
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(arguments.rbegin(),
+                                           arguments.rend()));  // CLI11 takes them from the back
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
         const std::vector<CLI::App*> command = app.get_subcommands();
         if (command.empty())
             std::fprintf(stderr, "vct: error: %s; see vct --help\n",
-                         unknownCommand(app, error, argc, argv).c_str());
+                         unknownCommand(app, error, arguments).c_str());
         else
-            std::fprintf(stderr, "vct: error: %s; see vct %s --help\n", textOf(error).c_str(),
-                         command.front()->get_name().c_str());
+            std::fprintf(stderr, "vct: error: %s; see vct %s --help\n",
+                         textOf(*command.front(), error).c_str(), command.front()->get_name().c_str());
         return 1;
     } catch (const std::bad_alloc&) {
         std::fputs(

@@ -1,5 +1,6 @@
 #include "cli/options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -29,13 +30,8 @@ gl::ReadShader shaders() {
 }
 
 namespace {
-void addSize(CLI::App& command, glm::ivec2& size) {
-    command
-        .add_option_function<std::string>(
-            "--size", [&size](const std::string& text) { size = sizeFromText(text); },
-            "Size of the picture in pixels, WIDTHxHEIGHT")
-        ->default_str(std::to_string(size.x) + "x" + std::to_string(size.y));
-}
+// A picture is at most so many times as wide as high, or as high as wide, unless --size says so.
+constexpr double maxAspect = 8.0;
 }  // namespace
 
 void BackendOption::addTo(CLI::App& command) {
@@ -106,7 +102,16 @@ CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
         ->check(CLI::Range(1, VCT_MAX_CASCADES))
         ->excludes("--voxel-size")
         ->group(voxelGroup);
-    addSize(command, size);
+    command
+        .add_option_function<std::string>(
+            "--size",
+            [this](const std::string& text) {
+                size = sizeFromText(text);
+                hasSize = true;
+            },
+            "Size of the picture in pixels, WIDTHxHEIGHT. The default has as many pixels in the shape that a "
+            "camera of the scene is made for")
+        ->default_str(std::to_string(size.x) + "x" + std::to_string(size.y));
     command.add_option(
         "--camera", camera,
         "Camera as eye=X,Y,Z,target=X,Y,Z,fov=DEG,up=X,Y,Z, in metres and degrees, of which only eye is "
@@ -120,6 +125,16 @@ CLI::Option* SceneOptions::addSceneTo(CLI::App& command) {
                     "travels; each part may be left out")
         ->group(lightGroup);
     return sceneOption;
+}
+
+void SceneOptions::fitSize(const Scene& loaded) {
+    if (hasSize || (loaded.cameras.empty() && camera.empty())) return;
+    const Camera chosen = cameraFromText(camera, loaded);
+    if (!chosen.aspectRatio) return;
+    const double root = std::sqrt(std::clamp(*chosen.aspectRatio, 1.0 / maxAspect, maxAspect));
+    const double side = std::sqrt(static_cast<double>(size.x) * size.y);
+    // Encoders of videos take even sizes only.
+    size = 2 * glm::ivec2(glm::round(0.5 * side * glm::dvec2(root, 1.0 / root)));
 }
 
 Camera SceneOptions::cameraOf(const Scene& loaded) const {

@@ -55,6 +55,7 @@ struct SceneFileOption {
 struct SceneOptions : SceneFileOption {
     std::string camera, light;
     glm::ivec2 size{400, 400};
+    bool hasSize = false;             // --size was given
     std::optional<std::string> grid;  // a number or "auto"
     std::optional<double> voxelSize;  // metres
     std::optional<int> cascades;
@@ -63,6 +64,8 @@ struct SceneOptions : SceneFileOption {
     // Both return the option of the scene's path.
     CLI::Option* addTo(CLI::App& command);
     CLI::Option* addSceneTo(CLI::App& command);
+    // Without --size, gives the picture the shape that the camera is made for, if it is made for one.
+    void fitSize(const Scene& loaded);
     // Chooses the camera, and prints a note if vct had to frame the scene itself.
     Camera cameraOf(const Scene& loaded) const;
     // The settings of the preset, with the picture size and a grid that is given as a number.

@@ -1,15 +1,19 @@
 #include "cli/pictures.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <set>
 
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "core/error.h"
 #include "core/list_text.h"
 #include "core/number_text.h"
 
 namespace vct::cli {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,17 +44,39 @@ void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMa
         ->group(picturesGroup);
 }
 
-PictureWriter::PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
+bool namesOnePicture(const std::string& out) {
+    std::string ending = fs::path(out).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::error_code ignored;
+    if (fs::is_directory(out, ignored)) return false;
+    for (const char* other :
+         {".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif", ".webp", ".hdr", ".mp4", ".webm"})
+        if (ending == other)
+            throw Error("--out " + out + ": vct writes no " + ending +
+                        " files; name a .png, an .exr or a folder");
+    return ending == ".png" || ending == ".exr";
+}
+
+PictureWriter::PictureWriter(const std::string& out, std::optional<float> exposure, ToneMap toneMap,
                              bool contactSheet)
-    : folder_(folder),
+    : onePicture_(namesOnePicture(out) ? fs::path(out).filename().string() : ""),
+      folder_(onePicture_.empty()               ? out
+              : fs::path(out).has_parent_path() ? fs::path(out).parent_path().string()
+                                                : "."),
       exposure_(exposure.value_or(1.0F)),
       toneMap_(toneMap),
       contactSheet_(contactSheet),
       warned_(!exposure) {}
 
+std::vector<std::string> PictureWriter::filesOf(const std::string& name) const {
+    if (!onePicture_.empty()) return {folder_.file(onePicture_)};
+    return {folder_.file(name + ".exr"), folder_.file(name + ".png")};
+}
+
 void PictureWriter::requireRoomFor(const std::string& name) const {
-    for (const char* extension : {".png", ".exr"})
-        requireNoFolder(folder_.file(name + extension));
+    for (const std::string& file : filesOf(name))
+        requireNoFolder(file);
 }
 
 void PictureWriter::requireRoomForContactSheet() const {
@@ -81,10 +107,15 @@ void PictureWriter::chooseExposure(const Image& image, float white) {
 
 void PictureWriter::write(const std::string& name, const Image& image, bool isShare) {
     if (!isShare) warnIfWhite(name, image);
-    writeExr(folder_.file(name + ".exr"), image);
     Image shown = isShare ? image : toneMapped(image, toneMap_, exposure_);
-    writePng(folder_.file(name + ".png"), shown);
-    folder_.keep();
+    for (const std::string& file : filesOf(name)) {
+        if (file.back() == 'r' || file.back() == 'R')  // .exr
+            writeExr(file, image);
+        else
+            writePng(file, shown);
+        folder_.keep();
+        written_.push_back(file);
+    }
     if (contactSheet_) sheet_.emplace_back(name, std::move(shown));
 }
 
@@ -101,7 +132,12 @@ void PictureWriter::writeDebugViews(const std::vector<DebugView>& views) {
     }
 }
 
-void PictureWriter::nameOlderPictures() const {
+void PictureWriter::nameWrittenPictures() const {
+    if (written_.size() <= 2)
+        say("wrote " + listText(written_));
+    else
+        say("wrote " + std::to_string(written_.size()) + " pictures into " + folder_.path());
+    if (!onePicture_.empty()) return;
     std::set<std::string> older;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
         const std::filesystem::path& path = entry.path();

@@ -19,12 +19,16 @@ constexpr const char* picturesGroup = "Pictures";  // heading in --help
 // Adds --exposure and --tone-map.
 void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMap);
 
+// True if the value of --out names a picture (.png or .exr) and not a folder. Throws vct::Error if it names a
+// file of another kind.
+bool namesOnePicture(const std::string& out);
+
 class PictureWriter {
   public:
-    // `exposure` applies to the PNGs. Without it, chooseExposure() must be called before write(). Throws
-    // vct::Error if the folder cannot be created or written to.
-    PictureWriter(const std::string& folder, std::optional<float> exposure, ToneMap toneMap,
-                  bool contactSheet);
+    // `out`: a folder, or one picture (namesOnePicture()). `exposure` applies to the PNGs. Without it,
+    // chooseExposure() must be called before write(). Throws vct::Error if the folder cannot be created or
+    // written to.
+    PictureWriter(const std::string& out, std::optional<float> exposure, ToneMap toneMap, bool contactSheet);
 
     // Throws vct::Error if a folder stands where write() of this name would write a file.
     void requireRoomFor(const std::string& name) const;
@@ -37,23 +41,26 @@ class PictureWriter {
     // radiance of a white surface in the scene's light.
     void chooseExposure(const Image& image, float white);
 
-    // Writes NAME.png and NAME.exr. If the exposure was given by the user, warns about the first PNG that is
-    // white over much of its area. `isShare`: the values are shares of 1 and not light, so no exposure is
-    // applied.
+    // Writes NAME.png and NAME.exr, or the one picture that --out names. If the exposure was given by the
+    // user, warns about the first PNG that is white over much of its area. `isShare`: the values are shares
+    // of 1 and not light, so no exposure is applied.
     void write(const std::string& name, const Image& image, bool isShare = false);
     // Writes the pictures so far on one sheet, if that was asked for and there are several.
     void writeContactSheet();
     void writeDebugViews(const std::vector<DebugView>& views);
 
-    // Prints a note with the pictures in the folder that are older than this run, because nothing is deleted
-    // from a folder that was used before.
-    void nameOlderPictures() const;
+    // Prints where the pictures are, and a note with those in the folder that are older than this run,
+    // because nothing is deleted from a folder that was used before.
+    void nameWrittenPictures() const;
 
   private:
+    std::vector<std::string> filesOf(const std::string& name) const;
     void warnIfWhite(const std::string& name, const Image& image);
 
     std::filesystem::file_time_type start_ = std::filesystem::file_time_type::clock::now();
+    std::string onePicture_;  // name of the only file, or ""
     OutputFolder folder_;
+    std::vector<std::string> written_;
     float exposure_;
     ToneMap toneMap_;
     bool contactSheet_, warned_;

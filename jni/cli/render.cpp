@@ -1,6 +1,7 @@
 // vct render: renders a scene to pictures, debug views and step timings.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -208,8 +209,24 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
     return first;
 }
 
-void render(const RenderOptions& options) {
+// Throws if --out names one picture and the run writes several.
+void requireOnePicture(const RenderOptions& options, const std::vector<Output>& modes) {
+    if (options.out.empty() || !namesOnePicture(options.out)) return;
+    const std::pair<bool, const char*> reasons[] = {{modes.size() > 1, "--mode"},
+                                                    {options.frames.has_value(), "--frames"},
+                                                    {options.debugViews, "--debug-views"},
+                                                    {options.lightParts, "--light-parts"},
+                                                    {options.contactSheet, "--contact-sheet"}};
+    for (const auto& [isGiven, what] : reasons)
+        if (isGiven)
+            throw Error("--out " + options.out + " names one picture, and this run writes more (" + what +
+                        "); name a folder");
+}
+
+void render(RenderOptions options) {
     const std::vector<Output> modes = parsed("--mode", modesFromText, options.mode);
+    requireOnePicture(options, modes);
+    if (options.out.empty()) options.out = "out/" + std::filesystem::path(options.scene.path).stem().string();
     Settings settings = settingsFrom(options);
     if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
@@ -231,6 +248,8 @@ void render(const RenderOptions& options) {
 
     const std::string& path = options.scene.path;
     Scene scene = options.scene.load(options.animation);
+    options.scene.fitSize(scene);
+    settings.size = options.scene.size;
     const bool hasEmitters = featuresOf(scene).has(featureEmissive);
     for (Material& material : scene.materials)
         material.emissive *= options.emission;
@@ -302,7 +321,7 @@ void render(const RenderOptions& options) {
         const Progress progress("debug views");
         pictures.writeDebugViews(debugViews(renderer, first));
     }
-    pictures.nameOlderPictures();
+    pictures.nameWrittenPictures();
     if (options.timings.empty()) return;
     report.scene = path;
     report.triangles = scene.triangleCount();
@@ -322,6 +341,8 @@ constexpr const char* renderFooter =
     "Writes two files for each mode: DIR/MODE.png (with exposure and tone mapping, sRGB) and DIR/MODE.exr "
     "(linear radiance). With --frames they are DIR/MODE_0000.png and so on. Deletes nothing in DIR.\n"
     "Examples:\n"
+    "  vct render my.glb                      writes out/my/gi-cone-shadow.png\n"
+    "  vct render my.glb --out picture.png    writes this file only\n"
     "  vct render assets/cornell.glb --out out --mode all --debug-views --timings out/timings.json\n"
     "  vct render my.glb --out out --camera eye=0,1.6,4,target=0,1,0,fov=50 --grid 128\n"
     "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
@@ -336,8 +357,10 @@ void addRender(CLI::App& app, int&) {
         app.add_subcommand("render", "Render a glTF scene to pictures, debug views and step timings");
     auto options = std::make_shared<RenderOptions>();
     command->footer(renderFooter);
-    command->add_option("--out", options->out, "Folder for the pictures (DIR below); created if missing")
-        ->required();
+    command->add_option(
+        "--out", options->out,
+        "Folder for the pictures (DIR below), created if missing; or one .png or .exr file for the "
+        "picture (default: out/ and the name of the scene's file)");
     command
         ->add_option(
             "--mode", options->mode,

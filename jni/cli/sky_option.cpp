@@ -30,14 +30,17 @@ std::string sunText(const DirectionalLight& sun) {
 }  // namespace
 
 void SkyOption::addTo(CLI::App& command) {
-    CLI::Option* sky = command.add_option("--sky", radiance,
-                                          "Sky of one colour: radiance R,G,B from all directions outside the "
-                                          "scene (default: a plain sky where there is a sun, or no light at "
-                                          "all, which vct then prints; otherwise black)");
+    CLI::Option* sky =
+        command.add_option("--sky", radiance,
+                           "Sky of one colour: its radiance from all directions outside the scene, "
+                           "as R,G,B, as one number, as #rrggbb, or as black, grey, white or "
+                           "blue (default: a plain sky where there is a sun, or no light at "
+                           "all, which vct then prints; otherwise black)");
     sky->group(lightGroup);
     CLI::Option* behind = command.add_option(
         "--background", background,
-        "Radiance R,G,B behind the scene, without effect on its light (default: the sky, or a part of it if "
+        "Radiance behind the scene, written as that of --sky, without effect on its light (default: the sky, "
+        "or a part of it if "
         "vct chose the sky and surfaces would vanish in front of it, or a dim sky for a scene with point "
         "lights and no sky)");
     behind->group(lightGroup);

@@ -25,6 +25,21 @@ glm::dvec3 threeFromText(const std::string& option, const std::string& text) {
     return {found[0], found[1], found[2]};
 }
 
+// Converts "#rrggbb" in sRGB (IEC 61966-2-1) to linear RGB.
+glm::vec3 fromSrgb(const std::string& option, const std::string& text) {
+    if (text.size() != 7 || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        throw Error(option + ": '" + text +
+                    "' is not a colour; write it as #rrggbb, with two hexadecimal digits each");
+    glm::vec3 color(0.0F);
+    for (int i = 0; i < 3; ++i) {
+        const double coded =
+            std::stoi(text.substr(static_cast<std::size_t>(1 + 2 * i), 2), nullptr, 16) / 255.0;
+        color[i] =
+            static_cast<float>(coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4));
+    }
+    return color;
+}
+
 // As setFromWords(), for text of the form "a=1,2,3,b=4".
 void setFromParts(const std::string& option, std::string text, const NamedSetters& setters) {
     text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
@@ -126,7 +141,24 @@ DirectionalLight lightFromText(const std::string& text, const Scene& scene) {
 }
 
 glm::vec3 colorFromText(const std::string& option, const std::string& text) {
-    const glm::vec3 color(threeFromText(option, text));
+    static const std::pair<const char*, glm::vec3> names[] = {{"black", glm::vec3(0.0F)},
+                                                              {"grey", glm::vec3(0.2F)},
+                                                              {"white", glm::vec3(1.0F)},
+                                                              {"blue", plainSky(defaultLight())}};
+    for (const auto& [name, radiance] : names)
+        if (text == name) return radiance;
+    if (text.rfind('#', 0) == 0) return fromSrgb(option, text);
+    char* end = nullptr;
+    std::strtod(text.c_str(), &end);
+    if (end == text.c_str()) {
+        std::string list;
+        for (const auto& [name, radiance] : names)
+            list += std::string(list.empty() ? "" : ", ") + name;
+        throw Error(option + ": '" + text +
+                    "' is no radiance; write it as R,G,B, as one number, as #rrggbb, or as " + list);
+    }
+    const glm::vec3 color(*end == '\0' ? glm::dvec3(numberFromText(option, text))
+                                       : threeFromText(option, text));
     if (glm::min(color.r, glm::min(color.g, color.b)) < 0.0F)
         throw Error(option + " " + text + ": radiance must not be negative");
     return color;

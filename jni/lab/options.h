@@ -34,7 +34,7 @@ Camera cameraFromText(const std::string& text, const Scene& scene, double aspect
 // `direction` is the one in which the light travels, the -Z of a glTF light.
 DirectionalLight lightFromText(const std::string& text, const Scene& scene);
 
-// Parses "R,G,B" as linear RGB.
+// Parses a radiance: "R,G,B" in linear RGB, one number for grey, "#rrggbb" in sRGB, or one of a few names.
 glm::vec3 colorFromText(const std::string& option, const std::string& text);
 
 }  // namespace vct

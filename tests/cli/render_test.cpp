@@ -1,8 +1,12 @@
 // The messages and files of `vct render`.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "cli/program_run.h"
+#include "image/image.h"
 #include "support/errors.h"
+#include "support/gltf_builder.h"
 
 namespace vct::test {
 namespace {
@@ -47,6 +51,46 @@ TEST(Render, WarnsOnceOfAnExposureThatIsTooHighAndGivesOneThatIsNot) {
     ASSERT_NE(advice, std::string::npos) << program.err;
     program.expectSuccess(sun + " " + program.err.substr(advice, program.err.find(" (", advice) - advice));
     EXPECT_EQ(program.err.find("warning: "), std::string::npos) << program.err;
+}
+
+TEST(Render, ASceneAloneIsRenderedIntoAFolderOfItsName) {
+    ProgramRun program;
+    std::filesystem::copy_file(ProgramRun::cornell, program.folder.file("my box.glb"));
+    const std::string tiny = " --mode phong --size 16x16 --grid 64 --samples 1";
+    program.expectSuccess("'my box.glb'" + tiny);
+    EXPECT_EQ(program.folder.list("out/my box"), (std::vector<std::string>{"phong.exr", "phong.png"}));
+    expectMentions(program.err, {"wrote out/my box/phong.exr, out/my box/phong.png"});
+    const std::string byName = readBytes(program.folder.file("out/my box/phong.png"));
+    program.expectSuccess("'my box.glb'" + tiny + " --out deep/picture.png");
+    EXPECT_EQ(program.folder.list("deep"), std::vector<std::string>{"picture.png"});
+    EXPECT_EQ(readBytes(program.folder.file("deep/picture.png")), byName);
+    program.expectSuccess(tiny.substr(1) + " 'my box.glb' --out picture.exr");
+    EXPECT_EQ(readBytes(program.folder.file("picture.exr")),
+              readBytes(program.folder.file("out/my box/phong.exr")));
+}
+
+TEST(Render, APictureHasTheShapeOfItsCamera) {
+    ProgramRun program;
+    GltfBuilder scene;
+    scene.triangle();
+    for (const double aspect : {16.0 / 9.0, 0.0001}) {
+        scene.node(
+            {{"translation", {0, 0, 3}},
+             {"camera", scene.add("cameras", {{"type", "perspective"},
+                                              {"perspective",
+                                               {{"yfov", 0.7}, {"znear", 0.1}, {"aspectRatio", aspect}}}})}});
+    }
+    writeBytes(program.folder.file("a.glb"), scene.glb());
+    const auto sizeOf = [&](const std::string& options) {
+        program.expectSuccess("a.glb --out a.exr --mode phong --grid 64 --samples 1 " + options);
+        const Image image = readImage(program.folder.file("a.exr"));
+        return glm::ivec2(image.width, image.height);
+    };
+    EXPECT_EQ(sizeOf(""), glm::ivec2(534, 300));
+    EXPECT_EQ(program.err.find("times as wide as high"), std::string::npos) << program.err;
+    EXPECT_EQ(sizeOf("--camera 1"), glm::ivec2(142, 1132)) << "at most eight times as high as wide";
+    EXPECT_EQ(sizeOf("--camera eye=0,0,3"), glm::ivec2(400, 400));
+    EXPECT_EQ(sizeOf("--size 64x64"), glm::ivec2(64, 64));
 }
 
 // A sun of real lux gives no white picture, and no sequence flickers.

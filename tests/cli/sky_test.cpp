@@ -5,6 +5,7 @@
 #include "core/files.h"
 #include "image/compare.h"
 #include "image/image.h"
+#include "lab/options.h"
 #include "support/errors.h"
 #include "support/gltf_builder.h"
 #include "support/pictures.h"
@@ -161,6 +162,19 @@ TEST(SkyOption, ASunWithoutASkyGetsAPlainOneAndSaysSo) {
     // In the middle of the triangle, which sees the sun and half of the sky: albedo times (E / pi + L).
     EXPECT_NEAR(byDefault.at(16, 16).b, 0.5F * (2.0F + 0.7F), 0.05F);
     EXPECT_NEAR(rendered(program, scene, "--sky 0,0,0").at(16, 16).b, 0.5F * 2.0F, 0.02F);
+}
+
+TEST(SkyOption, ARadianceHasSeveralForms) {
+    EXPECT_EQ(colorFromText("--sky", "0.1, 2,3"), glm::vec3(0.1F, 2.0F, 3.0F));
+    EXPECT_EQ(colorFromText("--sky", "0.5"), glm::vec3(0.5F));
+    EXPECT_EQ(colorFromText("--sky", "white"), glm::vec3(1.0F));
+    EXPECT_EQ(colorFromText("--sky", "black"), glm::vec3(0.0F));
+    const glm::vec3 coded = colorFromText("--sky", "#ff80bC");  // by the formula of IEC 61966-2-1
+    EXPECT_NEAR(coded.r, 1.0F, 1e-6F);
+    EXPECT_NEAR(coded.g, 0.2158605F, 1e-6F);
+    EXPECT_NEAR(coded.b, 0.5028865F, 1e-6F);
+    for (const char* bad : {"1,2", "1,2,x", "-1", "#ff80b", "#ff80bg", "sunset", ""})
+        expectMentions(errorOf([&] { colorFromText("--sky", bad); }), {"--sky"});
 }
 
 TEST(SkyOption, ALightOfAnOptionDoesNotTakeTheSkyAway) {

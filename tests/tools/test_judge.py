@@ -173,6 +173,7 @@ def test_options_are_checked_before_path_tracing(usual, room, tmp_path):
     occupied.write_text("mine")
     before = contents(usual[0])
     for options, words in ((("--grid", "100"), "--grid: 100 not in"), (("--sky", "1,2"), "--sky: '1,2' is not three numbers"),
+                           (("--sky", "white"), "--sky white: the path tracer takes radiance as R,G,B"),
                            (("--camera", "eye=0"), "--camera"), (("--emission", "nan"), "--emission"),
                            (("--light", "colour=1,1,1"), "--light: unknown"), (("--out", occupied), f"the folder {occupied}")):
         said = fails(room, usual[0], *options)

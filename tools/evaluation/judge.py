@@ -36,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--camera", help="eye=X,Y,Z,target=X,Y,Z,fov=DEG, or one of the scene's, by name or number")
     parser.add_argument("--light", help="direction=X,Y,Z,color=R,G,B,intensity=LUX instead of the scene's sun")
     sky = parser.add_mutually_exclusive_group()
-    sky.add_argument("--sky", help="radiance R,G,B from everywhere outside the scene")
+    sky.add_argument("--sky", help="radiance R,G,B from everywhere outside the scene, or one number")
     sky.add_argument("--environment", type=Path, help="a picture of the sky, .hdr or .exr")
     parser.add_argument("--emission", type=float, default=1.0, help="scales what all surfaces emit; 0 switches it off")
 
@@ -74,6 +74,8 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
         said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "{}x{}".format(*asked.size),
                               "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
                               "--emission", asked.emission, *given)
+    if asked.sky and re.search("[#a-df-z]", asked.sky):
+        raise Failed(f"--sky {asked.sky}: the path tracer takes radiance as R,G,B or one number; write it so")
     chosen = re.search(r"as with (?:--light (\S+) )?--sky ([^\s;]+)", said)
     room_light = re.search(r"adds a point light of (\S+) cd at (\S+)\. ", said)
     asked.room_light = room_light and room_light.groups()

@@ -12,7 +12,8 @@ from .scene import PunctualLight, Scene, Sun, unit
 
 
 def numbers(text: str) -> np.ndarray:
-    return np.array([float(x) for x in text.split(",")])
+    """Three numbers with commas, or one for all three."""
+    return np.broadcast_to([float(x) for x in text.split(",")], 3)
 
 
 def seen_by(scene: Scene, view: dict) -> Scene:
