@@ -10,9 +10,9 @@ namespace {
 
 // Words of other programs, and names of options here.
 constexpr std::pair<const char*, const char*> synonyms[] = {
-    {"resolution", "size"}, {"width", "size"},         {"height", "size"},      {"spp", "samples"},
-    {"hdri", "environment"}, {"hdr", "environment"},   {"sun", "light"},        {"fov", "camera"},
-    {"quality", "preset"},   {"duration", "frames"},   {"output-dir", "out"},   {"file", "out"},
+    {"resolution", "size"},  {"width", "size"},          {"height", "size"},    {"spp", "samples"},
+    {"hdri", "environment"}, {"hdr", "environment"},     {"sun", "light"},      {"fov", "camera"},
+    {"quality", "preset"},   {"duration", "frames"},     {"output-dir", "out"}, {"file", "out"},
     {"gpu", "device"},       {"brightness", "exposure"}, {"voxels", "grid"},
 };
 constexpr std::size_t maxGuesses = 3;
@@ -31,8 +31,8 @@ std::size_t distanceBetween(const std::string& a, const std::string& b) {
     for (std::size_t i = 1; i <= a.size(); ++i) {
         current[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            current[j] = std::min({previous[j] + 1, current[j - 1] + 1,
-                                   previous[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+            current[j] = std::min(
+                {previous[j] + 1, current[j - 1] + 1, previous[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 current[j] = std::min(current[j], before[j - 2] + 1);
         }

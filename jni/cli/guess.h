@@ -6,8 +6,9 @@
 
 namespace vct::cli {
 
-// Returns those of `names` that `given` probably means: a name that begins with it or that it begins with, a name
-// of the same meaning, or one that differs by few letters. Empty if there is none, or if there are too many.
+// Returns those of `names` that `given` probably means: a name that begins with it or that it begins with, a
+// name of the same meaning, or one that differs by few letters. Empty if there is none, or if there are too
+// many.
 std::vector<std::string> guesses(const std::string& given, const std::vector<std::string>& names);
 
 // " (do you mean A or B?)", or "" for no guesses.

@@ -153,11 +153,13 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
             file.fail("it has more triangles or instances than this program can draw", "simplify the scene");
     };
     for (const PlacedNode& placed : nodes) {
+        if (!placed.isVisible) continue;
         addLight(file, placed, scene);
         if (placed.node->mesh == -1) continue;
         std::size_t first = scene.instances.size();
         const std::vector<int> parts = meshes.add(placed);
         count(first);
+        if (parts.empty()) continue;  // without triangles, or with a skin, whose joints place it
         for (const Placement& place : placementsOf(file, placed, scene.animation)) {
             if (place.moving < 0 && isFlattened(place.worldFromObject)) {
                 file.warn("nodes scaled to zero are left out");
@@ -169,6 +171,11 @@ Scene buildScene(GltfFile& file, const std::string& animation) {
             count(first);
         }
     }
+    if (scene.instances.empty() && !file.missingExtensions.empty())
+        file.fail(
+            "its scene has no triangles without the extensions that it requires and vct does not know: " +
+                file.missingExtensions,
+            "export it with a mesh");
     if (scene.instances.empty()) file.fail("its scene has no triangles", "export it with a mesh");
     keepSomethingVisible(file, scene);
     computeBounds(scene);

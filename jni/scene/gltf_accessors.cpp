@@ -74,7 +74,8 @@ float loadFloat(const unsigned char* bytes, int type, bool normalized) {
 }
 
 void applySparse(GltfFile& file, const tinygltf::Accessor& accessor, std::size_t elementSize,
-                 std::vector<unsigned char>& elements, const std::string& name) {
+                 const std::vector<std::uint32_t>* chosen, std::vector<unsigned char>& elements,
+                 const std::string& name) {
     const auto& sparse = accessor.sparse;
     const int indexType = sparse.indices.componentType;
     if (!isUnsignedInteger(indexType))
@@ -92,13 +93,20 @@ void applySparse(GltfFile& file, const tinygltf::Accessor& accessor, std::size_t
         if (target >= accessor.count)
             file.fail("the sparse part of " + name + " writes element " + std::to_string(target) + " of " +
                       std::to_string(accessor.count));
-        std::memcpy(&elements[target * elementSize], values + i * elementSize, elementSize);
+        std::size_t place = target;
+        if (chosen != nullptr) {
+            const auto found = std::lower_bound(chosen->begin(), chosen->end(), target);
+            if (found == chosen->end() || *found != target) continue;
+            place = static_cast<std::size_t>(found - chosen->begin());
+        }
+        std::memcpy(&elements[place * elementSize], values + i * elementSize, elementSize);
     }
 }
 
-// Copies the elements of an accessor without gaps.
+// Copies the elements of an accessor without gaps, or only the chosen ones.
 std::vector<unsigned char> packedElements(GltfFile& file, int index, std::size_t elementSize,
-                                          const std::string& name) {
+                                          const std::string& name,
+                                          const std::vector<std::uint32_t>* chosen = nullptr) {
     const tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
     const unsigned char* first = nullptr;  // null without a buffer view: zeros, usually with sparse values
     std::size_t stride = elementSize;
@@ -122,11 +130,13 @@ std::vector<unsigned char> packedElements(GltfFile& file, int index, std::size_t
         file.fail(name + " has no data in a buffer, and the file requires unsupported extensions: " +
                       file.missingExtensions,
                   "export it without them");
-    file.reserveGeometry(accessor.count, elementSize);
-    std::vector<unsigned char> elements(accessor.count * elementSize);
-    for (std::size_t i = 0; first != nullptr && i < accessor.count; ++i)
-        std::memcpy(&elements[i * elementSize], first + i * stride, elementSize);
-    if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, elements, name);
+    const std::size_t count = chosen != nullptr ? chosen->size() : accessor.count;
+    file.reserveGeometry(count, elementSize);
+    std::vector<unsigned char> elements(count * elementSize);
+    for (std::size_t i = 0; first != nullptr && i < count; ++i)
+        std::memcpy(&elements[i * elementSize], first + (chosen != nullptr ? (*chosen)[i] : i) * stride,
+                    elementSize);
+    if (accessor.sparse.isSparse) applySparse(file, accessor, elementSize, chosen, elements, name);
     return elements;
 }
 
@@ -152,7 +162,7 @@ ByteRange viewBytes(GltfFile& file, int bufferView) {
 }
 
 std::vector<float> readFloats(GltfFile& file, int index, int width, Components components,
-                              const std::string& attribute) {
+                              const std::string& attribute, const std::vector<std::uint32_t>* chosen) {
     const tinygltf::Accessor& accessor = file.at(file.model.accessors, index, "accessor");
     const std::string name = named(index) + " (" + attribute + ")";
     constexpr int types[] = {TINYGLTF_TYPE_SCALAR, TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3,
@@ -175,12 +185,37 @@ std::vector<float> readFloats(GltfFile& file, int index, int width, Components c
         file.fail(name + " has component type " + std::to_string(type) + ", which is not allowed there");
 
     const auto scalars = static_cast<std::size_t>(width);
-    const std::vector<unsigned char> bytes = packedElements(file, index, scalars * componentSize, name);
-    file.reserveGeometry(accessor.count, scalars * sizeof(float));
-    std::vector<float> values(accessor.count * scalars);
+    const std::vector<unsigned char> bytes =
+        packedElements(file, index, scalars * componentSize, name, chosen);
+    const std::size_t count = chosen != nullptr ? chosen->size() : accessor.count;
+    file.reserveGeometry(count, scalars * sizeof(float));
+    std::vector<float> values(count * scalars);
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = loadFloat(&bytes[i * componentSize], type, accessor.normalized);
     return values;
+}
+
+VertexChoice chooseVertices(std::size_t declared, std::vector<std::uint32_t>& indices) {
+    VertexChoice vertices{declared, {}};
+    if (indices.empty() || indices.size() >= declared) return vertices;
+    std::vector<std::uint32_t> used = indices;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (used.size() > declared / 2) return vertices;
+    for (std::uint32_t& index : indices)
+        index = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), index) - used.begin());
+    vertices.chosen = std::move(used);
+    return vertices;
+}
+
+std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Components components,
+                                    const std::string& attribute, const VertexChoice& vertices) {
+    const std::size_t count = file.at(file.model.accessors, accessor, "accessor").count;
+    if (count != vertices.declared)
+        file.fail(attribute + " has " + std::to_string(count) + " elements for " +
+                  std::to_string(vertices.declared) + " vertices");
+    return readFloats(file, accessor, width, components, attribute,
+                      vertices.chosen.empty() ? nullptr : &vertices.chosen);
 }
 
 std::vector<std::uint32_t> readIndices(GltfFile& file, int index, std::size_t vertexCount) {

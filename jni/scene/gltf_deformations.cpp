@@ -8,15 +8,6 @@
 namespace vct {
 namespace {
 
-std::vector<float> readPerVertex(GltfFile& file, int accessor, int width, Components components,
-                                 const std::string& name, std::size_t vertexCount) {
-    std::vector<float> values = readFloats(file, accessor, width, components, name);
-    if (values.size() != vertexCount * static_cast<std::size_t>(width))
-        file.fail(name + " has " + std::to_string(values.size() / static_cast<std::size_t>(width)) +
-                  " elements for " + std::to_string(vertexCount) + " vertices");
-    return values;
-}
-
 // Scales the weights to a sum of 1, which exporters meet only up to rounding. A vertex without weights
 // follows its first joint.
 void normalize(Influences& influences) {
@@ -32,16 +23,17 @@ void normalize(Influences& influences) {
 }
 
 std::vector<Influences> loadInfluences(GltfFile& file, const tinygltf::Primitive& primitive,
-                                       std::size_t vertexCount) {
+                                       const VertexChoice& vertices) {
     const auto joints = primitive.attributes.find("JOINTS_0");
     const auto weights = primitive.attributes.find("WEIGHTS_0");
     if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) return {};
     if (primitive.attributes.count("JOINTS_1") != 0)
         file.warn("vertices follow more than four joints; only the first four are used");
     const std::vector<float> indices =
-        readPerVertex(file, joints->second, 4, Components::anySmallInteger, "JOINTS_0", vertexCount);
-    const std::vector<float> shares = readPerVertex(
-        file, weights->second, 4, Components::floatOrNormalizedUnsigned, "WEIGHTS_0", vertexCount);
+        readVertexFloats(file, joints->second, 4, Components::anySmallInteger, "JOINTS_0", vertices);
+    const std::vector<float> shares = readVertexFloats(
+        file, weights->second, 4, Components::floatOrNormalizedUnsigned, "WEIGHTS_0", vertices);
+    const std::size_t vertexCount = vertices.count();
     file.reserveGeometry(vertexCount, sizeof(Influences));
     std::vector<Influences> influences(vertexCount);
     for (std::size_t vertex = 0; vertex < vertexCount; ++vertex) {
@@ -67,15 +59,14 @@ bool isUsable(const glm::dmat4& matrix) {
 
 // Returns one displacement per vertex, or none if the target has no such attribute.
 std::vector<glm::vec3> loadDisplacements(GltfFile& file, const std::map<std::string, int>& target,
-                                         const char* attribute, std::size_t vertexCount) {
+                                         const char* attribute, const VertexChoice& vertices) {
     const auto found = target.find(attribute);
     if (found == target.end()) return {};
     const Components components = file.isQuantized ? Components::anySmallInteger : Components::floatOnly;
-    const std::vector<float> values =
-        readPerVertex(file, found->second, 3, components,
-                      std::string("the ") + attribute + " of a morph target", vertexCount);
-    file.reserveGeometry(vertexCount, sizeof(glm::vec3));
-    std::vector<glm::vec3> displacements(vertexCount);
+    const std::vector<float> values = readVertexFloats(
+        file, found->second, 3, components, std::string("the ") + attribute + " of a morph target", vertices);
+    file.reserveGeometry(vertices.count(), sizeof(glm::vec3));
+    std::vector<glm::vec3> displacements(vertices.count());
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool usable = std::abs(values[i]) <= 1e30F;  // false for NaN
         if (!usable) file.warn("displacements of morph targets that are not usable numbers are taken as 0");
@@ -87,15 +78,15 @@ std::vector<glm::vec3> loadDisplacements(GltfFile& file, const std::map<std::str
 }  // namespace
 
 std::shared_ptr<Deformation> loadDeformation(GltfFile& file, const tinygltf::Primitive& primitive,
-                                             std::size_t vertexCount) {
+                                             const VertexChoice& vertices) {
     auto deformation = std::make_shared<Deformation>();
-    deformation->influences = loadInfluences(file, primitive, vertexCount);
+    deformation->influences = loadInfluences(file, primitive, vertices);
     for (const std::map<std::string, int>& target : primitive.targets) {
-        MorphTarget loaded{loadDisplacements(file, target, "POSITION", vertexCount),
-                           loadDisplacements(file, target, "NORMAL", vertexCount)};
+        MorphTarget loaded{loadDisplacements(file, target, "POSITION", vertices),
+                           loadDisplacements(file, target, "NORMAL", vertices)};
         if (loaded.positions.empty()) {
-            file.reserveGeometry(vertexCount, sizeof(glm::vec3));
-            loaded.positions.resize(vertexCount);
+            file.reserveGeometry(vertices.count(), sizeof(glm::vec3));
+            loaded.positions.resize(vertices.count());
         }
         deformation->targets.push_back(std::move(loaded));
     }

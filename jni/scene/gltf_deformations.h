@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "scene/gltf_accessors.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_nodes.h"
 
@@ -11,7 +12,7 @@ namespace vct {
 // Loads the influences and targets of a primitive. Returns null if it has neither. DeformedMeshes adds
 // positions, normals and joints.
 std::shared_ptr<Deformation> loadDeformation(GltfFile& file, const tinygltf::Primitive& primitive,
-                                             std::size_t vertexCount);
+                                             const VertexChoice& vertices);
 
 // Makes meshes that nodes deform.
 class DeformedMeshes {

@@ -13,10 +13,11 @@ namespace {
 using nlohmann::json;
 
 const char* const supportedExtensions[] = {
-    "KHR_lights_punctual",     "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression", "KHR_meshopt_compression", "EXT_texture_webp",
-    "KHR_texture_basisu",      "KHR_texture_transform",   "KHR_materials_emissive_strength",
-    "KHR_mesh_quantization",   "KHR_materials_unlit",     "KHR_materials_pbrSpecularGlossiness"};
+    "KHR_lights_punctual",        "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",    "KHR_meshopt_compression", "EXT_texture_webp",
+    "KHR_texture_basisu",         "KHR_texture_transform",   "KHR_materials_emissive_strength",
+    "KHR_mesh_quantization",      "KHR_materials_unlit",     "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_transmission", "KHR_node_visibility"};
 
 }  // namespace
 

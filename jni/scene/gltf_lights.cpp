@@ -9,12 +9,22 @@ namespace {
 
 constexpr double quarterTurn = 1.5707963267948966;
 
-PunctualLight::Type typeOf(const GltfFile& file, const tinygltf::Light& source, const std::string& name) {
-    if (source.type == "directional") return PunctualLight::Type::directional;
-    if (source.type == "point") return PunctualLight::Type::point;
-    if (source.type == "spot") return PunctualLight::Type::spot;
-    file.fail(name + " has the unknown type '" + oneLine(source.type) +
-              "'; the types are directional, point and spot");
+std::optional<PunctualLight::Type> typeOf(const std::string& name) {
+    if (name == "directional") return PunctualLight::Type::directional;
+    if (name == "point") return PunctualLight::Type::point;
+    if (name == "spot") return PunctualLight::Type::spot;
+    return std::nullopt;
+}
+
+void setCone(GltfFile& file, const tinygltf::SpotLight& source, const std::string& name,
+             PunctualLight& light) {
+    light.innerConeRad = source.innerConeAngle;
+    light.outerConeRad = source.outerConeAngle;
+    if (!(light.innerConeRad >= 0.0 && light.outerConeRad > 0.0 && light.outerConeRad <= quarterTurn + 1e-6))
+        file.fail(name + " has angles of its spot that are not 0 <= inner < outer <= 90 degrees");
+    if (light.innerConeRad < light.outerConeRad) return;
+    file.warn(name + " has an inner angle of its spot that is not below the outer one, so its edge is hard");
+    light.innerConeRad = light.outerConeRad;
 }
 
 // Sets colour and intensity so that the largest component of the colour is 1.
@@ -45,9 +55,15 @@ void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
     const tinygltf::Light& source = file.at(file.model.lights, index, "light");
     const std::string name = "light " + indexAndName(static_cast<std::size_t>(index), source.name);
 
+    const std::optional<PunctualLight::Type> type = typeOf(source.type);
+    if (!type) {
+        file.warn(name + " has the unknown type '" + oneLine(source.type) +
+                  "' and is left out; the types are directional, point and spot");
+        return;
+    }
     PunctualLight light;
     light.name = source.name.empty() ? placed.node->name : source.name;
-    light.type = typeOf(file, source, name);
+    light.type = *type;
     light.node = placed.moving;
     setStrength(file, source, name, light);
     const std::optional<glm::dmat4> axes = withoutScale(placed.worldFromNode);
@@ -67,13 +83,7 @@ void addLight(GltfFile& file, const PlacedNode& placed, Scene& scene) {
         if (!(source.range > 0.0)) file.fail(name + " has a range that is not above 0");
         light.range = source.range;
     }
-    if (light.type == PunctualLight::Type::spot) {
-        light.innerConeRad = source.spot.innerConeAngle;
-        light.outerConeRad = source.spot.outerConeAngle;
-        if (!(light.innerConeRad >= 0.0 && light.innerConeRad < light.outerConeRad &&
-              light.outerConeRad <= quarterTurn + 1e-6))
-            file.fail(name + " has cone angles that are not 0 <= inner < outer <= 90 degrees");
-    }
+    if (light.type == PunctualLight::Type::spot) setCone(file, source.spot, name, light);
     if (light.intensity > 0.0F) scene.punctualLights.push_back(std::move(light));
 }
 

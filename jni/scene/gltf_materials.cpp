@@ -98,12 +98,31 @@ MaterialUse MaterialLoader::load(const tinygltf::Material& source) {
     } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
         file_.fail("a material has the unknown alpha mode " + oneLine(source.alphaMode));
     }
+    if (isHole(source)) {
+        material.alphaMode = Material::AlphaMode::mask;
+        material.alphaCutoff = 0.5F;
+        material.baseColor.a = 0.0F;
+    }
     if (source.occlusionTexture.index >= 0)
         file_.warn("occlusion textures are ignored, because occlusion is computed from the geometry");
 
     use.material = static_cast<int>(scene_.materials.size());
     scene_.materials.push_back(std::move(material));
     return use;
+}
+
+// True if most light passes through the surface (KHR_materials_transmission), as through a pane.
+bool MaterialLoader::isHole(const tinygltf::Material& source) {
+    const tinygltf::Value* const extension = extensionOf(source.extensions, "KHR_materials_transmission");
+    if (extension == nullptr) return false;
+    const bool passes = number(*extension, "transmissionFactor", 0.0) >= 0.5;
+    const bool textured = extension->Has("transmissionTexture");
+    if (passes && !textured)
+        file_.warn(
+            "surfaces that transmit half of the light or more are holes: invisible, and open to light");
+    else
+        file_.warn("surfaces that transmit less than half of the light, or by a texture, are opaque");
+    return passes && !textured;
 }
 
 // Loads emission and normal map, which unlit materials do not have.

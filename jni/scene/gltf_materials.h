@@ -68,6 +68,7 @@ class MaterialLoader {
 
   private:
     MaterialUse load(const tinygltf::Material& source);
+    bool isHole(const tinygltf::Material& source);
     void loadEmissionAndNormals(const tinygltf::Material& source, Material& material, MaterialUse& use);
     // Converts KHR_materials_pbrSpecularGlossiness to the most similar metallic-roughness material.
     void loadSpecularGlossiness(const tinygltf::Value& extension, Material& material, MaterialUse& use);

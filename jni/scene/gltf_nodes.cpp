@@ -5,6 +5,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <set>
 
+#include "scene/gltf_extensions.h"
+
 namespace vct {
 namespace {
 
@@ -44,6 +46,13 @@ NodeTransform localTransform(const GltfFile& file, const tinygltf::Node& node) {
     }
     if (!node.scale.empty()) transform.scale = three(node.scale);
     return transform;
+}
+
+bool hidesItself(const tinygltf::Node& node) {
+    const tinygltf::Value* const visibility = extensionOf(node.extensions, "KHR_node_visibility");
+    if (visibility == nullptr || !visibility->IsObject() || !visibility->Has("visible")) return false;
+    const tinygltf::Value& visible = visibility->Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
 }
 
 // Returns the root nodes of the default scene, or all nodes without a parent if the file has no scenes.
@@ -106,6 +115,9 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         checkFinite(file, worldFromNode, node);
         const int self = static_cast<int>(placed.size());
         placed.push_back({&node, worldFromNode, transform, next.parent});
+        placed.back().isVisible =
+            !hidesItself(node) &&
+            (next.parent < 0 || placed[static_cast<std::size_t>(next.parent)].isVisible);
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
             pending.push_back({*child, next.depth + 1, self});
     }

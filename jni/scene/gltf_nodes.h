@@ -11,9 +11,10 @@ struct PlacedNode {
     const tinygltf::Node* node = nullptr;
     glm::dmat4 worldFromNode{1.0};
     NodeTransform transform;
-    int parent = -1;  // index of a node before this one; -1: none
-    int moving = -1;  // index into Animation::nodes; -1: it never moves
-    int morph = -1;   // index into Animation::morphWeights; -1: its weights never change
+    int parent = -1;        // index of a node before this one; -1: none
+    int moving = -1;        // index into Animation::nodes; -1: it never moves
+    int morph = -1;         // index into Animation::morphWeights; -1: its weights never change
+    bool isVisible = true;  // KHR_node_visibility hides neither it nor an ancestor
 };
 
 // Throws vct::Error if a node's transformation has elements that are not finite, or above 1e30.

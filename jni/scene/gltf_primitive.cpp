@@ -144,20 +144,9 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     return found == primitive.attributes.end() ? -1 : found->second;
 }
 
-// Reads `width` floats for each of `vertexCount` vertices.
-std::vector<float> readVertexFloats(GltfFile& file, int accessor, int width, Components components,
-                                    const std::string& name, std::size_t vertexCount) {
-    std::vector<float> values = readFloats(file, accessor, width, components, name);
-    const std::size_t count = values.size() / static_cast<std::size_t>(width);
-    if (count != vertexCount)
-        file.fail(name + " has " + std::to_string(count) + " elements for " + std::to_string(vertexCount) +
-                  " vertices");
-    return values;
-}
-
 template <class Holder>
 void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource& source,
-           std::vector<Holder>& holders, glm::vec2 Holder::* member) {
+           const VertexChoice& vertices, std::vector<Holder>& holders, glm::vec2 Holder::* member) {
     const std::string name = "TEXCOORD_" + std::to_string(source.texCoord);
     const int accessor = attribute(primitive, name);
     if (accessor == -1) {
@@ -167,7 +156,7 @@ void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource&
     }
     const Components components =
         file.isQuantized ? Components::anySmallInteger : Components::floatOrNormalizedUnsigned;
-    const std::vector<float> values = readVertexFloats(file, accessor, 2, components, name, holders.size());
+    const std::vector<float> values = readVertexFloats(file, accessor, 2, components, name, vertices);
     for (std::size_t i = 0; i < holders.size(); ++i) {
         const glm::vec2 uv(values[i * 2], values[i * 2 + 1]);
         const bool usable = std::abs(uv.x) <= 1e9F && std::abs(uv.y) <= 1e9F;  // false for NaN
@@ -176,10 +165,10 @@ void setUv(GltfFile& file, const tinygltf::Primitive& primitive, const UvSource&
     }
 }
 
-void setColors(GltfFile& file, Mesh& mesh, int accessor) {
+void setColors(GltfFile& file, Mesh& mesh, int accessor, const VertexChoice& vertices) {
     const int width = file.at(file.model.accessors, accessor, "accessor").type == TINYGLTF_TYPE_VEC3 ? 3 : 4;
-    const std::vector<float> values = readVertexFloats(
-        file, accessor, width, Components::floatOrNormalizedUnsigned, "COLOR_0", mesh.extras.size());
+    const std::vector<float> values =
+        readVertexFloats(file, accessor, width, Components::floatOrNormalizedUnsigned, "COLOR_0", vertices);
     for (std::size_t i = 0; i < mesh.extras.size(); ++i)
         for (int c = 0; c < width; ++c) {
             const float value = values[i * static_cast<std::size_t>(width) + static_cast<std::size_t>(c)];
@@ -206,20 +195,23 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
         file.warn("a mesh without positions is left out");
         return std::nullopt;
     }
-    const Components components = file.isQuantized ? Components::anySmallInteger : Components::floatOnly;
-    const std::vector<float> positions = readFloats(file, positionAccessor, 3, components, "POSITION");
-    const std::size_t vertexCount = positions.size() / 3;
-    if (vertexCount > std::numeric_limits<std::uint32_t>::max())
-        file.fail("a mesh has more than 2^32 vertices");
+    VertexChoice vertices{file.at(file.model.accessors, positionAccessor, "accessor").count, {}};
+    if (vertices.declared > std::numeric_limits<std::uint32_t>::max())
+        file.fail("accessor " + std::to_string(positionAccessor) + " (POSITION) has more than 2^32 elements");
 
     Indices corners;
     if (primitive.indices != -1) {
-        corners = readIndices(file, primitive.indices, vertexCount);
+        corners = readIndices(file, primitive.indices, vertices.declared);
+        vertices = chooseVertices(vertices.declared, corners);
     } else {
-        file.reserveGeometry(vertexCount, sizeof(std::uint32_t));
-        corners.resize(vertexCount);
+        file.reserveGeometry(vertices.declared, sizeof(std::uint32_t));
+        corners.resize(vertices.declared);
         std::iota(corners.begin(), corners.end(), 0U);
     }
+    const std::size_t vertexCount = vertices.count();
+    const Components components = file.isQuantized ? Components::anySmallInteger : Components::floatOnly;
+    const std::vector<float> positions =
+        readVertexFloats(file, positionAccessor, 3, components, "POSITION", vertices);
 
     Mesh mesh;
     mesh.name = meshName.empty() ? label : meshName;
@@ -238,22 +230,22 @@ std::optional<Mesh> loadPrimitive(GltfFile& file, const tinygltf::Primitive& pri
     for (const std::uint32_t index : mesh.indices)
         mesh.vertices[index].position = glm::vec3(position(positions, index) - mesh.centre);
 
-    setUv(file, primitive, material.baseColor, mesh.vertices, &Vertex::uv);
-    setUv(file, primitive, material.emissive, mesh.vertices, &Vertex::emissiveUv);
+    setUv(file, primitive, material.baseColor, vertices, mesh.vertices, &Vertex::uv);
+    setUv(file, primitive, material.emissive, vertices, mesh.vertices, &Vertex::emissiveUv);
     if (colorAccessor != -1 || material.gloss.hasTexture || material.normal.hasTexture) {
         file.reserveGeometry(vertexCount, sizeof(VertexExtras));
         mesh.extras.resize(vertexCount);
-        setUv(file, primitive, material.gloss, mesh.extras, &VertexExtras::glossUv);
-        setUv(file, primitive, material.normal, mesh.extras, &VertexExtras::normalUv);
-        if (colorAccessor != -1) setColors(file, mesh, colorAccessor);
+        setUv(file, primitive, material.gloss, vertices, mesh.extras, &VertexExtras::glossUv);
+        setUv(file, primitive, material.normal, vertices, mesh.extras, &VertexExtras::normalUv);
+        if (colorAccessor != -1) setColors(file, mesh, colorAccessor, vertices);
     }
 
-    const std::shared_ptr<Deformation> deformation = loadDeformation(file, primitive, vertexCount);
+    const std::shared_ptr<Deformation> deformation = loadDeformation(file, primitive, vertices);
     const int normalAccessor = attribute(primitive, "NORMAL");
     if (normalAccessor == -1) {
         makeFlat(file, mesh, deformation.get());
     } else {
-        setNormals(file, mesh, readVertexFloats(file, normalAccessor, 3, components, "NORMAL", vertexCount));
+        setNormals(file, mesh, readVertexFloats(file, normalAccessor, 3, components, "NORMAL", vertices));
     }
     mesh.deformation = deformation;
     return mesh;

@@ -122,6 +122,17 @@ TEST(Deformations, TheMatrixOfAJointThatNoVertexFollowsIsIgnored) {
     expectMentions(loadError(withGarbage(1)), {"skin 0", "inverse bind matrix", "joint 1", "usable numbers"});
 }
 
+// The joints place it.
+TEST(Deformations, ASkinnedNodeScaledToZeroIsDrawnWithoutAWarning) {
+    GltfBuilder builder = twoThatDeform();
+    const Scene plain = load(builder);
+    for (json& node : builder.document["nodes"])
+        if (node.contains("skin")) node["scale"] = {0, 0, 0};
+    const Scene scene = load(builder);
+    EXPECT_EQ(triangleSoup(deformingMesh(scene, 0)), triangleSoup(deformingMesh(plain, 0)));
+    EXPECT_EQ(scene.warnings, plain.warnings);
+}
+
 TEST(Deformations, DamagedOnesAreNamed) {
     const auto changed = [](auto&& change) {
         GltfBuilder builder = twoThatDeform();

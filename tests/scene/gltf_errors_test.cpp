@@ -74,7 +74,7 @@ const Damage damages[] = {
     {"/accessors/0/bufferView", "99", "buffer view 99"},
     {"/accessors/0/byteOffset", "18446744073709551615", "accessor 0"},
     {"/accessors/0/count", "18446744073709551615", "accessor 0"},
-    {"/accessors/0", R"({"componentType": 5126, "count": 1099511627776, "type": "VEC3"})", "MiB"},
+    {"/accessors/0", R"({"componentType": 5126, "count": 1099511627776, "type": "VEC3"})", "2^32 elements"},
     {"/bufferViews/0/byteStride", "16", "accessor 0"},
     {"/bufferViews/0/byteStride", "4", "stride"},
     {"/accessors/0/componentType", "5125", "component type"},

@@ -43,6 +43,59 @@ TEST(LargeFiles, TimeGrowsWithTheNodesAndNotWithTheirSquare) {
     EXPECT_LT(many, 20.0 * few) << few << " s for 25000 nodes, " << many << " s for 200000";
 }
 
+// Triangles in a row along X. Each is a primitive with indices of its own, and all share one list of
+// vertices, the first element of which lies elsewhere by a sparse value.
+Bytes manyPrimitivesOfSharedVertices(int count) {
+    GltfBuilder builder;
+    std::vector<float> positions, colors;
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i < count; ++i) {
+        const auto x = static_cast<float>(i);
+        positions.insert(positions.end(), {x, 0, 0, x + 0.5F, 0, 0, x, 1, 0});
+        for (int corner = 0; corner < 3; ++corner) {
+            colors.insert(colors.end(), {static_cast<float>(i % 7) / 8.0F, 0, 1});
+            indices.push_back(static_cast<std::uint32_t>(3 * i + corner));
+        }
+    }
+    const int position = builder.floats(positions), color = builder.floats(colors);
+    const std::vector<std::uint32_t> moved{3};
+    const std::vector<float> place{1, -5, 0};
+    builder.document["accessors"][0]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", builder.view(moved.data(), 4)}, {"componentType", uint32}}},
+        {"values", {{"bufferView", builder.view(place.data(), 12)}}}};
+    const int view = builder.view(indices.data(), 4 * indices.size());
+    json primitives = json::array();
+    for (int i = 0; i < count; ++i) {
+        const int own = builder.accessorOf(view, 3, uint32, "SCALAR");
+        builder.document["accessors"][static_cast<std::size_t>(own)]["byteOffset"] = 12 * i;
+        primitives.push_back(
+            {{"attributes", {{"POSITION", position}, {"COLOR_0", color}}}, {"indices", own}});
+    }
+    builder.node({{"mesh", builder.add("meshes", {{"primitives", primitives}})}});
+    return builder.glb();
+}
+
+TEST(LargeFiles, PrimitivesThatShareVerticesHaveTheirOwnOnly) {
+    const Scene scene = load(manyPrimitivesOfSharedVertices(9));
+    ASSERT_EQ(scene.meshes.size(), 9U);
+    for (std::size_t i = 0; i < 9; ++i) {
+        const Mesh& mesh = scene.meshes[i];
+        ASSERT_EQ(mesh.vertices.size(), 3U);
+        const auto at = [&](std::size_t corner) {
+            return mesh.centre + glm::dvec3(mesh.vertices[mesh.indices[corner]].position);
+        };
+        const auto x = static_cast<double>(i);
+        EXPECT_EQ(at(0), i == 1 ? glm::dvec3(1, -5, 0) : glm::dvec3(x, 0, 0));
+        EXPECT_EQ(at(1), glm::dvec3(x + 0.5, 0, 0));
+        EXPECT_EQ(at(2), glm::dvec3(x, 1, 0));
+        EXPECT_EQ(mesh.extras.at(2).color, glm::vec4(static_cast<float>(i % 7) / 8.0F, 0, 1, 1));
+    }
+    const double few = secondsToLoad(manyPrimitivesOfSharedVertices(1250), 1250);
+    const double many = secondsToLoad(manyPrimitivesOfSharedVertices(10000), 10000);
+    EXPECT_LT(many, 20.0 * few) << few << " s for 1250 primitives, " << many << " s for 10000";
+}
+
 void appendBigEndian(Bytes& bytes, std::size_t value) {
     for (int shift = 24; shift >= 0; shift -= 8)
         bytes.push_back(static_cast<unsigned char>(value >> shift & 0xFF));

@@ -209,6 +209,21 @@ TEST(GltfMaterials, BlendBecomesMaskWithAWarning) {
     EXPECT_TRUE(hasWarning(scene, "blended"));
 }
 
+TEST(GltfMaterials, WhatTransmitsHalfOfTheLightIsAHole) {
+    for (const double factor : {0.49, 0.5}) {
+        GltfBuilder builder =
+            textured({{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", factor}}}}}});
+        builder.triangle();  // a scene of holes alone would be drawn opaque
+        const Scene scene = load(builder);
+        const Material& material = scene.materials.at(0);
+        const bool isHole = factor >= 0.5;
+        EXPECT_EQ(
+            material.alphaMode == Material::AlphaMode::mask && material.baseColor.a < material.alphaCutoff,
+            isHole);
+        EXPECT_TRUE(hasWarning(scene, isHole ? "are holes" : "are opaque"));
+    }
+}
+
 TEST(GltfMaterials, EachTextureTakesTheCoordinatesItAsksFor) {
     GltfBuilder builder = textured({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
                                     {"emissiveTexture", {{"index", 1}, {"texCoord", 1}}}});
@@ -275,6 +290,8 @@ TEST(GltfMaterials, AnExtensionThatIsNotKnownIsAWarningUnlessItHoldsTheGeometry)
     expectMentions(scene.warnings[0], {"requires", "EXT_of_tomorrow"});
     builder.document["accessors"][0].erase("bufferView");
     expectMentions(loadError(builder), {"accessor 0", "no data", "EXT_of_tomorrow"});
+    builder.document["meshes"][0]["primitives"][0]["mode"] = 0;
+    expectMentions(loadError(builder), {"no triangles", "EXT_of_tomorrow"});
 }
 
 }  // namespace

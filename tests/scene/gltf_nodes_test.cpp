@@ -138,21 +138,65 @@ TEST(GltfNodes, LightsPointAlongMinusZAndScaleIsIgnored) {
     EXPECT_EQ(scene.punctualLights[1].intensity, 1.0F);  // the default of the extension, in lux
 }
 
+// A triangle and one light.
+GltfBuilder lightOf(const json& light) {
+    GltfBuilder builder;
+    builder.triangle();
+    builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
+    builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    return builder;
+}
+
 TEST(GltfNodes, UnusableLightsAreNamed) {
     const std::vector<std::pair<json, std::string>> unusable{
-        {{{"type", "area"}}, "type 'area'"},
         {{{"type", "point"}, {"range", -1}}, "range"},
         {{{"type", "point"}, {"intensity", -1}}, "negative intensity"},
-        {{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}, "cone angles"},
-        {{{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}, "cone angles"}};
-    for (const auto& [light, named] : unusable) {
-        GltfBuilder builder;
-        builder.triangle();
-        builder.document["extensionsUsed"] = {"KHR_lights_punctual"};
-        builder.document["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
-        builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-        expectMentions(errorOf([&] { load(builder); }), {"light 0", named});
+        {{{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}, "angles of its spot"},
+        {{{"type", "spot"}, {"spot", {{"innerConeAngle", -1}}}}, "angles of its spot"}};
+    for (const auto& [light, named] : unusable)
+        expectMentions(errorOf([&] { load(lightOf(light)); }), {"light 0", named});
+}
+
+TEST(GltfNodes, ALightOfAnUnknownTypeIsLeftOutWithAWarning) {
+    GltfBuilder builder = lightOf({{"type", "area"}});
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"type", "point"}});
+    builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.punctualLights.size(), 1U);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    expectMentions(scene.warnings[0], {"light 0", "type 'area'", "left out"});
+}
+
+TEST(GltfNodes, ASpotWhoseConesAreEqualHasAHardEdge) {
+    for (const double inner : {0.5, 0.6}) {
+        const Scene scene =
+            load(lightOf({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", 0.5}}}}));
+        EXPECT_EQ(scene.punctualLights.at(0).innerConeRad, 0.5);
+        EXPECT_EQ(scene.punctualLights.at(0).outerConeRad, 0.5);
+        ASSERT_EQ(scene.warnings.size(), 1U);
+        expectMentions(scene.warnings[0], {"light 0", "edge is hard"});
     }
+}
+
+TEST(GltfNodes, AHiddenNodeHidesMeshesAndLightsBelowItButNoCamera) {
+    GltfBuilder builder = lightOf({{"type", "point"}});
+    builder.document["extensionsUsed"].push_back("KHR_node_visibility");
+    const int camera =
+        builder.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+    // The children say that they are visible, and are not.
+    const json visible{{"KHR_node_visibility", {{"visible", true}}}};
+    json light = visible;
+    light["KHR_lights_punctual"] = {{"light", 0}};
+    const int mesh = builder.add("nodes", {{"mesh", 0}, {"extensions", visible}});
+    const int lamp = builder.add("nodes", {{"extensions", light}, {"camera", camera}});
+    builder.node(
+        {{"children", {mesh, lamp}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
+    const Scene scene = load(builder);
+    EXPECT_EQ(scene.instances.size(), 1U);
+    EXPECT_EQ(scene.punctualLights.size(), 1U);
+    EXPECT_EQ(scene.cameras.size(), 1U);
+    EXPECT_TRUE(scene.warnings.empty());
 }
 
 }  // namespace

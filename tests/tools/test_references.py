@@ -172,6 +172,22 @@ def test_holes_let_the_camera_and_the_sun_through(maker):
     assert ao.min() == 1
 
 
+def test_a_pane_that_transmits_and_a_hidden_node_are_not_there(maker):
+    floor(maker, maker.grey(0.25))
+    for name in ("pane", "hidden"):
+        maker.quad((-2, 1, 2), (4, 0, 0), (0, 0, -4), maker.glb.material(name, (1, 1, 1)))
+    maker.glb.json["materials"][-2]["extensions"] = {"KHR_materials_transmission": {"transmissionFactor": 0.9}}
+    hidden = len(maker.glb.json["nodes"]) - 1
+    maker.glb.json["scenes"][0]["nodes"].remove(hidden)
+    parent = maker.glb.node("parent", extensions={"KHR_node_visibility": {"visible": False}})
+    maker.glb.json["nodes"][parent]["children"] = [hidden]
+    look_down(maker)
+    maker.glb.directional_light("sun", DOWN, (1, 1, 1), math.pi)
+    albedo, direct = maker.draw("albedo", "direct")
+    np.testing.assert_allclose(albedo, 0.25, rtol=1e-6)
+    np.testing.assert_allclose(direct, 0.25, rtol=1e-5)
+
+
 def test_textures_are_decoded_wrapped_and_transformed(maker):
     # One row: dark red, white. Scale 2 repeats it twice, offset 0.25 turns the first quarter white.
     texture = maker.glb.texture("t", png([[(128, 0, 0, 255), (255, 255, 255, 255)]]), 10497, nearest=True)

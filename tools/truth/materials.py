@@ -73,7 +73,11 @@ def load_material(material: dict) -> Material:
                                 surface.get("metallicRoughnessTexture"), material.get("normalTexture"))))
     strength = material.get("extensions", {}).get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1.0)
     cutoff = {"MASK": material.get("alphaCutoff", 0.5), "BLEND": 0.5}.get(material.get("alphaMode"), -1.0)
-    return Material(np.clip(surface.get("baseColorFactor", [1, 1, 1, 1]), 0, 1),
+    base_color = np.clip(surface.get("baseColorFactor", [1.0, 1.0, 1.0, 1.0]), 0, 1)
+    transmission = material.get("extensions", {}).get("KHR_materials_transmission", {})
+    if transmission.get("transmissionFactor", 0) >= 0.5 and "transmissionTexture" not in transmission:
+        base_color[3], cutoff = 0, 0.5  # a hole, as for the renderer
+    return Material(base_color,
                     float(np.clip(surface.get("metallicFactor", 1), 0, 1)),
                     float(np.clip(surface.get("roughnessFactor", 1), 0, 1)),
                     np.clip(material.get("emissiveFactor", [0, 0, 0]), 0, 1) * max(strength, 0.0),

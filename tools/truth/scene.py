@@ -110,6 +110,18 @@ def placed_nodes(document: dict) -> list[tuple[int, np.ndarray]]:
     return placed
 
 
+def hidden_nodes(document: dict) -> set[int]:
+    """The indices of nodes that KHR_node_visibility hides, and of all nodes below them."""
+    nodes = document.get("nodes", [])
+    pending = [i for i, node in enumerate(nodes)
+               if not node.get("extensions", {}).get("KHR_node_visibility", {}).get("visible", True)]
+    hidden = set()
+    while pending:
+        hidden.add(index := pending.pop())
+        pending += nodes[index].get("children", [])
+    return hidden
+
+
 def triangle_corners(mode: int, order: np.ndarray) -> np.ndarray:
     """(triangles, 3) vertex indices of a primitive (glTF 3.7.2.1). Points and lines (modes 0 to 3) have none."""
     n = len(order)
@@ -209,6 +221,8 @@ def find_lights(document: dict, placed: list, centre: np.ndarray, side: float,
     and spots, or that `has_other_light`, has a black one."""
     lights, sun, rest = placed_lights(document, placed), None, []
     for light, world in lights:
+        if light["type"] not in ("directional", "point", "spot"):
+            continue
         towards, color = unit(world[:3, 2]), light_color(light)
         if light["type"] == "directional" and sun is None:
             sun = Sun(towards, color)
@@ -256,8 +270,10 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     document = posed(file, seconds)
     materials, worlds = load_materials(document), placed_nodes(document)
     placed = [(document["nodes"][index], world) for index, world in worlds]
+    hidden = hidden_nodes(document)
+    visible = [(document["nodes"][index], world) for index, world in worlds if index not in hidden]
     parts, material_of = [], []
-    for node, world in placed:
+    for node, world in visible:
         if "mesh" not in node:
             continue
         mesh = document["meshes"][node["mesh"]]
@@ -295,5 +311,5 @@ def build(file: GltfFile, size: tuple[int, int], seconds: float | None) -> Scene
     return Scene(file.path, file.sha256, side, centre, positions[keep], normals[keep],
                  {slot: values[keep] for slot, values in uvs.items()}, colors[keep], owner[keep], materials,
                  load_textures(file, materials), Camera(name, axes, eye, (eye - centre) / side, fov),
-                 *find_lights(document, placed, centre, side, lights_itself or sky is not None), sky,
+                 *find_lights(document, visible, centre, side, lights_itself or sky is not None), sky,
                  find_openings(placed, centre, side))
