@@ -7,11 +7,15 @@
 
 Run it in .venv, which scripts/python.sh makes. Results are kept in a folder (--out), in results.json and pictures/. The same
 command measures only what changed since: scene, reference, settings, vct or its shaders. Ctrl-C keeps every finished result.
-Tables go to stdout, progress to stderr. Exit status: 0 done, 1 something failed, 2 wrong command line, 130 stopped.
+Tables go to stdout, progress to stderr. Exit status: 0 done, 1 something failed, 2 wrong command line, 130 stopped by Ctrl-C (128
+and the signal's number).
 """
 import argparse
+import contextlib
 import importlib
+import signal
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import program
@@ -32,6 +36,22 @@ VERBS = {
 }
 
 
+@contextlib.contextmanager
+def stopped_by(*signals: signal.Signals) -> Iterator[None]:
+    """Lets signals end the block as Ctrl-C does, with the programs that it started and its unfinished files."""
+    def stop(number: int, _: object) -> None:
+        raise KeyboardInterrupt(number)
+    before = {number: signal.getsignal(number) for number in signals}
+    for number in signals:
+        if before[number] != signal.SIG_IGN:  # as under nohup
+            signal.signal(number, stop)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
 def main(words: list[str]) -> int:
     raw = argparse.RawDescriptionHelpFormatter
     if not words or words[0] not in VERBS:
@@ -47,14 +67,14 @@ def main(words: list[str]) -> int:
     options = parser.parse_args(words[1:])
     program.vct = options.program.resolve()
     try:
-        with progress.reported():
+        with progress.reported(), stopped_by(signal.SIGTERM, signal.SIGHUP):
             return verb.run(options)
     except (Failed, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as stop:
         print("stopped; the same command continues", file=sys.stderr)
-        return 130
+        return 128 + (stop.args[0] if stop.args else signal.SIGINT)
 
 
 if __name__ == "__main__":

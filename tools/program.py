@@ -2,6 +2,7 @@
 import json
 import os
 import subprocess
+import time
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ from files import ROOT, Failed
 
 NO_SKY = ("--sky", "0,0,0")  # the sun alone, where `vct render` would add a sky
 TIMINGS_VERSION = 4  # of timings.json (docs/timings.md)
+LONGEST_IDLE_S = 600.0
 vct = Path(os.environ.get("VCT_PROGRAM", ROOT / "build/desktop/vct"))  # eval.py --program sets another one
 
 
@@ -20,18 +22,47 @@ def build_sha256() -> str:
     return files.files_sha256(vct.read_bytes(), (ROOT / "shaders").rglob("*"))
 
 
-def run(*arguments: object, timeout_s: float = 600) -> subprocess.CompletedProcess[str]:
-    """Fails where the program cannot be started, takes too long or ends with an error."""
+def run(*arguments: object) -> subprocess.CompletedProcess[str]:
+    """Fails where the program cannot be started, stops working or ends with an error. It may take any time, as long as it works:
+    how long depends on the machine."""
+    command = [str(vct), *map(str, arguments)]
     try:
-        done = subprocess.run([vct, *map(str, arguments)], capture_output=True, text=True, timeout=timeout_s, check=False)
-    except subprocess.TimeoutExpired:
-        raise Failed(f"vct {arguments[0]} was stopped after {timeout_s:g} s") from None
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     except OSError as error:
         raise Failed(f"{vct} cannot be started: {error.strerror}") from None
-    if done.returncode != 0:
-        how = f"signal {-done.returncode}" if done.returncode < 0 else f"exit status {done.returncode}"
-        raise Failed(f"vct {arguments[0]} ended with {how}: {last_words(done.stderr)}")
-    return done
+    with process:
+        try:
+            out, err = finished(process)
+        except BaseException:  # such as Ctrl-C
+            process.kill()
+            process.wait()
+            raise
+    if process.returncode != 0:
+        how = f"signal {-process.returncode}" if process.returncode < 0 else f"exit status {process.returncode}"
+        raise Failed(f"vct {arguments[0]} ended with {how}: {last_words(err)}")
+    return subprocess.CompletedProcess(command, 0, out, err)
+
+
+def finished(process: subprocess.Popen[str]) -> tuple[str, str]:
+    """Waits for the end of a program, and returns what it printed. Fails if it takes no processor time for LONGEST_IDLE_S."""
+    worked, idle_since = 0.0, time.monotonic()
+    while True:
+        try:
+            return process.communicate(timeout=min(LONGEST_IDLE_S, 5))
+        except subprocess.TimeoutExpired:
+            if (now := processor_seconds(process.pid)) is None or now != worked:
+                worked, idle_since = now or 0.0, time.monotonic()
+            elif time.monotonic() - idle_since > LONGEST_IDLE_S:
+                raise Failed(f"vct was stopped, because it had not worked for {LONGEST_IDLE_S:g} s") from None
+
+
+def processor_seconds(process: int) -> float | None:
+    """Processor time that a process has taken; None where the system does not tell."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return None
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def last_words(text: str) -> str:

@@ -1,5 +1,6 @@
 """tools/eval.py judge, with the real program and the real path tracer."""
 import json
+import os
 import re
 import shutil
 import signal
@@ -193,6 +194,20 @@ def test_a_run_that_fails_leaves_an_earlier_one_as_it_is(program, usual, room, t
     assert judge(room, out).stderr.count("unchanged") == 2
 
 
+def test_a_preset_that_fails_is_named_on_the_page_of_the_others(program, usual, room, tmp_path):
+    out, broken = tmp_path / "copy", tmp_path / "broken.sh"
+    shutil.copytree(usual[0], out)
+    broken.write_text(f"#!/bin/sh\nfor word; do [ \"$word\" = thesis ] && {{ echo 'error: no voxels' >&2; exit 1; }}; done\n"
+                      f"exec '{program}' \"$@\"\n")
+    broken.chmod(0o755)
+    done = subprocess.run([*COMMAND, room, "--out", out, "--size", "48x32", "--spp", "64", "--presets", "mobile,thesis", "--program",
+                           broken], capture_output=True, text=True, check=False)
+    assert done.returncode == 1 and "Traceback" not in done.stderr, done.stderr
+    assert done.stderr.splitlines()[-1] == "error: 1 of 2 failed: scene-thesis (vct render ended with exit status 1: error: no voxels)"
+    page = (out / "index.html").read_text()
+    assert "no voxels" in page and "<td>mobile" in page and "earlier result" not in page
+
+
 def test_help_needs_no_build_and_no_packages(tmp_path):
     shutil.copytree(ROOT / "tools", tmp_path / "tools", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "scripts", tmp_path / "scripts")
@@ -230,10 +245,10 @@ def test_whatever_takes_more_than_two_seconds_is_reported(root, tmp_path):
     assert said.startswith("  reading the scene: 2 s so far\nerror: "), said
 
 
-def test_stopping_is_one_line(program, root, tmp_path):
-    """The program is the real one behind a shell that waits."""
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_stopping_is_one_line_and_ends_the_program(root, tmp_path, number):
     slow, out = tmp_path / "slow.sh", tmp_path / "judged"
-    slow.write_text(f"#!/bin/sh\ntouch '{tmp_path}/begun'\nsleep 5\nexec '{program}' \"$@\"\n")
+    slow.write_text(f"#!/bin/sh\necho $$ >'{tmp_path}/begun'\nexec sleep 60\n")
     slow.chmod(0o755)
     running = subprocess.Popen([*COMMAND, root / "assets/contact.glb", "--program", slow, "--out", out],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -241,8 +256,10 @@ def test_stopping_is_one_line(program, root, tmp_path):
         if (tmp_path / "begun").is_file() or running.poll() is not None:
             break
         time.sleep(0.1)
-    running.send_signal(signal.SIGINT)
+    running.send_signal(number)
     said, error = running.communicate(timeout=60)
     error = [line for line in error.splitlines() if not line.endswith("s so far")]  # of a machine under load
-    assert (running.returncode, said, error) == (130, "", ["stopped; the same command continues"])
+    assert (running.returncode, said, error) == (128 + number, "", ["stopped; the same command continues"])
     assert not out.exists()
+    with pytest.raises(ProcessLookupError):
+        os.kill(int((tmp_path / "begun").read_text()), 0)

@@ -1,6 +1,7 @@
 """The result store: what is measured again, and that nothing finished is lost."""
 import contextlib
 import json
+import time
 
 import pytest
 
@@ -101,6 +102,38 @@ def test_a_build_that_changes_during_a_run_ends_it(vct, tmp_path):
     with pytest.raises(Failed, match="changed during the run"):
         Store(tmp_path / "out").run([Task("render", "a", {}, measure)])
     assert not (tmp_path / "out/results.json").exists()
+
+
+def test_a_failure_is_repeated_in_the_last_line_and_ends_the_count_of_seconds(vct, tmp_path, capsys, clock):
+    runs, store = Runs(), Store(tmp_path / "out")
+    tasks = [runs.task("bad", error=Failed("first line\nno light")), runs.task("good")]
+    store.run(tasks)
+    clock[0] += 60
+    assert progress.current.message() is None
+    store.say_failures(tasks)
+    assert capsys.readouterr().err.splitlines()[-1] == "error: 1 of 2 failed: bad (no light)"
+    store.keep_failures_only(tasks)
+    assert "result" not in stored(tmp_path / "out")["render-bad"]
+
+
+@pytest.fixture
+def patient(tmp_path, monkeypatch):
+    """A program that does as its argument says, and may be idle for two seconds."""
+    path = tmp_path / "program.sh"
+    path.write_text("#!/bin/sh\n"
+                    "if [ $1 = work ]; then i=0; while [ $(date +%s) -lt $2 ]; do i=$((i+1)); done; echo done; else exec sleep 60; fi\n")
+    path.chmod(0o755)
+    monkeypatch.setattr(program, "vct", path)
+    monkeypatch.setattr(program, "LONGEST_IDLE_S", 2.0)
+
+
+def test_a_program_may_take_long_while_it_works(patient):
+    assert program.run("work", int(time.time()) + 6).stdout == "done\n"
+
+
+def test_a_program_that_does_not_work_is_stopped(patient):
+    with pytest.raises(Failed, match="not worked for 2 s"):
+        program.run("idle")
 
 
 @pytest.mark.parametrize("content, words", [("{", "cannot be read"), ('{"version": 0, "results": {}}', "delete the file")])

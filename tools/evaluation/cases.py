@@ -187,4 +187,5 @@ def run(asked: argparse.Namespace) -> int:
     results = store.run(tasks)
     if results:
         print(table(results), end="")
+    store.say_failures(tasks)
     return 1 if store.failures(tasks) or any(one["status"] == "fail" for one in results) else 0

@@ -5,8 +5,8 @@
 
 Camera, light and sky are written as for `vct render`, and the path tracer takes them too. Errors are means over the pixels in
 which the camera sees a surface. The page shows the pictures at the exposure that `vct render` would choose for the path-traced
-one, and FLIP compares what the page shows. Writes OUT/index.html with its pictures beside it, and prints the same table. A run
-that fails leaves the page of an earlier one as it is.
+one, and FLIP compares what the page shows. Writes OUT/index.html with its pictures beside it, and prints the same table. If a
+preset fails, the page has the others and says why. If all fail, the page of an earlier run stays as it is.
 """
 import argparse
 import re
@@ -136,19 +136,21 @@ def run(asked: argparse.Namespace) -> int:
     store = Store(asked.out)
     reference, renders = tasks_of(asked, store, view, given)
     if not store.run([reference]):
-        return 1
+        return 1  # the error is the last line
     if results := store.run(renders):
         notes.append("The pictures are shown at --exposure {exposure:g}, and FLIP is taken there. The errors are means over the "
                      "{share:.0f} % of the pixels that show a surface.".format(**results[0], share=100 * results[0]["surface"]))
         print(machine(results))
         print(table(results) + noise_note(results), end="")
         print(*notes, sep="\n")
-    if failed := store.failures(renders):
-        say(f"no page is written, because {', '.join(failed)} failed: --presets can leave out a preset")
+    else:
+        say(f"no page is written, because {', '.join(store.failures(renders))} failed")
         return 1
     store.keep_only([reference, *renders])  # the rest may be of another view or light
+    store.keep_failures_only(renders)
     store.data["notes"] = notes
     store.save()
     report.write(store, f"{asked.scene.name}, judged")
-    print(f"Open {asked.out / 'index.html'}")
-    return 0
+    print(f"Open {asked.out / 'index.html'}", flush=True)
+    store.say_failures(renders)
+    return 1 if store.failures(renders) else 0

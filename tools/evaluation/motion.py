@@ -136,4 +136,5 @@ def run(asked: argparse.Namespace) -> int:
     for part in parts:
         if results := store.results_of(part):
             print(table(part, results))
+    store.say_failures(tasks)
     return 1 if store.failures(tasks) else 0

@@ -1,5 +1,6 @@
 """Messages on stderr: no work of more than two seconds is silent."""
 import contextlib
+import math
 import sys
 import threading
 import time
@@ -50,6 +51,11 @@ def begin(what: str) -> None:
     """Names the work that begins; nothing is printed unless it takes long."""
     global current
     current = Work(what)
+
+
+def end() -> None:
+    """Ends the current work: nothing is printed until other work begins."""
+    current.due_s = math.inf
 
 
 def say(text: str) -> None:

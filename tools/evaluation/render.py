@@ -106,6 +106,7 @@ def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str 
         write_whole(asked.plot, plot.draw(results))
     if results and kind == "render" and asked.sheet:
         write_whole(asked.sheet, pictures.stacked(list(pictures.sheets(store, results).values())))
+    store.say_failures(tasks)
     return 1 if store.failures(tasks) else 0
 
 

@@ -18,7 +18,7 @@ from typing import Any
 import program
 from files import Failed, commit, read_json, write_whole
 
-from .progress import begin, say
+from .progress import begin, end, say
 
 VERSION = 1
 Result = dict[str, Any]
@@ -78,6 +78,7 @@ class Store:
             begin(f"{task.kind}: {task.name}")
             start = time.monotonic()
             self._measure(task, key, build)
+            end()
             seconds.setdefault((task.kind, task.preset), []).append(time.monotonic() - start)
         return [self.entries[task.identity]["result"] for task in tasks if "failed" not in self.entries[task.identity]]
 
@@ -118,6 +119,18 @@ class Store:
 
     def failures(self, tasks: list[Task]) -> list[str]:
         return [task.name for task in tasks if "failed" in self.entries[task.identity]]
+
+    def say_failures(self, tasks: list[Task]) -> None:
+        """Repeats at the end, as the last line, what a long run printed in its midst."""
+        if failed := [f"{task.name} ({self.entries[task.identity]['failed'].splitlines()[-1]})" for task in tasks
+                      if "failed" in self.entries[task.identity]]:
+            say(f"error: {len(failed)} of {len(tasks)} failed: {', '.join(failed)}")
+
+    def keep_failures_only(self, tasks: list[Task]) -> None:
+        """Removes the earlier results of tasks that failed."""
+        for task in tasks:
+            if "failed" in self.entries[task.identity] and self.entries[task.identity].pop("result", None):
+                shutil.rmtree(self.pictures(task.identity), ignore_errors=True)
 
     def keep_only(self, tasks: list[Task]) -> None:
         self._remove(self.entries.keys() - {task.identity for task in tasks})
