@@ -10,5 +10,6 @@ for word in "$@"; do
 done
 "$folder/scripts/setup.sh"
 "$folder/scripts/python.sh"
-"$folder/scripts/build.sh" desktop vct
+source "$folder/scripts/progress.sh"
+stoppable "$folder/scripts/build.sh" desktop vct
 exec "$folder/.venv/bin/python" "$folder/tools/eval.py" judge "$@"

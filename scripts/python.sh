@@ -3,6 +3,7 @@
 # venv module, and LLVM 19 for Mitsuba. Does nothing, silently, where nothing is missing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/progress.sh
 
 say() { echo "python: $*"; }
 fail() {
@@ -47,8 +48,8 @@ if ! cmp -s tools/requirements.txt "$stamp" || ! .venv/bin/python -c '' 2>/dev/n
         fail "$(python3 --version) is too old: tools/requirements.txt needs Python 3.11 or newer"
     say "making .venv from tools/requirements.txt (about 350 MB)"
     python3 -m venv --clear .venv
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --only-binary :all: \
-        --requirement tools/requirements.txt || fail "pip could not install tools/requirements.txt"
+    with_progress "python: installing tools/requirements.txt" .venv/bin/python -m pip install --quiet --disable-pip-version-check \
+        --only-binary :all: --requirement tools/requirements.txt || fail "pip could not install tools/requirements.txt"
     cp tools/requirements.txt "$stamp.tmp"
     mv "$stamp.tmp" "$stamp"
 fi

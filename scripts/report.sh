@@ -22,14 +22,15 @@ esac
 
 scripts/setup.sh
 scripts/python.sh
-scripts/build.sh desktop vct
+source scripts/progress.sh
+stoppable scripts/build.sh desktop vct
 
 failed=0
 # A failed measurement is shown on the page, so only a stopped run ends here.
 measure() {
     local status=0
     echo "report: $1"
-    .venv/bin/python tools/eval.py "$@" --out "$out" || status=$?
+    stoppable .venv/bin/python tools/eval.py "$@" --out "$out" || status=$?
     [[ $status -lt 2 ]] || exit "$status"
     [[ $status -eq 0 ]] || failed=1
 }

@@ -2,6 +2,7 @@
 # Installs the packages that building and testing need on a bare Debian 12 or Ubuntu 24.04. Does nothing, silently, where nothing
 # is missing, and needs root or sudo only where something is.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/progress.sh"
 
 # Compiler and build; the libraries of cmake/dependencies.cmake; software drivers (Mesa's llvmpipe behind EGL, and lavapipe for
 # zink); GLFW for the window of `vct view` and the examples; for the tests GoogleTest, glslang, and Python, which runs
@@ -47,7 +48,8 @@ install_packages() {
     say "installing $# packages: $*"
     local log
     log="$(mktemp)"
-    if ! apt_get install "$@" >"$log" 2>&1; then
+    install_quietly() { apt_get install "$@" >"$log" 2>&1; }
+    if ! with_progress "setup: installing" install_quietly "$@"; then
         tail -n 30 "$log" >&2
         rm -f "$log"
         fail "apt-get could not install the packages above"
@@ -67,7 +69,8 @@ done
 if [[ ${#missing[@]} -gt 0 ]]; then
     say "reading the package lists"
     # Old lists may suffice; if not, the installation reports the error.
-    apt_get -qq update >/dev/null || say "the package lists could not be updated; trying with the old ones"
+    update_quietly() { apt_get -qq update >/dev/null; }
+    with_progress "setup: reading the package lists" update_quietly || say "the package lists could not be updated; trying with the old ones"
 elif [[ "$(id -u)" -ne 0 ]] && ! command -v sudo >/dev/null; then
     exit 0  # only optional packages can be missing
 fi

@@ -193,6 +193,7 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
             renderer.timer().startRecording(Clocks::cpuAndGpu);
             for (int i = 0; i < timedFrames && !options.frames; ++i)
                 renderer.render({{mode}, camera});
+            if (!options.frames) report.modes.emplace_back(mode, renderer.timer().stopRecording());
         }
         if (!options.frames) write(name);
     }
@@ -205,7 +206,8 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
         renderer.render({{mode}, placed.moveTo(moments[frame])});
         write(frameName(mode, static_cast<int>(frame)));
     }
-    if (!options.timings.empty()) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+    if (!options.timings.empty() && options.frames)
+        report.modes.emplace_back(mode, renderer.timer().stopRecording());
     return first;
 }
 
