@@ -74,6 +74,11 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
     return *renderer_;
 }
 
+void GlObjects::dropRenderer() {
+    renderer_.reset();
+    if (presenter_) presenter_->dropTargets();
+}
+
 void GlObjects::dropCaches(Output mode) {
     if (!missing_.empty()) return;
     if (renderer_) renderer_->dropUnread(mode);

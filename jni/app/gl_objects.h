@@ -22,7 +22,7 @@ class GlObjects {
     const gl::Capabilities& capabilities() const { return capabilities_; }
     const std::string& missing() const { return missing_; }
     const HudRenderer& hud() const { return *hud_; }
-    const Presenter& presenter() const { return *presenter_; }
+    Presenter& presenter() { return *presenter_; }
 
     // The programs of all renderers, and of the self-test.
     const std::shared_ptr<gl::ProgramCache>& programs() const { return programs_; }
@@ -42,7 +42,7 @@ class GlObjects {
     const Renderer* rendererOf(const std::shared_ptr<const Scene>& scene) const {
         return renderer_ && scene == scene_ ? &*renderer_ : nullptr;
     }
-    void dropRenderer() { renderer_.reset(); }
+    void dropRenderer();
     // Frees what can be made again and frames of this mode do not need.
     void dropCaches(Output mode);
 

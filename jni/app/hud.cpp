@@ -196,7 +196,7 @@ void Hud::buildTimes(const HudContent& content) const {
             *content.divisor, ResolutionScale::maxMs, content.isLimitedByHeat ? " and a cooler device" : "",
             ResolutionScale::maxDivisor);
     if (content.stepMs == nullptr) return;
-    double total = 0.0;
+    double total = content.presentMs;
     if (!ImGui::BeginTable("times", 3)) return;
     const auto cell = [](const char* title, double ms) {
         ImGui::TableNextColumn();
@@ -209,6 +209,7 @@ void Hud::buildTimes(const HudContent& content) const {
         cell(title.c_str(), (*content.stepMs)[i]);
         total += (*content.stepMs)[i];
     }
+    cell("present", content.presentMs);
     cell("total", total);
     ImGui::EndTable();
 }

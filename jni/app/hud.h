@@ -26,7 +26,8 @@ struct HudContent {
     glm::vec2 sceneLightDeg{0.0F};                          // direction to the scene's sun
     double frameMs = 0.0;                                   // time between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // time of each step; null: not timed
-    glm::ivec2 renderSize{0};                               // pixels
+    double presentMs = 0.0;         // time to show the last frame and this panel; used with stepMs
+    glm::ivec2 renderSize{0};       // pixels
     std::optional<double> divisor;  // divisor of the window's sides, if the size follows the time
     bool isLimitedByHeat = false;   // the size would be larger if the device were cooler
     std::function<std::vector<int>()> possibleGrids;  // grids that driver and free memory allow now

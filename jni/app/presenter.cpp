@@ -11,10 +11,10 @@ namespace vct::app {
 
 namespace {
 
-// Bindings and locations in app/present.frag.
-constexpr int radianceUnit = 0;
-constexpr GLint scaleUniform = 0;
-constexpr GLint rectangleUniform = 1;
+// Bindings and locations in app/tone_map.frag, smooth.frag and scale.frag.
+constexpr int frameUnit = 0;
+constexpr GLint exposureUniform = 0;
+constexpr GLint rectangleUniform = 0;
 
 // The part of the window that shows the frame: origin and size. Differences of the aspect ratio by rounding
 // are ignored.
@@ -38,20 +38,58 @@ void Exposure::follow(const Renderer& renderer) {
     ++frames_;
 }
 
-Presenter::Presenter(const gl::ShaderLibrary& shaders) : program_(shaders, presentProgram()) {}
+Presenter::Presenter(const gl::ShaderLibrary& shaders)
+    : toneMap_(shaders, toneMapProgram()),
+      smooth_(shaders, smoothProgram()),
+      scale_(shaders, scaleProgram()) {}
 
-void Presenter::draw(const Renderer& renderer, float exposure, glm::ivec2 window) const {
+Presenter::Target Presenter::makeTarget(const char* label, glm::ivec2 size) {
+    Target target;
+    target.texture = gl::Texture::make2d(label, GL_RGBA8, size.x, size.y);
+    target.texture.setFilter(GL_LINEAR, GL_LINEAR);
+    target.framebuffer = gl::Framebuffer(label, {&target.texture}, nullptr);
+    return target;
+}
+
+void Presenter::prepare(const Renderer& renderer, float exposure, glm::ivec2 window) {
     const gl::DebugGroup group("present");
-    const gl::Texture& frame = renderer.output();
-    const glm::ivec4 rectangle = rectangleFor({frame.width(), frame.height()}, window);
-    frame.setFilter(GL_LINEAR, GL_LINEAR);
-    gl::Viewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
-    program_.use();
-    frame.bind(radianceUnit);
-    const glm::vec4 r(rectangle);
-    gl::Uniform4f(scaleUniform, exposure * renderer.radianceScale(), 0.0F, 0.0F, 0.0F);
-    gl::Uniform4f(rectangleUniform, r.x, r.y, r.z, r.w);
+    const gl::Texture& radiance = renderer.output();
+    const glm::ivec2 size(radiance.width(), radiance.height());
+    if (size != frameSize_) {
+        dropTargets();
+        toneMapped_ = makeTarget("tone-mapped frame", size);
+        frameSize_ = size;
+    }
     noVertices_.bind();
+    {
+        const gl::RenderPass pass(toneMapped_.framebuffer, gl::Load::invalidate);
+        toneMap_.use();
+        radiance.bind(frameUnit);
+        gl::Uniform4f(exposureUniform, exposure * renderer.radianceScale(), 0.0F, 0.0F, 0.0F);
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    if (frameSize_ == window) return;
+    if (smoothed_.texture.name() == 0) smoothed_ = makeTarget("smoothed frame", size);
+    const gl::RenderPass pass(smoothed_.framebuffer, gl::Load::invalidate);
+    smooth_.use();
+    toneMapped_.texture.bind(frameUnit);
+    gl::DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Presenter::draw(glm::ivec2 window) const {
+    const gl::DebugGroup group("present");
+    noVertices_.bind();
+    if (frameSize_ == window) {
+        smooth_.use();
+        toneMapped_.texture.bind(frameUnit);
+    } else {
+        const glm::ivec4 r = rectangleFor(frameSize_, window);
+        gl::Viewport(r.x, r.y, r.z, r.w);
+        scale_.use();
+        smoothed_.texture.bind(frameUnit);
+        gl::Uniform4f(rectangleUniform, static_cast<float>(r.x), static_cast<float>(r.y),
+                      1.0F / static_cast<float>(r.z), 1.0F / static_cast<float>(r.w));
+    }
     gl::DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

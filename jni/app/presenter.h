@@ -21,18 +21,39 @@ class Exposure {
     int frames_ = 0;
 };
 
+// Tone mapping and edge smoothing run once per pixel of the frame. Only scaling runs once per pixel of the
+// window, so that the automatic resolution lowers most of the cost of presenting too.
 class Presenter {
   public:
     explicit Presenter(const gl::ShaderLibrary& shaders);
 
-    // Scales the renderer's last frame to the window of the current pass (`window` pixels), and applies
-    // exposure, tone mapping and sRGB encoding, as for a PNG. A frame with another aspect ratio keeps it; the
-    // rest of the window is not touched.
-    void draw(const Renderer& renderer, float exposure, glm::ivec2 window) const;
+    // Makes the picture that draw() shows, from the renderer's last frame: applies exposure, tone mapping and
+    // sRGB encoding as for a PNG, and smooths its edges unless draw() does. Must be called outside of a
+    // render pass.
+    void prepare(const Renderer& renderer, float exposure, glm::ivec2 window);
+    // Scales the picture to the window of the current pass (`window` pixels, as in prepare()). A frame with
+    // another aspect ratio keeps it; the rest of the window is not touched.
+    void draw(glm::ivec2 window) const;
+
+    void dropTargets() {
+        frameSize_ = glm::ivec2(0);
+        toneMapped_ = {};
+        smoothed_ = {};
+    }
 
   private:
-    gl::Program program_;
+    // A picture of the frame's size.
+    struct Target {
+        gl::Texture texture;
+        gl::Framebuffer framebuffer;
+    };
+    static Target makeTarget(const char* label, glm::ivec2 size);
+
+    gl::Program toneMap_, smooth_, scale_;
     gl::VertexArray noVertices_;
+    glm::ivec2 frameSize_{0};
+    Target toneMapped_;
+    Target smoothed_;  // empty where the window has as many pixels as the frame
 };
 
 // The render pass of the current window. It first clears the window to an sRGB-encoded colour.

@@ -59,15 +59,27 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     const Renderer* const renderer = bench_      ? bench_->renderer()
                                      : measuring ? nullptr
                                                  : gl_->rendererOf(scene_);
-    {
-        const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
-        if (renderer != nullptr) gl_->presenter().draw(*renderer, exposure(), window);
-        drawHud(window, free, passedS);
-    }
+    present(renderer, window, free, passedS);
     if (isRendered && scaleFollowsTime(choices_)) {
         followTime(window, now);
         followHeat(window);
     }
+}
+
+// The panel belongs to the time of presenting: waiting for the GPU between picture and panel would make a GPU
+// with tiles write the window to memory and read it again.
+void Viewer::present(const Renderer* renderer, glm::ivec2 window, const glm::ivec4& free, double passedS) {
+    const bool isTimed = renderer != nullptr && (stepMs_ || bench_);
+    const double startMs = isTimed ? StepTimer::finishedAtMs() : 0.0;
+    if (renderer != nullptr) gl_->presenter().prepare(*renderer, exposure(), window);
+    {
+        const gl::RenderPass pass = windowPass(window, renderer != nullptr ? black : background);
+        if (renderer != nullptr) gl_->presenter().draw(window);
+        drawHud(window, free, passedS);
+    }
+    if (!isTimed) return;
+    presentMs_ = StepTimer::finishedAtMs() - startMs;
+    if (bench_) bench_->presented(presentMs_);
 }
 
 // Draws the message of a driver that lacks something the renderer needs.
@@ -92,6 +104,7 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     content.sceneLightDeg = lightAnglesDeg(defaults_.light);
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
+    content.presentMs = presentMs_;
     content.renderSize = sizeIn(window);
     if (scaleFollowsTime(choices_)) content.divisor = scale_.divisor();
     content.isLimitedByHeat = scale_.isLimitedByHeat();

@@ -125,6 +125,8 @@ class Viewer {
 
     void drawMessage(glm::ivec2 window, const glm::ivec4& free);
     bool drawScene(glm::ivec2 window);  // returns true if it rendered a frame
+    // Shows the renderer's last frame, if there is one, and the panel over it.
+    void present(const Renderer* renderer, glm::ivec2 window, const glm::ivec4& free, double passedS);
     void drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS);
     // Runs a part of a frame. Returns why it failed, or "". Throws gl::ContextLost if the context was lost,
     // even if the driver reported another error first.
@@ -186,6 +188,7 @@ class Viewer {
     std::chrono::steady_clock::time_point lastFrame_;
     double frameMs_ = 0.0;
     std::optional<std::array<double, stepCount>> stepMs_;
+    double presentMs_ = 0.0;  // of the last frame whose steps were timed
 };
 
 }  // namespace vct::app

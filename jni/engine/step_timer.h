@@ -42,6 +42,8 @@ class StepTimer {
     // `gpuTimerBits`: bits of the context's GPU clock; 0 if there is none or it is known to be wrong.
     explicit StepTimer(int gpuTimerBits) : hasGpuClock_(gpuTimerBits > 0) {}
 
+    static double finishedAtMs();  // waits for the GPU and returns the time of the CPU's clock
+
     void startRecording(Clocks clocks);
     StepTimes stopRecording();
 
@@ -68,7 +70,6 @@ class StepTimer {
 
   private:
     static double nowMs();
-    static double finishedAtMs();
     struct Scope {
         StepTimer& timer;
         Step step;

@@ -159,6 +159,8 @@ void BenchRun::beginRun() {
     frame_ = 0;
     timings_ = {};
     counters_ = {};
+    lastTimed_.reset();
+    presentMs_.clear();
     timings_.scene = input_.request.scene;
     timings_.triangles = input_.scene->triangleCount();
     timings_.backend = input_.backend;
@@ -173,7 +175,14 @@ void BenchRun::frame() {
         renderer_->timer().startRecording(Clocks::cpuAndGpu);
     }
     renderer_->render({{modes_[mode_]}, camera_});
+    lastTimed_.reset();
+    if (frame_ >= warmUpFrames) lastTimed_ = modes_[mode_];
     if (++frame_ == warmUpFrames + timedFrames) endMode();
+}
+
+void BenchRun::presented(double ms) {
+    if (lastTimed_) presentMs_[*lastTimed_].push_back(ms);
+    lastTimed_.reset();
 }
 
 void BenchRun::endMode() {
@@ -199,6 +208,9 @@ void BenchRun::endRun() {
     if (input_.counters) timings["method"]["gpu_counters"] = countersText(*input_.counters);
     for (const auto& [mode, counts] : counters_.items())
         timings["modes"][mode]["gpu_counters"] = counts;
+    for (const auto& [mode, samples] : presentMs_)
+        timings["modes"][outputName(mode)]["present"] =
+            spreadJson("median", median(samples), "samples", samples);
     if (run_ == 0 && !folder_.empty()) writeJson(folder_ + "/timings.json", timings);
     current().timings.push_back(std::move(timings));
     renderer_.reset();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -77,6 +78,9 @@ class BenchRun {
     // vct::Error.
     bool advance();
 
+    // Takes the time that the app needed to show the last frame, for timings.json.
+    void presented(double ms);
+
     // The result, available after the last frame.
     const BenchReport& report() const { return report_; }
 
@@ -104,8 +108,10 @@ class BenchRun {
     std::size_t mode_ = 0;
     int frame_ = 0;  // number of the current frame in its mode
     std::optional<Renderer> renderer_;
-    TimingsReport timings_;            // timings of the current run
-    nlohmann::ordered_json counters_;  // the GPU's counters by mode, of the current run
+    TimingsReport timings_;                            // timings of the current run
+    nlohmann::ordered_json counters_;                  // the GPU's counters by mode, of the current run
+    std::optional<Output> lastTimed_;                  // mode of the last frame, if it was timed
+    std::map<Output, std::vector<double>> presentMs_;  // of the timed frames of the current run
     BenchReport report_;
 };
 

@@ -78,6 +78,26 @@ TEST(Frame, EqualsThePictureOfRender) {
     EXPECT_GT(smoothed, 300) << "edges are not smooth";
 }
 
+// The filter of the scaled frame reads the smoothed one, so that tone mapping and smoothing cost no more in a
+// window of many pixels.
+TEST(Frame, IsSmoothedBeforeItIsScaledToTheWindow) {
+    const std::string show = "scene=courtyard.glb preset=thesis grid=64 mode=phong pixels=";
+    const Image small = screenOf(show + "1", 60, 46), screen = screenOf(show + "2", 120, 92);
+    float largest = 0.0F;
+    for (int y = 0; y < screen.height; ++y)
+        for (int x = 0; x < screen.width; ++x) {
+            // The centre of each pixel is a quarter of a pixel from that of the nearest one of the frame.
+            const int x0 = x / 2, y0 = y / 2;
+            const int x1 = std::clamp(x0 + (x % 2 == 1 ? 1 : -1), 0, small.width - 1);
+            const int y1 = std::clamp(y0 + (y % 2 == 1 ? 1 : -1), 0, small.height - 1);
+            const glm::vec3 expected = 0.75F * (0.75F * small.at(x0, y0) + 0.25F * small.at(x1, y0)) +
+                                       0.25F * (0.75F * small.at(x0, y1) + 0.25F * small.at(x1, y1));
+            const glm::vec3 difference = glm::abs(screen.at(x, y) - expected);
+            largest = std::max({largest, difference.x, difference.y, difference.z});
+        }
+    EXPECT_LE(largest, 1.5F / 255.0F);
+}
+
 TEST(Animated, APoseIsThePictureOfRenderAtThatTime) {
     // Light of the other presets converges over several frames.
     const Image screen = screenOf("scene=moving.glb preset=thesis pixels=1 mode=gi time=1.5", 96, 72);

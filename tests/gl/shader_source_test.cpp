@@ -78,7 +78,8 @@ void expectAccepted(const std::vector<Source>& sources) {
 // Every program of the renderer and of the app.
 std::vector<gl::ProgramDescription> allPrograms() {
     std::vector<gl::ProgramDescription> programs = everyProgram();
-    programs.insert(programs.end(), {app::presentProgram(), app::hudProgram()});
+    programs.insert(programs.end(),
+                    {app::toneMapProgram(), app::smoothProgram(), app::scaleProgram(), app::hudProgram()});
     return programs;
 }
 
