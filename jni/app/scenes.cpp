@@ -26,7 +26,8 @@ void Scenes::load(const SceneFile& file) {
     log("loading " + file.path);
     file_ = file;
     loaded_ = std::async(std::launch::async, [this, file] {
-        Scene scene = loadGltf(file.path, read_(file, cancelled_), {.allowOutside = file.allowOutside});
+        Scene scene = loadGltf(file.path, read_(file, cancelled_),
+                               {.allowOutside = file.allowOutside, .scale = file.scale});
         const auto light = file.addRoomLight ? chooseRoomLight(scene, chooseCamera(scene, "")) : std::nullopt;
         if (light) {
             scene.punctualLights.push_back(*light);

@@ -18,8 +18,9 @@ struct SceneFile {
     std::string name;           // "cornell.glb"
     std::string path;           // path of the file, or within the APK
     bool bundled = false;       // the file is in the APK
-    bool allowOutside = false;  // see GltfOptions
-    bool addRoomLight = true;   // light a closed room that has no light
+    bool allowOutside = false;  // see GltfOptions, and the next
+    double scale = 1.0;
+    bool addRoomLight = true;  // light a closed room that has no light
 };
 
 using FindScenes = std::function<std::vector<SceneFile>()>;

@@ -54,7 +54,7 @@ void Viewer::measure() {
             Settings sky;
             // As `vct bench`, the app measures a scene with a sun without a sky.
             if (request_->light.empty() && scene_->lights.empty())
-                sky.skyRadiance = chooseSky(chooseLight(*scene_));
+                sky.skyRadiance = chooseSky(*scene_, chooseLight(*scene_));
             bench_ = std::make_unique<BenchRun>(
                 BenchRun::Input{
                     *request_, scene_, lightFromText(request_->light, *scene_), sky, gl_->capabilities(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
@@ -34,6 +35,34 @@ namespace {
 constexpr double maxAspect = 8.0;
 }  // namespace
 
+namespace {
+// Returns a note if half of a scene's parts are so large that its file is probably not in metres; otherwise
+// "".
+std::string unitNote(const Scene& scene) {
+    constexpr double largeScene = 1000.0, largePart = 50.0;  // metres
+    const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
+    if (std::max({size.x, size.y, size.z}) < largeScene) return "";
+    std::vector<double> parts;
+    for (const Instance& instance : scene.instances) {
+        std::vector<glm::dvec3> points;
+        for (const Vertex& vertex : scene.meshes[static_cast<std::size_t>(instance.mesh)].vertices)
+            points.emplace_back(vertex.position);
+        const Bounds bounds = boundsOf(points, instance.worldFromObject);
+        parts.push_back(glm::length(bounds.max - bounds.min));
+    }
+    const auto middle = parts.begin() + static_cast<std::ptrdiff_t>(parts.size() / 2);
+    std::nth_element(parts.begin(), middle, parts.end());
+    if (*middle < largePart) return "";
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "note: the scene is %.4g x %.4g x %.4g m, and half of its parts are larger than %.2g m; if it was "
+        "exported in millimetres, --scale 0.001 makes metres of them",
+        size.x, size.y, size.z, *middle);
+    return text;
+}
+}  // namespace
+
 void BackendOption::addTo(CLI::App& command) {
     command
         .add_option_function<std::string>(
@@ -63,12 +92,22 @@ CLI::Option* SceneFileOption::addFileTo(CLI::App& command) {
                   "Read buffers and images of the scene even if they lie outside of its folder (links are "
                   "resolved first). Use it only for scenes that you trust")
         ->needs(option);
+    command
+        .add_option("--scale", scale,
+                    "Multiply all lengths of the scene's file, such as by 0.001 for one that was exported in "
+                    "millimetres instead of metres")
+        ->check(positive)
+        ->capture_default_str()
+        ->needs(option);
     return option;
 }
 
 Scene SceneFileOption::load(const std::string& animation) const {
     const Progress progress("loading " + path, Progress::Begin::afterTwoSeconds);
-    return loadGltf(path, readFileFromDisk, {animation, allowOutside});
+    Scene scene = loadGltf(path, readFileFromDisk, {animation, allowOutside, scale});
+    const std::string note = unitNote(scene);
+    if (!note.empty()) say(note);
+    return scene;
 }
 
 CLI::Option* SceneOptions::addTo(CLI::App& command) {

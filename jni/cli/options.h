@@ -45,6 +45,7 @@ struct BackendOption {
 struct SceneFileOption {
     std::string path;
     bool allowOutside = false;
+    double scale = 1.0;
 
     CLI::Option* addFileTo(CLI::App& command);  // returns the option of the path
     // Prints progress if loading takes long. `animation`: see GltfOptions.

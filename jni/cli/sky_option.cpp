@@ -89,14 +89,16 @@ void SkyOption::lightScene(const Scene& scene, const Camera& camera, double aspe
             radianceText(plainSky(sun)) + " adds both");
         return;
     }
-    const glm::vec3 sky = chooseSky(light);
+    const glm::vec3 sky = chooseSky(scene, light);
     if (sky == glm::vec3(0.0F)) return;
     settings.skyRadiance = sky;
     if (!background) settings.background = chooseBackground(scene, camera, aspect, sky);
     const bool contrasts = !background && settings.background != sky;
     say(std::string("note: ") +
         (hasSun ? "the sun comes without a sky; vct adds a plain one, "
-                : "the scene has no light of its own; vct adds a sun and a sky, ") +
+         : isInStudio(scene)
+             ? "the scene has no light of its own; vct adds a studio, a key light and a soft sky, "
+             : "the scene has no light of its own; vct adds a sun and a sky, ") +
         (contrasts ? "and a background against which white surfaces show, " : "") + "as with " +
         (hasSun ? "" : sunText(light) + " ") + "--sky " + radianceText(sky) +
         (contrasts ? " --background " + radianceText(*settings.background) : "") +

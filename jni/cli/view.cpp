@@ -59,7 +59,7 @@ std::vector<SceneFile> scenesBeside(const ViewOptions& options) {
         if (!entry.is_regular_file(ignored) || (ending != ".glb" && ending != ".gltf")) continue;
         const bool same = entry.path().filename() == fs::path(path).filename();
         scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false,
-                          options.scene.allowOutside && same,
+                          options.scene.allowOutside && same, same ? options.scene.scale : 1.0,
                           !options.sky.given() && (!same || options.scene.light.empty())});
     }
     std::sort(scenes.begin(), scenes.end(),

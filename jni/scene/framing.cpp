@@ -9,6 +9,7 @@
 #include "scene/first_surfaces.h"
 #include "scene/light_choice.h"
 #include "scene/lit_surfaces.h"
+#include "scene/subject.h"
 
 namespace vct {
 namespace {
@@ -50,8 +51,8 @@ struct View {
     double litShare;  // share of the visible surfaces that light reaches
 };
 
-double diagonalOf(const Scene& scene) {
-    const double diagonal = glm::length(scene.boundsWorld.max - scene.boundsWorld.min);
+double extentOf(const Bounds& bounds) {
+    const double diagonal = glm::length(bounds.max - bounds.min);
     return diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
 }
 
@@ -93,8 +94,8 @@ struct Reach {
     }
 };
 
-void includeScene(const Scene& scene, std::vector<Reach>& reaches) {
-    const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
+void includeSubject(const Scene& scene, const Subject& subject, std::vector<Reach>& reaches) {
+    const glm::dvec3 centre = 0.5 * (subject.boundsWorld.min + subject.boundsWorld.max);
     const auto include = [&](const glm::dvec3& world) {
         for (Reach& reach : reaches)
             reach.include(world - centre);
@@ -106,7 +107,9 @@ void includeScene(const Scene& scene, std::vector<Reach>& reaches) {
             include(corner);
         return;
     }
-    for (const Instance& instance : scene.instances) {
+    for (std::size_t number = 0; number < scene.instances.size(); ++number) {
+        if (subject.isGround[number]) continue;
+        const Instance& instance = scene.instances[number];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         std::vector<bool> used(mesh.vertices.size());
         for (const std::uint32_t index : mesh.indices)
@@ -118,8 +121,9 @@ void includeScene(const Scene& scene, std::vector<Reach>& reaches) {
     }
 }
 
-// Views of the whole scene from outside; the first one is the default.
-std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, double aspect) {
+// Views of the whole subject from outside; the first one is the default.
+std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, const Subject& subject, double fovDeg,
+                                            double aspect) {
     std::vector<Reach> reaches;
     const glm::dvec3 usual = glm::normalize(glm::dvec3(0.3, 0.5, 1.0));
     const double tanHalf = (1.0 - margin) * std::tan(0.5 * glm::radians(fovDeg));
@@ -129,13 +133,13 @@ std::vector<FirstSurfaces> viewsFromOutside(const Scene& scene, double fovDeg, d
                 {axesFrom(towards(std::atan2(usual.x, usual.z) + turn * fullTurn / 8.0, height)),
                  {tanHalf * aspect, tanHalf}});
     reaches.front().axes = axesFrom(usual);
-    includeScene(scene, reaches);
-    const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
+    includeSubject(scene, subject, reaches);
+    const glm::dvec3 centre = 0.5 * (subject.boundsWorld.min + subject.boundsWorld.max);
     std::vector<FirstSurfaces> views;
     for (const Reach& reach : reaches) {
         // A point, or a line towards the eye, has no width, so its distance must be limited separately.
         glm::dvec3 eye = reach.eye();
-        const double least = reach.highest + 1e-3 * diagonalOf(scene);
+        const double least = reach.highest + 1e-3 * extentOf(subject.boundsWorld);
         eye += std::max(least - glm::dot(eye, reach.axes[2]), 0.0) * reach.axes[2];
         views.emplace_back(centre + eye, reach.axes, tanHalf * aspect, tanHalf, outsideResolution);
     }
@@ -344,7 +348,8 @@ std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfa
             if (prospect.volume <= most) continue;
             most = prospect.volume;
             const glm::dvec3 eye = around.front().eye;
-            best = {eye, eye - 0.25 * diagonalOf(scene) * axes[2], fovDeg, prospect.lit / prospect.met};
+            best = {eye, eye - 0.25 * extentOf(scene.boundsWorld) * axes[2], fovDeg,
+                    prospect.lit / prospect.met};
         }
     }
     return best;
@@ -354,7 +359,8 @@ std::optional<View> viewInside(const Scene& scene, double aspect, const LitSurfa
 
 Camera frameScene(const Scene& scene, double aspect) {
     const double fovDeg = fovFor(outsideTanHalf, aspect);
-    const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, fovDeg, aspect);
+    const Subject subject = subjectOf(scene);
+    const std::vector<FirstSurfaces> outside = viewsFromOutside(scene, subject, fovDeg, aspect);
     const LitSurfaces light(scene, isLitByEmitters(scene));
     const FirstSurfaces& best = bestFromOutside(outside, light);
     // A lamp behind walls with a window does not light their outside.
@@ -364,16 +370,17 @@ Camera frameScene(const Scene& scene, double aspect) {
     if (closed || lit < darkShare) {
         const std::optional<View> inside = viewInside(scene, aspect, light, closed ? 0.0 : openShare);
         if (inside && inside->litShare > (closed ? minLitInside : lit))
-            return lookAtRounded(inside->eye, inside->target, inside->fovDeg, diagonalOf(scene));
+            return lookAtRounded(inside->eye, inside->target, inside->fovDeg, extentOf(scene.boundsWorld));
     }
-    const glm::dvec3 centre = 0.5 * (scene.boundsWorld.min + scene.boundsWorld.max);
+    const glm::dvec3 centre = 0.5 * (subject.boundsWorld.min + subject.boundsWorld.max);
     const glm::dvec3 back = best.worldFromView[2];
     return lookAtRounded(best.eye, best.eye - glm::dot(best.eye - centre, back) * back, fovDeg,
-                         diagonalOf(scene));
+                         extentOf(subject.boundsWorld));
 }
 
 bool isOpenRoom(const Scene& scene) {
-    return isRoom(scene, viewsFromOutside(scene, fovFor(outsideTanHalf, 1.0), 1.0), openShare);
+    return isRoom(scene, viewsFromOutside(scene, subjectOf(scene), fovFor(outsideTanHalf, 1.0), 1.0),
+                  openShare);
 }
 
 }  // namespace vct

@@ -139,12 +139,33 @@ void keepSomethingVisible(GltfFile& file, Scene& scene) {
     file.warn("the whole scene is nearly transparent, so it is drawn opaque");
 }
 
-Scene buildScene(GltfFile& file, const std::string& animation) {
+// Multiplies all lengths of the file.
+void scaleFile(GltfFile& file, double scale) {
+    tinygltf::Node root;
+    root.children = rootsOf(file);
+    root.scale = {scale, scale, scale};
+    file.model.nodes.push_back(std::move(root));
+    file.model.scenes.assign(1, {});
+    file.model.scenes.front().nodes = {static_cast<int>(file.model.nodes.size()) - 1};
+    file.model.defaultScene = 0;
+    for (tinygltf::Light& light : file.model.lights) {
+        light.range *= scale;
+        if (light.type != "directional") light.intensity *= scale * scale;
+    }
+    for (tinygltf::Camera& camera : file.model.cameras) {
+        camera.perspective.znear *= scale;
+        camera.orthographic.xmag *= scale;
+        camera.orthographic.ymag *= scale;
+    }
+}
+
+Scene buildScene(GltfFile& file, const GltfOptions& options) {
     Scene scene;
     scene.path = file.path;
     std::size_t triangles = 0;
+    if (options.scale != 1.0) scaleFile(file, options.scale);
     std::vector<PlacedNode> nodes = placeNodes(file);
-    scene.animation = loadAnimation(file, animation, nodes);
+    scene.animation = loadAnimation(file, options.animation, nodes);
     MeshLoader meshes(file, scene, nodes);
     const auto count = [&](std::size_t firstInstance) {
         for (std::size_t i = firstInstance; i < scene.instances.size(); ++i)
@@ -225,7 +246,7 @@ Scene loadGltf(const std::string& path, const ReadFile& readFile, const GltfOpti
     try {
         const std::vector<unsigned char> bytes = readFile(path);
         GltfFile file = openGltf(path, bytes, readFile, options.allowOutside);
-        return buildScene(file, options.animation);
+        return buildScene(file, options);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

@@ -20,6 +20,9 @@ struct GltfOptions {
     // Allows the file to refer to buffers and images outside of its folder and the folders below, after links
     // are resolved. It is off because an untrusted file could refer to any file.
     bool allowOutside = false;
+    // Multiplies all lengths, for files that are not in metres. Points and spots keep the illuminance that
+    // they give.
+    double scale = 1.0;
 };
 
 // Throws vct::Error naming the file, the cause and the remedy.

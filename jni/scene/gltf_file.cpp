@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "core/number_text.h"
 #include "scene/gltf_extensions.h"
+#include "scene/gltf_foreign.h"
 #include "scene/gltf_packings.h"
 
 namespace vct {
@@ -373,7 +374,11 @@ GltfFile openGltf(const std::string& path, const Bytes& bytes, const ReadFile& r
 
     if (bytes.empty()) file.fail("the file is empty", "copy or export it again");
     Chunks chunks{bytes.data(), bytes.size(), nullptr, 0};
-    if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) chunks = splitGlb(file, bytes);
+    if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) {
+        chunks = splitGlb(file, bytes);
+    } else if (const ForeignFile foreign = foreignFile(path, bytes); !foreign.cause.empty()) {
+        file.fail(foreign.cause, foreign.remedy);
+    }
 
     const std::size_t readingBytes = checkedMarkCount(file, chunks) * bytesPerJsonMark;
     file.reserve(readingBytes, "reading its JSON");

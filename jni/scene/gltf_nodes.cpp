@@ -55,8 +55,9 @@ bool hidesItself(const tinygltf::Node& node) {
     return visible.IsBool() && !visible.Get<bool>();
 }
 
-// Returns the root nodes of the default scene, or all nodes without a parent if the file has no scenes.
-std::vector<int> findRoots(const GltfFile& file) {
+}  // namespace
+
+std::vector<int> rootsOf(const GltfFile& file) {
     const tinygltf::Model& model = file.model;
     if (!model.scenes.empty()) {
         const int scene = model.defaultScene == -1 ? 0 : model.defaultScene;
@@ -70,8 +71,6 @@ std::vector<int> findRoots(const GltfFile& file) {
         if (children.count(i) == 0) roots.push_back(i);
     return roots;
 }
-
-}  // namespace
 
 void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node) {
     for (int column = 0; column < 4; ++column) {
@@ -89,7 +88,7 @@ std::vector<PlacedNode> placeNodes(const GltfFile& file) {
         int parent;  // index into `placed`, or -1
     };
     std::vector<Pending> pending;
-    const std::vector<int> roots = findRoots(file);
+    const std::vector<int> roots = rootsOf(file);
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
         pending.push_back({*root, 1, -1});
 

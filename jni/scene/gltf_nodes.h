@@ -17,6 +17,9 @@ struct PlacedNode {
     bool isVisible = true;  // KHR_node_visibility hides neither it nor an ancestor
 };
 
+// Returns the root nodes of the default scene, or all nodes without a parent if the file has no scenes.
+std::vector<int> rootsOf(const GltfFile& file);
+
 // Throws vct::Error if a node's transformation has elements that are not finite, or above 1e30.
 void checkFinite(const GltfFile& file, const glm::dmat4& matrix, const tinygltf::Node& node);
 

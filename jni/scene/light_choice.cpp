@@ -1,12 +1,14 @@
 #include "scene/light_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "scene/first_surfaces.h"
 #include "scene/framing.h"
 #include "scene/scene_features.h"
+#include "scene/subject.h"
 
 namespace vct {
 namespace {
@@ -16,6 +18,10 @@ constexpr double pi = 3.14159265358979323846;
 // not count.
 constexpr double sealedShare = 0.99;
 constexpr int roomResolution = 16;
+// The light of a studio: a weaker sun than in the open, and a soft white sky of this radiance per lux of it,
+// so that a floor has two fifths of its light from the sky.
+constexpr float studioSun = 0.75F;
+constexpr float studioSkyPerLux = 0.16F;
 constexpr const char* roomLightName = "room light of vct";
 
 // The space that is visible from a point.
@@ -74,13 +80,18 @@ std::optional<glm::dvec3> pointInRoom(const Scene& scene, const Camera& camera) 
 }
 
 // Shares of the sky's radiance that a background may have, the best one first.
-constexpr float backgroundShares[] = {1.0F, 0.1F, 0.3F};
+constexpr std::array<float, 3> backgroundShares{1.0F, 0.1F, 0.3F}, studioBackgroundShares{1.0F, 0.3F, 0.1F};
 constexpr float dimShare = 0.2F;
 // Shares of a picture's edge that show the background, for a camera among the scene's objects and for one
 // outside, which may be near an object.
 constexpr double minOpenEdgeInside = 0.7, minOpenEdgeOutside = 0.05;
 // A surface in the shade shows this part of the sky's radiance, times its albedo.
 constexpr float leastShade = 0.5F, mostShade = 1.8F;
+
+// Illuminance of a surface that faces the light, in its strongest colour: a file may have the strength there.
+float illuminanceOf(const DirectionalLight& light) {
+    return light.intensity * std::max({light.color.r, light.color.g, light.color.b});
+}
 
 float luminanceOf(const glm::vec3& color) {
     return glm::dot(color, glm::vec3(0.2126F, 0.7152F, 0.0722F));  // IEC 61966-2-1
@@ -157,7 +168,10 @@ DirectionalLight chooseLight(const Scene& scene) {
     if (!scene.lights.empty()) return scene.lights.front();
     DirectionalLight light = defaultLight();
     if (scene.punctualLights.empty()) {
-        if (isLitByEmitters(scene)) light.intensity = 0.0F;
+        if (isLitByEmitters(scene))
+            light.intensity = 0.0F;
+        else if (isProduct(scene))
+            light.intensity *= studioSun;
         return light;
     }
     const glm::dvec3 size = scene.boundsWorld.max - scene.boundsWorld.min;
@@ -222,22 +236,29 @@ bool isOn(const DirectionalLight& light) {
     return light.intensity > 0.0F && light.color != glm::vec3(0.0F);
 }
 
-glm::vec3 chooseSky(const DirectionalLight& light) {
-    return isOn(light) ? plainSky(light) : glm::vec3(0.0F);
+glm::vec3 chooseSky(const Scene& scene, const DirectionalLight& light) {
+    if (!isOn(light)) return glm::vec3(0.0F);
+    return isInStudio(scene) ? glm::vec3(studioSkyPerLux * illuminanceOf(light)) : plainSky(light);
+}
+
+bool isInStudio(const Scene& scene) {
+    return scene.lights.empty() && scene.punctualLights.empty() && isProduct(scene) &&
+           !isLitByEmitters(scene);
 }
 
 glm::vec3 plainSky(const DirectionalLight& light) {
-    float lux = light.intensity > 0.0F ? light.intensity : defaultLight().intensity;
-    // A light of a file may have its strength in its colour.
-    if (isOn(light)) lux *= std::max({light.color.r, light.color.g, light.color.b});
+    const float lux = isOn(light)              ? illuminanceOf(light)
+                      : light.intensity > 0.0F ? light.intensity
+                                               : defaultLight().intensity;
     return glm::vec3(0.2F, 0.25F, 0.35F) * static_cast<float>(lux / pi);
 }
 
 glm::vec3 chooseBackground(const Scene& scene, const Camera& camera, double aspect, const glm::vec3& sky) {
     const std::vector<float> albedos = albedosAtBackground(scene, camera, aspect);
-    float best = backgroundShares[0];
+    const auto& shares = isInStudio(scene) ? studioBackgroundShares : backgroundShares;
+    float best = shares[0];
     auto least = static_cast<std::ptrdiff_t>(albedos.size()) + 1;
-    for (const float share : backgroundShares) {
+    for (const float share : shares) {
         const auto vanishing = std::count_if(albedos.begin(), albedos.end(), [&](float albedo) {
             return share > leastShade * albedo && share < mostShade * albedo;
         });

@@ -16,6 +16,7 @@ bool isLitByEmitters(const Scene& scene);
 //   gives at a distance of a quarter of the scene's size; the renderer uses it as the unit of radiance.
 // - If it is a room with untextured emitters, returns the default sun with intensity 0. (A textured emitter
 //   such as the dial of an instrument gives too little light, and so does any emitter in the open.)
+// - If it is a product (isInStudio()), returns a weaker default sun, the key light of a studio.
 // - Otherwise returns defaultLight().
 DirectionalLight chooseLight(const Scene& scene);
 // Returns a light for a scene without any light whose camera is in a closed room or shows one, where
@@ -30,10 +31,13 @@ std::string roomLightNote(const PunctualLight& light);
 DirectionalLight defaultLight();
 // True if the light has a colour and an intensity.
 bool isOn(const DirectionalLight& light);
-// The radiance of the sky of a scene for which nobody chose one: plainSky() if its sun is on, because
-// exporters write the sun alone; otherwise black. `light` is that of chooseLight(), which is off in a scene
-// that lamps or emitters light.
-glm::vec3 chooseSky(const DirectionalLight& light);
+// The radiance of the sky of a scene for which nobody chose one. If its sun is on, plainSky(), because
+// exporters write the sun alone, or in a studio a soft white one; otherwise black. `light` is that of
+// chooseLight(), which is off in a scene that lamps or emitters light.
+glm::vec3 chooseSky(const Scene& scene, const DirectionalLight& light);
+// True if the scene has no light and is a product (isProduct()), which gets the light of a studio: a key
+// light and a soft sky.
+bool isInStudio(const Scene& scene);
 // The radiance of a light blue sky that gives a floor a quarter of the illuminance of `light`, or of the
 // default light if `light` is off.
 glm::vec3 plainSky(const DirectionalLight& light);

@@ -8,6 +8,7 @@
 #include "lab/options.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
+#include "scene/subject.h"
 #include "support/gltf_builder.h"
 #include "support/moving_scenes.h"
 #include "support/scenes.h"
@@ -263,6 +264,35 @@ TEST(FrameRoom, TheEyeIsNeverInAWall) {
             }
         }
     }
+}
+
+// Objects of 1.2 m on a plane of 10 m.
+TEST(Framing, AGroundIsNotTheSubject) {
+    Scene objects = emptyScene();
+    addBox(objects, {0.5, 0.5, 0.5}, {-0.35, 0.25, 0});
+    addBox(objects, {0.5, 0.9, 0.5}, {0.35, 0.45, 0});
+    objects = finished(std::move(objects));
+    Scene scene = objects;
+    addQuad(scene, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10});
+    scene = finished(std::move(scene));
+    const Camera alone = frameScene(objects, 1.0), onGround = frameScene(scene, 1.0);
+    EXPECT_LT(glm::distance(glm::dvec3(alone.worldFromCamera[3]), glm::dvec3(onGround.worldFromCamera[3])),
+              0.02);
+    // A floor that ends where the objects end is a part of them.
+    Scene tray = objects;
+    addQuad(tray, {-0.8, 0, 0.5}, {1.6, 0, 0}, {0, 0, -1});
+    EXPECT_FALSE(subjectOf(finished(std::move(tray))).hasGround);
+    EXPECT_TRUE(subjectOf(scene).hasGround);
+}
+
+TEST(Framing, ProductsAreSmallOrOnAGround) {
+    Scene scene = emptyScene();
+    addBox(scene, {1.5, 0.9, 0.5}, {0, 0.45, 0});
+    EXPECT_TRUE(isProduct(finished(scene)));
+    addBox(scene, {1, 1, 1}, {2, 0.5, 0});
+    EXPECT_FALSE(isProduct(finished(scene))) << "3.25 m may be a room";
+    addQuad(scene, {-10, 0, 10}, {20, 0, 0}, {0, 0, -20});
+    EXPECT_TRUE(isProduct(finished(scene))) << "with a ground it is none";
 }
 
 }  // namespace

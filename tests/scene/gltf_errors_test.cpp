@@ -202,6 +202,22 @@ TEST(GltfErrors, FilesThatAreNotGltfAreRefused) {
     expectError(loadError(newer), "version 3");
 }
 
+TEST(GltfErrors, FilesOfOtherFormatsAreNamedWithTheWayToGltf) {
+    const std::pair<const char*, const char*> files[] = {
+        {"chair.obj", "v 0 0 0"}, {"chair.FBX", "; FBX 7.4.0"},    {"chair", "Kaydara FBX Binary  "},
+        {"chair.usdz", "PK"},     {"chair.blend", "BLENDER-v306"}, {"chair.step", "ISO-10303-21;"},
+        {"chair.skp", "\xff\xfe"}};
+    for (const auto& [name, content] : files) {
+        const std::string error = errorOf([&, path = name, text = content] {
+            loadGltf(path, [&](const std::string&) { return bytesOf(text); });
+        });
+        expectMentions(error, {name, "it is a", "only glTF is read", "xport"});
+    }
+    // The content decides: some programs give glTF another ending.
+    const Bytes good = completeFile(encodePng(8)).glb();
+    EXPECT_EQ(loadGltf("chair.obj", [&](const std::string&) { return good; }).instances.size(), 1U);
+}
+
 // A whole number may be written as 60.0, and an accessor without a view is zeros (glTF 2.0).
 TEST(GltfFiles, MayHaveNumbersAndAccessorsThatTheSpecificationAllows) {
     GltfBuilder plain = completeFile(encodePng(8));

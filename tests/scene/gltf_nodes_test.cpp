@@ -158,6 +158,26 @@ TEST(GltfNodes, UnusableLightsAreNamed) {
         expectMentions(errorOf([&] { load(lightOf(light)); }), {"light 0", named});
 }
 
+// Everything is as of a file with lengths of half the size, and a light gives surfaces as much as before.
+TEST(GltfNodes, AScaleMultipliesAllLengths) {
+    GltfBuilder builder = lightOf({{"type", "point"}, {"intensity", 8}, {"range", 10}});
+    builder.document["nodes"][0]["translation"] = {4, 0, 0};
+    builder.document["nodes"][1]["translation"] = {0, 6, 0};
+    builder.node({{"translation", {0, 0, 8}},
+                  {"camera", builder.add("cameras", {{"type", "perspective"},
+                                                     {"perspective", {{"yfov", 1}, {"znear", 0.2}}}})}});
+    const Bytes file = builder.glb();
+    const Scene scene = loadGltf("test.glb", [&](const std::string&) { return file; }, {.scale = 0.5});
+    EXPECT_EQ(scene.boundsWorld.min, glm::dvec3(2, 0, 0));
+    EXPECT_EQ(scene.boundsWorld.max, glm::dvec3(2.5, 0.5, 0));
+    const PunctualLight& light = scene.punctualLights.at(0);
+    EXPECT_EQ(glm::dvec3(light.worldFromLight[3]), glm::dvec3(0, 3, 0));
+    EXPECT_EQ(light.range, 5.0);
+    EXPECT_EQ(light.intensity, 2.0F);
+    EXPECT_EQ(glm::dvec3(scene.cameras.at(0).worldFromCamera[3]), glm::dvec3(0, 0, 4));
+    EXPECT_EQ(scene.cameras.at(0).nearest, 0.1);
+}
+
 TEST(GltfNodes, ALightOfAnUnknownTypeIsLeftOutWithAWarning) {
     GltfBuilder builder = lightOf({{"type", "area"}});
     builder.document["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"type", "point"}});

@@ -40,7 +40,7 @@ ViewerHost hostFor(android_app& glue) {
     android.defaultsFor = [](const Scene& scene, double aspect) {
         ViewDefaults look;
         look.light = chooseLight(scene);
-        look.skyRadiance = chooseSky(look.light);
+        look.skyRadiance = chooseSky(scene, look.light);
         if (look.skyRadiance != glm::vec3(0.0F))
             look.background =
                 chooseBackground(scene, chooseCamera(scene, "", aspect), aspect, look.skyRadiance);
