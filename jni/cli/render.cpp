@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 #include <set>
 
@@ -28,6 +30,7 @@
 #include "scene/gltf.h"
 #include "scene/near_plane.h"
 #include "scene/scene_features.h"
+#include "scene/subject.h"
 
 namespace vct::cli {
 
@@ -50,16 +53,28 @@ struct RenderOptions {
     float emission = 1.0F;
     // Moments of an animated scene.
     std::optional<double> timeS, fps;
-    std::optional<int> frames;
+    std::optional<int> frames, turntable;
+    bool converged = false;
     std::string exposure = "auto";  // exposure of the PNGs: a number or "auto"
     std::optional<int> samples;     // samples per pixel of a still picture
     unsigned seedOrder = 0;
     bool revoxelize = false, debugViews = false, lightParts = false, contactSheet = false;
 };
 
-// Samples per pixel. A picture of a sequence, or one beside its time, is a single frame.
+// Number of pictures in the sequence, if the run renders one.
+std::optional<int> sequenceLength(const RenderOptions& options) {
+    return options.turntable ? options.turntable : options.frames;
+}
+
+// True if each picture shows all of the light. The camera of a turntable does not change the light.
+bool isConverged(const RenderOptions& options) {
+    return !options.frames || options.converged;
+}
+
+// Samples per pixel. A picture beside its time, or of a sequence whose light follows the scene, is a single
+// frame.
 int samplesOf(const RenderOptions& options) {
-    return options.samples.value_or(options.frames || !options.timings.empty() ? 1 : 4);
+    return options.samples.value_or(isConverged(options) && options.timings.empty() ? 4 : 1);
 }
 
 Settings settingsFrom(const RenderOptions& options) {
@@ -77,17 +92,36 @@ Settings settingsFrom(const RenderOptions& options) {
     return settings;
 }
 
-// Animation time of each frame, in seconds. Empty if the scene is rendered at rest, in one frame.
-std::vector<double> momentsOf(const RenderOptions& options, const Scene& scene) {
-    if (!options.timeS && !options.frames) return {};
-    if (scene.animation.channels.empty())
+// The moment and the view of one picture.
+struct Frame {
+    std::optional<double> momentS;  // of the animation; at rest without it
+    double turn = 0.0;              // of the camera around the scene, in full turns
+};
+
+// The frames of the sequence, or the only one.
+std::vector<Frame> framesOf(const RenderOptions& options, const Scene& scene) {
+    if ((options.timeS || options.frames) && scene.animation.channels.empty())
         throw Error("the scene " + scene.path +
                     " has no animation, so it looks the same at all times; leave out --time, --frames and "
-                    "--fps");
-    std::vector<double> moments;
-    for (int frame = 0; frame < options.frames.value_or(1); ++frame)
-        moments.push_back(options.timeS.value_or(0.0) + (frame == 0 ? 0.0 : frame / *options.fps));
-    return moments;
+                    "--fps, or let the camera move with --turntable N");
+    const int count = sequenceLength(options).value_or(1);
+    std::vector<Frame> frames(static_cast<std::size_t>(count), {options.timeS, 0.0});
+    for (int i = 0; i < count; ++i) {
+        if (options.turntable)
+            frames[static_cast<std::size_t>(i)].turn = static_cast<double>(i) / count;
+        else if (options.frames)
+            frames[static_cast<std::size_t>(i)].momentS = options.timeS.value_or(0.0) + i / *options.fps;
+    }
+    return frames;
+}
+
+// Turns a camera about the vertical through a point.
+Camera turned(Camera camera, const glm::dvec3& pivot, double turns) {
+    const glm::dmat4 turn =
+        glm::rotate(glm::dmat4(1.0), turns * 2.0 * glm::pi<double>(), glm::dvec3(0, 1, 0));
+    camera.worldFromCamera = glm::translate(glm::dmat4(1.0), pivot) * turn *
+                             glm::translate(glm::dmat4(1.0), -pivot) * camera.worldFromCamera;
+    return camera;
 }
 
 // A renderer with its scene, and the camera and the sun in the scene's rest pose.
@@ -98,14 +132,19 @@ struct Placed {
     DirectionalLight light;
     Renderer& renderer;
 
-    // Moves the renderer's scene and sun to a moment of the animation; returns the camera at that moment.
-    Camera moveTo(double seconds) const {
-        const Pose pose = poseAt(scene.animation, seconds);
+    // Moves the renderer's scene and sun to the frame's moment; returns the camera of the frame.
+    Camera moveTo(const Frame& frame) const {
+        const double aspect = aspectOf(options.scene.size);
+        const Bounds subject = subjectOf(scene).boundsWorld;
+        const auto turnedTo = [&](const Camera& from) {
+            return turned(from, 0.5 * (subject.min + subject.max), frame.turn);
+        };
+        if (!frame.momentS) return withFittedNearPlane(turnedTo(camera), scene, aspect);
+        const Pose pose = poseAt(scene.animation, *frame.momentS);
         renderer.setPose(pose);
         renderer.setLightDirection(posed(light, pose).directionToLight);
-        return withFittedNearPlane(posed(camera, pose), scene, aspectOf(options.scene.size), &pose);
+        return withFittedNearPlane(turnedTo(posed(camera, pose)), scene, aspect, &pose);
     }
-    Camera atRest() const { return withFittedNearPlane(camera, scene, aspectOf(options.scene.size)); }
 };
 
 // Returns the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges. The shifts
@@ -154,8 +193,8 @@ std::string frameName(Output mode, int frame) {
 void requireRoom(const RenderOptions& options, const std::vector<Output>& modes,
                  const PictureWriter& pictures) {
     for (const Output mode : modes) {
-        if (!options.frames) pictures.requireRoomFor(outputName(mode));
-        for (int frame = 0; frame < options.frames.value_or(0); ++frame)
+        if (!sequenceLength(options)) pictures.requireRoomFor(outputName(mode));
+        for (int frame = 0; frame < sequenceLength(options).value_or(0); ++frame)
             pictures.requireRoomFor(frameName(mode, frame));
     }
     if (options.lightParts)
@@ -165,16 +204,16 @@ void requireRoom(const RenderOptions& options, const std::vector<Output>& modes,
     if (options.debugViews) pictures.requireRoomForDebugViews();
 }
 
-// Renders and writes one mode, with converged light. For timings, a still picture is rendered several times;
-// in a sequence each frame is one sample. Reading back and writing are not timed. Returns the first picture.
-Image renderMode(const Placed& placed, Output mode, const std::vector<double>& moments,
-                 PictureWriter& pictures, TimingsReport& report) {
+// Renders and writes one mode. For timings, a still picture is rendered several times; in a sequence each
+// frame is one sample. Reading back and writing are not timed. Returns the first picture.
+Image renderMode(const Placed& placed, Output mode, const std::vector<Frame>& frames, PictureWriter& pictures,
+                 TimingsReport& report) {
     const RenderOptions& options = placed.options;
     Renderer& renderer = placed.renderer;
     const std::string name = outputName(mode);
-    const Camera camera = moments.empty() ? placed.atRest() : placed.moveTo(moments.front());
+    const bool isSequence = sequenceLength(options).has_value();
     Image first;
-    const auto write = [&](const std::string& file) {
+    const auto write = [&](const std::string& file, const Camera& camera) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
         const Image image = meanOfSamples(renderer, mode, camera, samplesOf(options));
         pictures.write(file, image);
@@ -186,29 +225,51 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<double>& m
             "mode " + name + ", " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
             ", " + std::to_string(settings.grid) + "^3" +
             (samplesOf(options) > 1 ? ", " + std::to_string(samplesOf(options)) + " samples per pixel" : ""));
+        const Camera camera = placed.moveTo(frames.front());
         renderer.render({{mode}, camera, LightSteps::all});
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
                 renderer.render({{mode}, camera});
             renderer.timer().startRecording(Clocks::cpuAndGpu);
-            for (int i = 0; i < timedFrames && !options.frames; ++i)
+            for (int i = 0; i < timedFrames && !isSequence; ++i)
                 renderer.render({{mode}, camera});
-            if (!options.frames) report.modes.emplace_back(mode, renderer.timer().stopRecording());
+            if (!isSequence) report.modes.emplace_back(mode, renderer.timer().stopRecording());
         }
-        if (!options.frames) write(name);
+        if (!isSequence) write(name, camera);
     }
     // Each frame is written at once, because a long sequence may not fit into memory.
-    for (std::size_t frame = 0; options.frames && frame < moments.size(); ++frame) {
-        char line[96];
-        std::snprintf(line, sizeof line, "mode %s, frame %zu of %zu, %.3f s", name.c_str(), frame + 1,
-                      moments.size(), moments[frame]);
-        const Progress progress(line);
-        renderer.render({{mode}, placed.moveTo(moments[frame])});
-        write(frameName(mode, static_cast<int>(frame)));
+    for (std::size_t frame = 0; isSequence && frame < frames.size(); ++frame) {
+        const Frame& shown = frames[frame];
+        const Progress progress("mode " + name + ", frame " + std::to_string(frame + 1) + " of " +
+                                std::to_string(frames.size()) +
+                                (options.turntable ? ", " + numberText(360.0 * shown.turn) + " degrees"
+                                                   : ", " + numberText(*shown.momentS) + " s"));
+        const Camera camera = placed.moveTo(shown);
+        renderer.render({{mode}, camera, isConverged(options) ? LightSteps::all : LightSteps::one});
+        write(frameName(mode, static_cast<int>(frame)), camera);
     }
-    if (!options.timings.empty() && options.frames)
+    if (!options.timings.empty() && isSequence)
         report.modes.emplace_back(mode, renderer.timer().stopRecording());
     return first;
+}
+
+std::string inShell(const std::string& word) {
+    if (word.find_first_of(" \t'\"\\$&;()*?<>|`#!~") == std::string::npos) return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+// The command that makes a video of a sequence. The encoder takes even sizes only.
+std::string videoLine(const RenderOptions& options, Output mode) {
+    constexpr double turntableFps = 24.0;
+    const std::string path = options.out + "/" + outputName(mode);
+    const glm::ivec2 size = options.scene.size;
+    return "ffmpeg -y -framerate " + numberText(options.fps.value_or(turntableFps)) + " -i " +
+           inShell(path + "_%04d.png") + " -frames:v " + std::to_string(*sequenceLength(options)) +
+           (size.x % 2 == 0 && size.y % 2 == 0 ? "" : " -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2'") +
+           " -c:v libx264 -crf 18 -pix_fmt yuv420p " + inShell(path + ".mp4");
 }
 
 // Throws if --out names one picture and the run writes several.
@@ -216,6 +277,7 @@ void requireOnePicture(const RenderOptions& options, const std::vector<Output>& 
     if (options.out.empty() || !namesOnePicture(options.out)) return;
     const std::pair<bool, const char*> reasons[] = {{modes.size() > 1, "--mode"},
                                                     {options.frames.has_value(), "--frames"},
+                                                    {options.turntable.has_value(), "--turntable"},
                                                     {options.debugViews, "--debug-views"},
                                                     {options.lightParts, "--light-parts"},
                                                     {options.contactSheet, "--contact-sheet"}};
@@ -230,14 +292,12 @@ void render(RenderOptions options) {
     requireOnePicture(options, modes);
     if (options.out.empty()) options.out = "out/" + std::filesystem::path(options.scene.path).stem().string();
     Settings settings = settingsFrom(options);
-    if (options.frames && (options.debugViews || options.lightParts || options.contactSheet))
+    if (options.fps && !sequenceLength(options))
+        throw Error("--fps is the speed of a sequence; add --frames N or --turntable N");
+    if (sequenceLength(options) && (options.debugViews || options.lightParts || options.contactSheet))
         throw Error(
             "--debug-views, --light-parts and --contact-sheet work for one moment only, not for a sequence; "
-            "leave out --frames and --fps, and choose the moment with --time");
-    if (options.frames && samplesOf(options) > 1)
-        throw Error(
-            "--samples works for one moment only, not for a sequence; leave it out, or leave out --frames "
-            "and --fps");
+            "leave out --frames, --fps and --turntable, and choose the moment with --time");
     std::optional<float> exposure;
     if (options.exposure != "auto") exposure = std::stof(options.exposure);
     // Checks the outputs before any slow work.
@@ -258,7 +318,7 @@ void render(RenderOptions options) {
     for (const std::string& warning : scene.warnings)
         say("warning: " + warning);
     shuffleTriangles(scene, options.seedOrder);
-    const std::vector<double> moments = momentsOf(options, scene);
+    const std::vector<Frame> frames = framesOf(options, scene);
     const Camera camera = options.scene.cameraOf(scene);
     options.sky.addRoomLight(scene, camera, options.scene.light);
     DirectionalLight light = lightFromText(options.scene.light, scene);
@@ -269,7 +329,7 @@ void render(RenderOptions options) {
         say("note: " + sentence);
     say(path + ": " + std::to_string(scene.triangleCount()) + " triangles, " +
         std::to_string(scene.instances.size()) + " instances");
-    if (!scene.animation.channels.empty() && moments.empty())
+    if (!scene.animation.channels.empty() && !frames.front().momentS)
         say("note: the scene is animated and shown at rest; --time S renders a moment of its " +
             numberText(scene.animation.durationS) + " s, --frames N --fps F renders a sequence");
 
@@ -293,7 +353,7 @@ void render(RenderOptions options) {
             " frames of refinement before the first picture");
     TimingsReport report;
     const Placed placed{options, scene, camera, light, renderer};
-    const Camera first = moments.empty() ? placed.atRest() : placed.moveTo(moments.front());
+    const Camera first = placed.moveTo(frames.front());
     if (first.nearest > camera.nearest)
         say("note: the camera's near plane of " + numberText(camera.nearest) + " m is moved to " +
             numberText(first.nearest) + " m for the precision of depth; it cuts nothing off");
@@ -307,7 +367,7 @@ void render(RenderOptions options) {
         pictures.chooseExposure(image, whiteRadiance(light, settings));
     }
     for (const Output mode : modes) {
-        const Image picture = renderMode(placed, mode, moments, pictures, report);
+        const Image picture = renderMode(placed, mode, frames, pictures, report);
         // The last mode has the most complete light.
         if (mode != modes.back()) continue;
         const std::string warning =
@@ -324,16 +384,18 @@ void render(RenderOptions options) {
         pictures.writeDebugViews(debugViews(renderer, first));
     }
     pictures.nameWrittenPictures();
+    for (const Output mode : modes)
+        if (sequenceLength(options)) say("a video of them: " + videoLine(options, mode));
     if (options.timings.empty()) return;
     report.scene = path;
     report.triangles = scene.triangleCount();
     report.backend = backendName(options.scene.backend.backend);
     report.preset = options.preset;
     report.settings = settings;
-    if (options.frames) report.timedFrames = *options.frames;
+    if (sequenceLength(options)) report.timedFrames = *sequenceLength(options);
     writeJson(options.timings, timingsJson(report, context.capabilities));
     std::fputs(timingsTable(report.modes).c_str(), stdout);
-    if (!settings.revoxelize && !options.frames)
+    if (!settings.revoxelize && !sequenceLength(options))
         say("note: nothing moved, so shadow map (CS) and voxels (V, M) were built before the timed frames "
             "and "
             "took no time in them; --revoxelize times them too");
@@ -350,7 +412,8 @@ constexpr const char* renderFooter =
     "  vct render my.glb --out out --light direction=-1,-2,-1,color=1,0.9,0.8,intensity=5\n"
     "  vct render assets/patio.glb --out out --environment assets/patio.hdr --samples 16\n"
     "  vct render assets/moving.glb --out out --mode gi --time 1.5\n"
-    "  vct render assets/moving.glb --out out --mode gi --frames 96 --fps 24";
+    "  vct render assets/moving.glb --out out --mode gi --frames 96 --fps 24 --converged\n"
+    "  vct render my.glb --turntable 96";
 
 }  // namespace
 
@@ -424,7 +487,22 @@ void addRender(CLI::App& app, int&) {
             ->check(positive)
             ->group(animationGroup);
     frames->needs(fps);
-    fps->needs(frames);
+    command
+        ->add_option(
+            "--turntable", options->turntable,
+            "Render a sequence of so many pictures in which the camera moves once around the scene, about "
+            "the "
+            "vertical through its middle; --fps is the speed of the printed video line (default: 24)")
+        ->check(CLI::Range(1, 10000))
+        ->excludes(frames)
+        ->group(animationGroup);
+    command
+        ->add_flag("--converged", options->converged,
+                   "Render each picture of --frames with all of its light, as a still picture. Without it, "
+                   "light follows "
+                   "the scene as in a window, a frame of light per picture")
+        ->needs(frames)
+        ->group(animationGroup);
     command
         ->add_option("--animation", options->animation,
                      "Animation to play, by name or index (default: the scene's first)")
@@ -440,8 +518,8 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--samples", options->samples,
                      "Samples per pixel of a still picture, for smooth edges: the mean of so many pictures, "
-                     "each shifted by a part of a pixel (default: 4, or 1 with --frames or --timings, whose "
-                     "pictures are single frames). 16 is plenty")
+                     "each shifted by a part of a pixel (default: 4, or 1 with --timings and with --frames "
+                     "without --converged, whose pictures are single frames). 16 is plenty")
         ->check(CLI::Range(1, 4096))
         ->group(picturesGroup);
     command

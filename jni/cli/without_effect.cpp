@@ -54,6 +54,7 @@ std::vector<std::string> optionsWithoutEffect(const Run& run) {
         {"--active-voxels", !voxels, noVoxels},
         {"--revoxelize", !isGiven("--timings"), "it changes only the times that --timings measures"},
         {"--contact-sheet", run.modes.size() == 1, "a sheet needs several modes, such as --mode all"},
+        {"--converged", isPacked, "the preset thesis computes all of the light in each frame"},
         {"--animation", !isGiven("--time") && !isGiven("--frames"),
          "the scene is shown at rest without --time or --frames"},
     };

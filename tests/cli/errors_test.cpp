@@ -90,6 +90,10 @@ INSTANTIATE_TEST_SUITE_P(
                    "--light: color times"},
         BadCommand{"UnknownAnimation", renderMoving("--animation walk"), "choose one of 0 (run)"},
         BadCommand{"FramesWithoutFps", renderMoving("--frames 2"), "--frames requires --fps"},
+        BadCommand{"FpsAlone", renderMoving("--fps 2"), "add --frames N or --turntable N"},
+        BadCommand{"ConvergedAlone", renderMoving("--converged"), "--converged requires --frames"},
+        BadCommand{"FramesAndTurntable", renderMoving("--frames 2 --fps 2 --turntable 4"),
+                   "--frames excludes --turntable"},
         BadCommand{"FramesAndViews", renderMoving("--frames 2 --fps 2 --debug-views"), "leave out --frames"},
         BadCommand{"InfoScene", "info none.glb", "none.glb"}),
     [](const ::testing::TestParamInfo<BadCommand>& test) { return std::string(test.param.name); });

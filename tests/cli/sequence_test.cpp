@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "cli/program_run.h"
+#include "image/compare.h"
+#include "image/image.h"
 #include "support/errors.h"
 #include "support/moving_scenes.h"
+#include "support/pictures.h"
 
 namespace vct::test {
 namespace {
@@ -23,7 +26,7 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     EXPECT_EQ(program.folder.list("out"),
               (std::vector<std::string>{"gi_0000.exr", "gi_0000.png", "gi_0001.exr", "gi_0001.png",
                                         "gi_0002.exr", "gi_0002.png"}));
-    expectMentions(program.err, {"frame 3 of 3, 1.500 s"});
+    expectMentions(program.err, {"frame 3 of 3, 1.5 s"});
 
     const nlohmann::json timings = program.json("t.json");
     EXPECT_EQ(timings.at("method").at("frames"), 3);
@@ -35,6 +38,40 @@ TEST(Sequence, IsNumberedAndItsFramesAreThoseOfTheirTimes) {
     EXPECT_EQ(bytes("gi.png"), bytes("gi_0002.png"));
     EXPECT_NE(bytes("gi.png"), bytes("gi_0000.png"));
     expectMentions(program.err, {"out also has files of earlier runs: gi_0000.exr"});
+}
+
+// Light of a moving lamp or object follows it late, unless each picture has all of its light.
+TEST(Sequence, ConvergedFramesAreStillPicturesOfTheirTimes) {
+    ProgramRun program;
+    const std::string common =
+        std::string("render ") + moving + " --mode gi --size 48x40 --exposure 1 --out out ";
+    const auto farFromStill = [&](const std::string& options) {
+        program.expectSuccess(common + "--time 0.5 --frames 2 --fps 1 " + options);
+        expectMentions(program.err, {"ffmpeg -y -framerate 1 -i out/gi_%04d.png -frames:v 2 -c:v libx264"});
+        return compareImages(readImage(program.folder.file("out/gi_0001.exr")),
+                             readImage(program.folder.file("out/gi.exr")), 0.005F)
+            .fraction;
+    };
+    program.expectSuccess(common + "--time 1.5");
+    const double converged = farFromStill("--converged"), following = farFromStill("--samples 4");
+    EXPECT_LT(converged, 0.1);
+    EXPECT_GT(following, 0.15) << "otherwise the test shows nothing";
+}
+
+TEST(Sequence, ATurntableMovesTheCameraOnceAround) {
+    ProgramRun program;
+    GltfBuilder scene = openFloor();
+    addCube(scene, {0.8F, 0.3F, 0.1F}, {{"translation", {0, 0.5, 0}}});
+    writeBytes(program.folder.file("a b.glb"), scene.glb());
+    const std::string options =
+        "'a b.glb' --size 48x40 --grid 64 --light-frames 2 --mode phong --exposure 1 ";
+    program.expectSuccess(options + "--camera eye=0,2,6,target=0,0,0 --turntable 4");
+    EXPECT_EQ(program.folder.list("out/a b").size(), 8U);
+    expectMentions(program.err, {"frame 2 of 4, 90 degrees", "-framerate 24 -i 'out/a b/phong_%04d.png'"});
+    // A quarter of a turn is from +Z to +X.
+    program.expectSuccess(options + "--camera eye=6,2,0,target=0,0,0");
+    expectSameInHalves(readImage(program.folder.file("out/a b/phong_0001.exr")),
+                       readImage(program.folder.file("out/a b/phong.exr")));
 }
 
 // Without a time the nodes are where the file puts them.
