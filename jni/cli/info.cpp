@@ -9,11 +9,15 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "core/error.h"
+#include "core/list_text.h"
+#include "core/number_text.h"
+#include "core/one_line.h"
 #include "engine/grid_choice.h"
 #include "engine/voxelization.h"
 #include "gl/capabilities.h"
 #include "scene/camera.h"
 #include "scene/gltf.h"
+#include "scene/gltf_names.h"
 #include "scene/light_choice.h"
 #include "scene/scene_features.h"
 
@@ -27,8 +31,11 @@ struct InfoOptions {
 };
 
 constexpr const char* infoFooter =
-    "Without a scene it checks the driver. With a scene it prints the scene's size, its voxels, and its "
-    "features: a frame has passes, programs and memory only for these.\n"
+    "Without a scene it checks the driver. With a scene it prints the scene's size, its voxels, its features "
+    "(a frame "
+    "has passes, programs and memory only for these), its cameras, lights, animations and variants, and what "
+    "of "
+    "it is not drawn.\n"
     "Exit code: 0 if the driver has everything that is required, 1 if something is missing or no OpenGL "
     "context can be created.\n"
     "Examples:\n"
@@ -64,6 +71,48 @@ bool printCapabilities(const InfoOptions& options) {
     return true;
 }
 
+std::string cameraText(const Camera& camera) {
+    return "\"" + oneLine(camera.name) + "\" (" + numberText(glm::degrees(camera.verticalFovRad)) +
+           " degrees" +
+           (camera.aspectRatio ? ", made for " + numberText(*camera.aspectRatio) + " times as wide as high"
+                               : "") +
+           ")";
+}
+
+std::string lightText(const PunctualLight& light) {
+    using Type = PunctualLight::Type;
+    const std::string strength = numberText(light.intensity);
+    return "\"" + oneLine(light.name) + "\" (" +
+           (light.type == Type::directional ? "directional, " + strength + " lx"
+            : light.type == Type::point     ? "point, " + strength + " cd"
+                                            : "spot, " + strength + " cd") +
+           ")";
+}
+
+// Prints what the file has besides surfaces, and what of it is not drawn.
+void printContents(const SceneFileOption& file, const Scene& scene) {
+    std::vector<std::string> cameras, lights;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        cameras.push_back(std::to_string(i) + " " + cameraText(scene.cameras[i]));
+    for (const DirectionalLight& sun : scene.lights)
+        lights.push_back("the sun (" + numberText(sun.intensity) + " lx)");
+    for (const PunctualLight& light : scene.punctualLights)
+        lights.push_back(lightText(light));
+    const GltfNames names = namesOfGltf(file.path, readFileFromDisk, {.allowOutside = file.allowOutside});
+    const std::pair<const char*, const std::vector<std::string>*> rows[] = {
+        {"cameras:   ", &cameras},
+        {"lights:    ", &lights},
+        {"animations:", &names.animations},
+        {"variants:  ", &names.variants}};
+    for (const auto& [title, items] : rows)
+        std::printf("%s %s\n", title, items->empty() ? "none" : listText(*items).c_str());
+    if (!names.variants.empty())
+        std::puts(
+            "not drawn: variants of materials; the materials are those that the file has without a variant");
+    for (const std::string& warning : scene.warnings)
+        std::printf("not drawn: %s\n", warning.c_str());
+}
+
 // Prints the size of the scene, the features that passes are built for, and the volume around it.
 void printScene(const InfoOptions& options) {
     Settings settings = options.scene.settings(options.preset);
@@ -94,6 +143,7 @@ void printScene(const InfoOptions& options) {
     for (const auto& [name, occurs] : rows)
         if (occurs) found += (found.empty() ? "" : ", ") + std::string(name);
     std::printf("features:  %s\n", found.empty() ? "none besides triangles of one colour" : found.c_str());
+    printContents(options.scene, scene);
     if (const std::string note = voxelizationNote(settings.voxels, context.capabilities); !note.empty())
         say(note);
 }

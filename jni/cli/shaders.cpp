@@ -85,7 +85,18 @@ const char* stageName(const std::string& shader) {
     return names.at(gl::shaderStage(shader));
 }
 
-// Writes the sources into DIR/PRESET/NUMBER/ and returns the manifest's entries.
+// The name of a program's folder: its number and its name, such as "07-gather".
+std::string folderName(std::size_t number, const std::string& program) {
+    std::string name = (number < 10 ? "0" : "") + std::to_string(number) + "-";
+    for (const char c : program) {
+        const bool isPlain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        if (isPlain || name.back() != '-') name += isPlain ? c : '-';
+    }
+    return name;
+}
+
+// Writes the sources into DIR/PRESET/NUMBER-PROGRAM/ and returns the manifest's entries.
 ordered_json writeSources(const std::vector<Variant>& programs, const Settings& settings,
                           const std::string& preset, OutputFolder& out) {
     const gl::ShaderLibrary library = phoneLibrary(settings);
@@ -94,7 +105,7 @@ ordered_json writeSources(const std::vector<Variant>& programs, const Settings& 
         const Variant& variant = programs[i];
         std::vector<std::string> defines = library.defines;
         defines.insert(defines.end(), variant.program.defines.begin(), variant.program.defines.end());
-        const std::string folder = preset + "/" + std::to_string(i);
+        const std::string folder = preset + "/" + folderName(i, variant.program.name);
         OutputFolder programFolder(out.file(folder));
         ordered_json stages = ordered_json::array();
         for (const std::string& shader : variant.program.shaders) {
@@ -169,10 +180,15 @@ void writeShaders(const ShadersOptions& options) {
     }
     writeJson(out.file("manifest.json"), manifest);
     out.keep();
+    for (const ordered_json& entry : manifest["presets"])
+        say("wrote " + std::to_string(entry["programs"].size()) + " programs into " +
+            out.file(entry["name"].get<std::string>()));
+    say(out.file("manifest.json") + " lists them, and how often each runs");
 }
 
 constexpr const char* shadersFooter =
-    "Writes the shaders below DIR/PRESET/, and DIR/manifest.json with the programs, the modes that use them "
+    "Writes the shaders of each program into DIR/PRESET/NUMBER-PROGRAM/, and DIR/manifest.json with the "
+    "programs, the modes that use them "
     "and how often each shader and loop runs. tools/eval.py mali computes lower bounds for a Mali GPU from "
     "it "
     "(docs/mali.md).\n"

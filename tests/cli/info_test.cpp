@@ -5,6 +5,8 @@
 
 #include "cli/program_run.h"
 #include "platform/contexts.h"
+#include "support/errors.h"
+#include "support/gltf_builder.h"
 
 namespace vct::test {
 namespace {
@@ -51,6 +53,36 @@ TEST(Info, PrintsNothingButItsReportOnZink) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     EXPECT_EQ(outcome.output.compare(0, 9, "back end:"), 0) << outcome.output;
     EXPECT_FALSE(has(outcome, "XDG_RUNTIME_DIR")) << outcome.output;
+}
+
+TEST(Info, ListsWhatAFileHasAndWhatOfItIsNotDrawn) {
+    GltfBuilder builder;
+    builder.triangle();
+    builder.document["extensionsUsed"] = {"KHR_lights_punctual", "KHR_materials_variants"};
+    builder.document["extensions"] = {
+        {"KHR_lights_punctual",
+         {{"lights",
+           {{{"type", "directional"}},
+            {{"type", "spot"}, {"name", "desk"}, {"spot", json::object()}, {"intensity", 5}}}}}},
+        {"KHR_materials_variants", {{"variants", {{{"name", "oak"}}, {{"name", "steel"}}}}}}};
+    for (const int light : {0, 1})
+        builder.node({{"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+    builder.node(
+        {{"name", "front"},
+         {"camera", builder.add("cameras", {{"type", "perspective"},
+                                            {"perspective", {{"yfov", 1.0471976}, {"znear", 1}}}})}});
+    for (const std::size_t i : {0U, 1U}) {
+        builder.animate(0, "translation", {0, 1}, {0, 0, 0, 1, 0, 0}, "LINEAR", i);
+        builder.document["animations"][i]["name"] = i == 0 ? "walk" : "run";
+    }
+    ProgramRun program;
+    writeBytes(program.folder.file("a.glb"), builder.glb());
+    EXPECT_EQ(program.run("info a.glb"), 0) << program.err;
+    expectMentions(
+        program.out,
+        {"cameras:    0 \"front\" (60 degrees)\n", "lights:     the sun (1 lx), \"desk\" (spot, 5 cd)\n",
+         "animations: 0 (walk), 1 (run)\n", "variants:   oak, steel\n", "not drawn: variants of materials",
+         "not drawn: extension KHR_materials_variants is ignored"});
 }
 
 }  // namespace

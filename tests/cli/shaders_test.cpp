@@ -19,8 +19,15 @@ TEST(Shaders, AreWrittenAndCountedForEveryPreset) {
     for (const auto& preset : manifest.at("presets")) {
         EXPECT_GT(preset.at("programs").size(), 10U);
         bool traced = false;
+        const std::string name = preset.at("name");
+        EXPECT_NE(program.err.find(" programs into out/" + name + "\n"), std::string::npos) << program.err;
         for (const auto& entry : preset.at("programs")) {
             for (const auto& stage : entry.at("stages")) {
+                // The folder has the program's name; what is no letter or digit there is a dash.
+                const std::string file = stage.at("file"), called = entry.at("name");
+                const std::string last = called.substr(called.find_last_of('/') + 1);
+                EXPECT_NE(file.find("-" + last.substr(0, last.find_first_of(" ,"))), std::string::npos)
+                    << file;
                 const std::string text = readBytes((out / stage.at("file").get<std::string>()).string());
                 EXPECT_EQ(text.rfind("#version 310 es\n", 0), 0U) << stage.at("file");
                 EXPECT_EQ(text.find("#define mediump"), std::string::npos) << stage.at("file");
