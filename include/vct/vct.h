@@ -6,8 +6,10 @@
 // Radiance is absolute, in the unit of the sun's illuminance per steradian. Matrices are column-major and
 // multiply column vectors from the left, as in GL and glm.
 //
-// All functions of GlobalIllumination need the GL context that it was created with to be current. They throw
-// vct::Error, whose message names cause and remedy. No two threads may call them at the same time.
+// All functions of GlobalIllumination need the GL context that it was created with to be current, and throw
+// vct::Error if none or another is, as far as EGL or GLX can tell. Every message names cause and remedy. An
+// object that was moved from throws, too. An object that is destroyed without its context keeps its objects
+// of GL until the context is destroyed. No two threads may call functions of an object at the same time.
 #pragma once
 
 #include <array>

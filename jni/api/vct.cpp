@@ -65,6 +65,17 @@ gl::Capabilities capabilitiesOf(GetProcAddress getProcAddress) {
     return capabilities;
 }
 
+// The window system's function that returns the current context; null if getProcAddress does not know it.
+// Call it while a context is current.
+using CurrentContext = void* (*)();
+CurrentContext currentContextOf(GetProcAddress getProcAddress) {
+    for (const char* name : {"eglGetCurrentContext", "glXGetCurrentContext"}) {
+        const auto current = reinterpret_cast<CurrentContext>(getProcAddress(name));
+        if (current != nullptr && current() != nullptr) return current;
+    }
+    return nullptr;
+}
+
 gl::ReadShader shadersOf(const Options& options) {
     return options.shaderFolder.empty() ? embeddedShaders() : gl::shadersFromFolder(options.shaderFolder);
 }
@@ -183,7 +194,10 @@ void requireTextures(const std::vector<MaterialDescription>& materials) {
 
 struct GlobalIllumination::Implementation {
     Implementation(GetProcAddress getProcAddress, const SceneDescription& description, const Options& options)
-        : Implementation(sceneOf(description), description, options, capabilitiesOf(getProcAddress)) {}
+        : Implementation(sceneOf(description), description, options, capabilitiesOf(getProcAddress)) {
+        currentContext = currentContextOf(getProcAddress);
+        context = currentContext != nullptr ? currentContext() : nullptr;
+    }
 
     Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
                    const gl::Capabilities& capabilities)
@@ -211,6 +225,21 @@ struct GlobalIllumination::Implementation {
         const SavedState saved;
         plain.reset();
         renderer.reset();
+    }
+
+    // True if the context is current that the objects of GL belong to, as far as the window system can be
+    // asked.
+    bool isContextCurrent() const {
+        return currentContext != nullptr ? currentContext() == context : gl::GetString(GL_VERSION) != nullptr;
+    }
+
+    void requireContext(const std::string& function) const {
+        if (isContextCurrent()) return;
+        const bool none = currentContext != nullptr ? currentContext() == nullptr : true;
+        throw Error(function +
+                    (none ? ": no GL context is current in this thread"
+                          : ": another GL context is current in this thread") +
+                    "; make the one current with which the GlobalIllumination was created");
     }
 
     unsigned textureOf(Output output) const {
@@ -251,6 +280,8 @@ struct GlobalIllumination::Implementation {
                 textureOf(Output::specularLight)};
     }
 
+    CurrentContext currentContext = nullptr;
+    void* context = nullptr;
     std::vector<Output> outputs;
     struct DeformingMesh {
         int node;  // -1: it does not deform
@@ -269,28 +300,60 @@ struct GlobalIllumination::Implementation {
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
 };
 
+namespace {
+
+// The implementation of an object for a call of a function, which must be possible.
+template <class Implementation>
+Implementation& ready(const std::unique_ptr<Implementation>& implementation, const char* function) {
+    if (implementation == nullptr)
+        throw Error(std::string(function) +
+                    ": this GlobalIllumination was moved from; call the one that it was moved to");
+    implementation->requireContext(function);
+    return *implementation;
+}
+
+// Deletes what an object owns. Without its context it is leaked: GL would delete objects of another context,
+// or crash.
+template <class Implementation>
+void destroy(std::unique_ptr<Implementation>& implementation) {
+    if (implementation != nullptr && !implementation->isContextCurrent())
+        static_cast<void>(implementation.release());
+    implementation.reset();
+}
+
+}  // namespace
+
 GlobalIllumination::GlobalIllumination(GetProcAddress getProcAddress, const SceneDescription& scene,
                                        const Options& options)
     : implementation_(std::make_unique<Implementation>(getProcAddress, scene, options)) {}
 
-GlobalIllumination::~GlobalIllumination() = default;
+GlobalIllumination::~GlobalIllumination() {
+    destroy(implementation_);
+}
 GlobalIllumination::GlobalIllumination(GlobalIllumination&&) noexcept = default;
-GlobalIllumination& GlobalIllumination::operator=(GlobalIllumination&&) noexcept = default;
+GlobalIllumination& GlobalIllumination::operator=(GlobalIllumination&& other) noexcept {
+    if (this == &other) return *this;
+    destroy(implementation_);
+    implementation_ = std::move(other.implementation_);
+    return *this;
+}
 
 void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldFromObject) {
-    const int node = implementation_->nodeOf(instance, "setTransform");
-    implementation_->pose.worldFromNode[static_cast<std::size_t>(node)] =
+    Implementation& implementation = ready(implementation_, "setTransform");
+    const int node = implementation.nodeOf(instance, "setTransform");
+    implementation.pose.worldFromNode[static_cast<std::size_t>(node)] =
         affine(worldFromObject, "setTransform: the transform of instance " + std::to_string(instance));
-    implementation_->renderer->setPose(implementation_->pose);
+    implementation.renderer->setPose(implementation.pose);
 }
 
 void GlobalIllumination::setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds) {
-    const std::vector<Implementation::DeformingMesh>& meshes = implementation_->meshes;
+    Implementation& implementation = ready(implementation_, "setVertices");
+    const std::vector<Implementation::DeformingMesh>& meshes = implementation.meshes;
     if (mesh >= meshes.size() || meshes[mesh].node < 0)
         throw Error("setVertices: mesh " + std::to_string(mesh) +
                     " does not exist or was not declared to deform; set MeshDescription::deforms");
     const SavedState saved;
-    implementation_->renderer->setVertices(
+    implementation.renderer->setVertices(
         meshes[mesh].node,
         {attributeOf(vertices.positions, vertices.positionOffset, vertices.positionStride,
                      meshes[mesh].vertices, "positions"),
@@ -300,89 +363,101 @@ void GlobalIllumination::setVertices(std::size_t mesh, const VertexBuffers& vert
 }
 
 void GlobalIllumination::setVisible(std::size_t instance, bool isVisible) {
-    const int node = implementation_->nodeOf(instance, "setVisible");
+    Implementation& implementation = ready(implementation_, "setVisible");
+    const int node = implementation.nodeOf(instance, "setVisible");
     const SavedState saved;
-    implementation_->setAppearance(node, isVisible,
-                                   implementation_->appearances[static_cast<std::size_t>(node)].emission);
+    implementation.setAppearance(node, isVisible,
+                                 implementation.appearances[static_cast<std::size_t>(node)].emission);
 }
 
 void GlobalIllumination::setEmission(std::size_t instance, float scale) {
-    const int node = implementation_->nodeOf(instance, "setEmission");
+    Implementation& implementation = ready(implementation_, "setEmission");
+    const int node = implementation.nodeOf(instance, "setEmission");
     if (!(scale >= 0.0F && scale <= 1.0F)) throw Error("setEmission: give a scale between 0 and 1");
     const SavedState saved;
-    implementation_->setAppearance(
-        node, implementation_->appearances[static_cast<std::size_t>(node)].isVisible, scale);
+    implementation.setAppearance(node, implementation.appearances[static_cast<std::size_t>(node)].isVisible,
+                                 scale);
 }
 
 void GlobalIllumination::setSun(const std::array<double, 3>& directionToSun) {
-    implementation_->renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
+    Implementation& implementation = ready(implementation_, "setSun");
+    implementation.renderer->setLightDirection(direction(directionToSun, "setSun: the direction"));
 }
 
 void GlobalIllumination::setSunlight(const std::array<float, 3>& color, float illuminance) {
+    Implementation& implementation = ready(implementation_, "setSunlight");
     Sun sun;
     sun.color = color;
     sun.illuminance = illuminance;
     const DirectionalLight light = lightOf(sun);
-    implementation_->renderer->setSunlight(light.color, light.intensity);
+    implementation.renderer->setSunlight(light.color, light.intensity);
 }
 
 void GlobalIllumination::setSky(const std::array<float, 3>& radiance) {
-    if (implementation_->renderer->settings().environment)
+    Implementation& implementation = ready(implementation_, "setSky");
+    if (implementation.renderer->settings().environment)
         throw Error("setSky: the scene was described with a picture of the sky; give a picture");
-    implementation_->renderer->setSky(skyRadianceOf(radiance));
+    implementation.renderer->setSky(skyRadianceOf(radiance));
 }
 
 void GlobalIllumination::setSky(const SkyPicture& picture) {
-    if (!implementation_->renderer->settings().environment)
+    Implementation& implementation = ready(implementation_, "setSky");
+    if (!implementation.renderer->settings().environment)
         throw Error("setSky: the scene was described without a picture of the sky; describe it with one");
     const std::shared_ptr<const Environment> environment = environmentOf(picture);
     const SavedState saved;
-    implementation_->renderer->setSky(environment);
+    implementation.renderer->setSky(environment);
 }
 
 std::size_t GlobalIllumination::addLight(const LightDescription& light) {
-    std::vector<bool>& hasLight = implementation_->hasLight;
+    Implementation& implementation = ready(implementation_, "addLight");
+    std::vector<bool>& hasLight = implementation.hasLight;
     const auto free = std::find(hasLight.begin(), hasLight.end(), false);
     if (free == hasLight.end())
         throw Error("addLight: the scene has " + std::to_string(hasLight.size()) +
                     " lights already; remove one, or raise SceneDescription::maxLights");
     const auto number = static_cast<std::size_t>(free - hasLight.begin());
-    implementation_->renderer->setPunctualLight(number, lightOf(light, "addLight"));
+    implementation.renderer->setPunctualLight(number, lightOf(light, "addLight"));
     *free = true;
     return number;
 }
 
 void GlobalIllumination::setLight(std::size_t number, const LightDescription& light) {
-    implementation_->requireLight(number, "setLight");
-    implementation_->renderer->setPunctualLight(number, lightOf(light, "setLight"));
+    Implementation& implementation = ready(implementation_, "setLight");
+    implementation.requireLight(number, "setLight");
+    implementation.renderer->setPunctualLight(number, lightOf(light, "setLight"));
 }
 
 void GlobalIllumination::removeLight(std::size_t number) {
-    implementation_->requireLight(number, "removeLight");
-    implementation_->renderer->setPunctualLight(number, std::nullopt);
-    implementation_->hasLight[number] = false;
+    Implementation& implementation = ready(implementation_, "removeLight");
+    implementation.requireLight(number, "removeLight");
+    implementation.renderer->setPunctualLight(number, std::nullopt);
+    implementation.hasLight[number] = false;
 }
 
 void GlobalIllumination::resize(int width, int height) {
+    Implementation& implementation = ready(implementation_, "resize");
     const SavedState saved;
-    implementation_->renderer->resize({width, height});
+    implementation.renderer->resize({width, height});
 }
 
 Pictures GlobalIllumination::render(const View& view, Light light) {
+    Implementation& implementation = ready(implementation_, "render");
     const SavedState saved;
-    return implementation_->render(view, light, nullptr);
+    return implementation.render(view, light, nullptr);
 }
 
 Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBuffer, Light light) {
+    Implementation& implementation = ready(implementation_, "render");
     const SavedState saved;
-    const glm::ivec2 size = implementation_->renderer->settings().size;
+    const glm::ivec2 size = implementation.renderer->settings().size;
     requireTarget(gBuffer.albedo, "albedo", size, {GL_RGBA8});
     requireTarget(gBuffer.normal, "normal", size, {GL_RG16UI});
     requireTarget(gBuffer.depth, "depth", size, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24});
     if (gBuffer.emission != 0) requireTarget(gBuffer.emission, "emission", size, {GL_RGBA16F});
     if (gBuffer.gloss != 0) requireTarget(gBuffer.gloss, "gloss", size, {GL_RG8});
     for (const int unit : {VCT_TEX_G_ALBEDO, VCT_TEX_G_NORMAL, VCT_TEX_G_DEPTH, VCT_TEX_G_EMISSIVE})
-        implementation_->plain->bind(unit);
+        implementation.plain->bind(unit);
     const auto albedo = gl::Texture::wrapExternal(gBuffer.albedo),
                normal = gl::Texture::wrapExternal(gBuffer.normal),
                depth = gl::Texture::wrapExternal(gBuffer.depth),
@@ -391,11 +466,12 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
     const GBuffer::Targets surface{
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};
-    return implementation_->render(view, light, &surface);
+    return implementation.render(view, light, &surface);
 }
 
 std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const {
-    const Renderer& renderer = *implementation_->renderer;
+    Implementation& implementation = ready(implementation_, "lookUpGlsl");
+    const Renderer& renderer = *implementation.renderer;
     if (renderer.settings().voxels != Voxels::directional)
         throw Error("lookUpGlsl: the preset thesis has no look-up; use mobile or quality");
     std::vector<std::string> defines = renderer.lookUpDefines();
@@ -408,7 +484,8 @@ std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const
 }
 
 void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
-    const LookUpInputs inputs = implementation_->renderer->lookUpInputs();
+    Implementation& implementation = ready(implementation_, "bindLookUp");
+    const LookUpInputs inputs = implementation.renderer->lookUpInputs();
     GLint activeUnit = 0, generic = 0;
     gl::GetIntegerv(GL_ACTIVE_TEXTURE, &activeUnit);
     gl::GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &generic);
@@ -425,11 +502,13 @@ void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
 }
 
 double GlobalIllumination::radianceUnit() const {
-    return implementation_->renderer->radianceScale();
+    Implementation& implementation = ready(implementation_, "radianceUnit");
+    return implementation.renderer->radianceScale();
 }
 
 Box GlobalIllumination::voxelBounds() const {
-    const Volume& volume = implementation_->renderer->volume();
+    Implementation& implementation = ready(implementation_, "voxelBounds");
+    const Volume& volume = implementation.renderer->volume();
     const glm::dvec3 min = volume.minWorld, max = min + volume.side;
     return {{min.x, min.y, min.z}, {max.x, max.y, max.z}};
 }

@@ -1,5 +1,6 @@
 // Errors of the interface in include/vct/vct.h.
 #include <functional>
+#include <optional>
 
 #include "api/described_scene.h"
 #include "support/errors.h"
@@ -81,6 +82,64 @@ TEST_F(Embedded, WithoutAContextTheErrorSaysSo) {
     ASSERT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), EGL_TRUE);
     const std::string error = errorOf([&] { GlobalIllumination(getProcAddress, described_.scene); });
     expectMentions(error, {"no GL context is current", "make one"});
+}
+
+// The message of each function of the library, in some order.
+std::vector<std::string> errorsOfAllFunctions(GlobalIllumination& light, const View& view) {
+    const GBufferTextures textures{};
+    const std::vector<std::function<void()>> calls{[&] { light.setTransform(0, {}); },
+                                                   [&] { light.setVertices(0, {}, {}); },
+                                                   [&] { light.setVisible(0, true); },
+                                                   [&] { light.setEmission(0, 1.0F); },
+                                                   [&] { light.setSun({0, 1, 0}); },
+                                                   [&] { light.setSunlight({1, 1, 1}, 1.0F); },
+                                                   [&] { light.setSky(std::array<float, 3>{0, 0, 0}); },
+                                                   [&] { light.setSky(SkyPicture{}); },
+                                                   [&] { light.addLight({}); },
+                                                   [&] { light.setLight(0, {}); },
+                                                   [&] { light.removeLight(0); },
+                                                   [&] { light.resize(8, 8); },
+                                                   [&] { light.render(view); },
+                                                   [&] { light.render(view, textures); },
+                                                   [&] { light.lookUpGlsl(); },
+                                                   [&] { light.bindLookUp(); },
+                                                   [&] { light.radianceUnit(); },
+                                                   [&] { light.voxelBounds(); }};
+    std::vector<std::string> errors;
+    for (const std::function<void()>& call : calls)
+        errors.push_back(errorOf(call));
+    return errors;
+}
+
+TEST_F(Embedded, CallsWithoutTheirContextAndDestructionAreSafe) {
+    std::optional<GlobalIllumination> light(std::in_place, getProcAddress, described_.scene,
+                                            optionsOf("mobile"));
+    const EGLDisplay display = eglGetCurrentDisplay();
+    const EGLContext own = eglGetCurrentContext();
+    ASSERT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT), EGL_TRUE);
+    for (const std::string& error : errorsOfAllFunctions(*light, described_.view()))
+        expectMentions(error, {"no GL context is current in this thread", "make the one current"});
+    {
+        const Context other = openContext(Backend::egl);
+        for (const std::string& error : errorsOfAllFunctions(*light, described_.view()))
+            expectMentions(error, {"another GL context is current in this thread", "make the one current"});
+        GLuint buffer = 0;  // has the name of one of the object's
+        gl::GenBuffers(1, &buffer);
+        gl::BindBuffer(GL_UNIFORM_BUFFER, buffer);
+        light.reset();
+        EXPECT_EQ(gl::IsBuffer(buffer), GL_TRUE) << "an object of another context was deleted";
+    }
+    ASSERT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, own), EGL_TRUE);
+}
+
+TEST_F(Embedded, AnObjectThatWasMovedFromThrows) {
+    GlobalIllumination first(getProcAddress, described_.scene, optionsOf("mobile"));
+    GlobalIllumination second = std::move(first);
+    for (const std::string& error : errorsOfAllFunctions(first, described_.view()))
+        expectMentions(error, {"was moved from", "call the one that it was moved to"});
+    first = std::move(second);
+    EXPECT_NO_THROW(first.setSun({0, 1, 0}));
+    EXPECT_NO_THROW(first.render(described_.view()));
 }
 
 }  // namespace
