@@ -116,6 +116,16 @@ def test_files_that_a_scene_names_are_part_of_its_hash(tmp_path):
     assert len(hashes) == 3
 
 
+def test_the_headline_has_the_errors_of_still_pictures(program, tmp_path):
+    """A frame of one sample has jagged edges, which are a part of its error."""
+    errors = {}
+    for name, option in (("still", "--headline"), ("frame", "--measures gi")):
+        done = evaluate(f"render contact {option} --presets thesis --size 64x64 --out", tmp_path / name)
+        assert done.returncode == 0, done.stderr
+        errors[name] = results(tmp_path / name)["render-contact-thesis"]["camera"]["errors"]["gi"]["relmse"]
+    assert errors["still"] < 0.9 * errors["frame"]
+
+
 def test_every_case_passes_or_is_a_known_failure(program, tmp_path):
     done = evaluate("cases --out", tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -37,6 +37,7 @@ MEASURES = {
     "shadow": Measure("cone_shadow", ("shadow",), "gi-cone-shadow", is_share=True),
     "ao": Measure("ambient_occlusion", ("ao",), "ao", is_share=True),
 }
+STILL_SAMPLES = 16  # per pixel, of pictures that are compared with those of other renderers
 STATES = {"camera": [], "changing": ["--revoxelize"]}  # options of vct render
 
 
@@ -77,8 +78,9 @@ def averaged_down(reference: Picture, size: tuple[int, int]) -> Picture:
 
 def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[str], reference: Callable[[Measure], Picture],
              folder: Path, options: Sequence[str] = (), pixels: metrics.Pixels = ...,
-             exposure: float | None = None) -> Result:
-    """Renders into `folder` and compares these pixels, with FLIP at this exposure."""
+             exposure: float | None = None, samples: int = 1) -> Result:
+    """Renders into `folder` and compares these pixels, with FLIP at this exposure. With several `samples` per pixel, the errors
+    while only the camera moves are those of a still picture; times are of single frames."""
     chosen = {name: MEASURES[name] for name in names}
     modes = list(dict.fromkeys(measure.mode for measure in chosen.values()))
     parts = [] if set(names) <= {"gi", "soft"} else ["--light-parts"]
@@ -89,6 +91,9 @@ def measured(scene: Path, preset: str, size: tuple[int, int], names: Sequence[st
                                        "--exposure", exposure or 1, *parts, *options, *flags)
         result |= {"grid": timings["settings"]["grid"], "cascades": timings["settings"]["cascades"],
                    "driver": timings["driver"]["renderer"], "cpu": timings["machine"]["cpu"]}
+        if samples > 1 and state == "camera":
+            program.render(scene, out, "--preset", preset, "--mode", ",".join(modes), "--size", f"{size[0]}x{size[1]}",
+                           "--exposure", exposure or 1, *parts, *options, "--samples", samples)
         result[state] = {
             "ms": {mode: timings["modes"][mode]["steps"]["total"]["median"] for mode in modes},
             "errors": {name: metrics.compare(read_exr(out / f"{measure.picture}.exr"), averaged_down(reference(measure), size),
@@ -103,7 +108,7 @@ def voxels(one: Result) -> str:
 
 
 def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] | None, grid: str | None, kind: str,
-         camera: str | None = None, cascades: int = 1) -> Task:
+         camera: str | None = None, cascades: int = 1, samples: int = 1) -> Task:
     """One preset's picture of a scene that has references."""
     references, name = References(scene, camera=camera), view_name(scene, camera)
     size, sky = size or references.size, sky_file(scene)
@@ -112,9 +117,10 @@ def task(scene: Path, preset: str, names: Sequence[str], size: tuple[int, int] |
                *(word for option, value in given.items() if value for word in (option, value))]
 
     def measure(folder: Path) -> Result:
-        result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options)
+        result = measured(scene, preset, size, names, lambda one: references.picture(one.references), folder, options,
+                          samples=samples)
         return result | {"scene": name, "reference": shown(references.folder / "full.exr"),
                          "noise": {name: references.noise(MEASURES[name].references) for name in names}}
     return Task(kind, f"{name}-{preset}" + (f"-{grid}" if grid else "") + (f"-{cascades}-cascades" if cascades > 1 else ""),
                 {"scene": scene_sha256(scene), "references": references.key(), "measures": sorted(names), "size": size,
-                 "metrics": file_sha256(Path(metrics.__file__))}, measure, preset)
+                 "metrics": file_sha256(Path(metrics.__file__)), **({"samples": samples} if samples > 1 else {})}, measure, preset)

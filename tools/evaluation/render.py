@@ -1,6 +1,7 @@
 """Draws each preset's picture of scenes that have references, and prints its times and errors as a Markdown table.
 
-    tools/eval.py render --headline                          the README's table: cornell, all presets in one run
+    tools/eval.py render --headline                          the README's table: cornell, all presets in one run, with the errors
+                                                             of 16 samples per pixel, as `eval.py compare` has
     tools/eval.py render cornell night --measures all        also soft shadow and ambient occlusion
     tools/eval.py render --plot docs/images/pareto.png       every scene of assets/, and time against error
     tools/eval.py render cornell courtyard --sheet out/presets.png
@@ -18,7 +19,7 @@ from files import ROOT, find_scene, static_scenes, write_whole
 from tables import fraction, markdown, milliseconds, percent
 
 from . import mali, options, pictures
-from .measures import MEASURES, task, voxels
+from .measures import MEASURES, STILL_SAMPLES, task, voxels
 from .progress import say
 from .store import Result, Store
 
@@ -96,8 +97,9 @@ def measure_and_print(asked: argparse.Namespace, kind: str, grids: Sequence[str 
     measures = list(MEASURES) if "all" in asked.measures else list(dict.fromkeys(
         ["gi", *(["indirect"] if asked.plot else []), *([] if show is headline else asked.measures)]))
     scenes = [find_scene(scene) for scene in asked.scenes] or static_scenes()
-    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera, cascades) for scene in scenes for camera in asked.cameras
-             for preset in asked.presets for grid in grids for cascades in asked.cascades]
+    samples = STILL_SAMPLES if show is headline else 1
+    tasks = [task(scene, preset, measures, asked.size, grid, kind, camera, cascades, samples) for scene in scenes
+             for camera in asked.cameras for preset in asked.presets for grid in grids for cascades in asked.cascades]
     store = Store(asked.out)
     if results := store.run(tasks, again=show is headline):  # times of one table are of one run
         print(f"{machine(results)}\n{show(results)}{noise_note(results)}", end="")
