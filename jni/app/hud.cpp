@@ -40,7 +40,7 @@ auto choose(const char* label, const Items& items, const std::string& current, c
 
 }  // namespace
 
-Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()) {
+Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()), slop_(8.0F * pixelsPerDp) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // on a phone the working folder is not writable
@@ -67,16 +67,54 @@ Hud::~Hud() {
     ImGui::DestroyContext(context_);
 }
 
+namespace {
+
+// The topmost window at a position in the last frame; null: none.
+ImGuiWindow* windowAt(const ImGuiContext& context, const glm::vec2& position) {
+    const ImVector<ImGuiWindow*>& windows = context.Windows;
+    for (int i = windows.Size - 1; i >= 0; --i)
+        if (windows[i]->WasActive && !windows[i]->Hidden && !windows[i]->IsFallbackWindow &&
+            windows[i]->Rect().Contains(ImVec2(position.x, position.y)))
+            return windows[i];
+    return nullptr;
+}
+
+}  // namespace
+
 bool Hud::covers(const glm::vec2& position) const {
-    const ImVector<ImGuiWindow*>& windows = context_->Windows;
-    return std::any_of(windows.begin(), windows.end(), [&](const ImGuiWindow* window) {
-        return window->WasActive && !(window->Flags & ImGuiWindowFlags_ChildWindow) &&
-               !window->IsFallbackWindow && window->Rect().Contains(ImVec2(position.x, position.y));
-    });
+    return windowAt(*context_, position) != nullptr;
+}
+
+// Returns the window that a finger at this position would scroll, or null. Its scroll bar is a widget.
+ImGuiWindow* Hud::scrollableAt(const glm::vec2& position) const {
+    for (ImGuiWindow* window = windowAt(*context_, position); window != nullptr;
+         window = window->ParentWindow)
+        if (window->ScrollMax.y > 0.0F) return position.x < window->InnerRect.Max.x ? window : nullptr;
+    return nullptr;
 }
 
 void Hud::touch(const glm::vec2& position, bool down) {
-    touches_.push_back({position, down});
+    const glm::vec2 way = glm::abs(position - fingerStart_);
+    if (down && finger_ == Finger::up) {
+        finger_ = Finger::undecided;
+        fingerStart_ = position;
+        scrolled_ = scrollableAt(position);
+        if (scrolled_ != nullptr) scrollStart_ = scrolled_->Scroll.y;
+    } else if (finger_ == Finger::undecided && (!down || std::max(way.x, way.y) >= slop_)) {
+        finger_ = down && scrolled_ != nullptr && way.y > way.x ? Finger::scrolls : Finger::presses;
+        if (finger_ == Finger::presses) touches_.push_back({fingerStart_, true});
+    }
+    if (finger_ == Finger::scrolls)
+        ImGui::SetScrollY(
+            scrolled_, glm::clamp(scrollStart_ + fingerStart_.y - position.y, 0.0F, scrolled_->ScrollMax.y));
+    if (finger_ == Finger::presses) touches_.push_back({position, down});
+    if (!down) finger_ = Finger::up;
+}
+
+void Hud::cancelTouch() {
+    // No widget is there, so none is clicked.
+    if (finger_ == Finger::presses) touches_.push_back({glm::vec2(-1.0F), false});
+    finger_ = Finger::up;
 }
 
 void Hud::scroll(const glm::vec2& position, float clicks) {
@@ -168,7 +206,6 @@ HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::i
         if (!content.measuring) buildChoices(content, actions);
         if (ImGui::Button(content.measuring ? "Stop measuring" : "Measure")) actions.measure = true;
     }
-    scrollByTouch();
     ImGui::End();
     endFrame();
     return actions;
@@ -183,7 +220,6 @@ void Hud::buildMessage(const std::string& title, const std::string& text, glm::i
     ImGui::PopStyleColor();
     ImGui::Spacing();
     ImGui::TextWrapped("%s", text.c_str());
-    scrollByTouch();
     ImGui::End();
     endFrame();
 }
@@ -301,13 +337,6 @@ void Hud::buildLights(const HudContent& content) const {
         if (ImGui::Checkbox(label.c_str(), &isOn)) off.set(i, !isOn);
     }
     ImGui::EndCombo();
-}
-
-// Scrolls a panel that is higher than the screen by a finger that touches none of its widgets.
-void Hud::scrollByTouch() const {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (touchDown_ && ImGui::IsWindowHovered() && !ImGui::IsAnyItemActive())
-        ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
 }
 
 }  // namespace vct::app

@@ -15,6 +15,7 @@
 
 struct ImDrawData;
 struct ImGuiContext;
+struct ImGuiWindow;
 
 namespace vct::app {
 
@@ -57,8 +58,11 @@ class Hud {
     // True if the panel covered this position when it was last drawn.
     bool covers(const glm::vec2& position) const;
     // Reports one finger, which touched the screen first at a position that covers() accepted. Pixels from
-    // the top left.
+    // the top left. A finger that first moves up or down scrolls the panel or list below it. Otherwise the
+    // widget below it is pressed, once the finger moves sideways or is lifted.
     void touch(const glm::vec2& position, bool down);
+    // Drops the finger, because the system has taken it for a gesture of its own.
+    void cancelTouch();
     // Reports the mouse wheel; positive clicks are upwards.
     void scroll(const glm::vec2& position, float clicks);
 
@@ -86,10 +90,11 @@ class Hud {
     void buildCascades(const HudContent& content) const;
     void buildLight(const HudContent& content) const;
     void buildLights(const HudContent& content) const;
-    void scrollByTouch() const;
+    ImGuiWindow* scrollableAt(const glm::vec2& position) const;
 
     ImGuiContext* context_;
     float scale_;
+    float slop_;                  // pixels that a finger moves before it counts as moving
     std::optional<bool> folded_;  // as the user chose
     bool isFolded_ = false;       // in the last frame
     bool off_ = false;
@@ -97,7 +102,12 @@ class Hud {
         glm::vec2 position;
         bool down;
     };
-    std::deque<TouchEvent> touches_;
+    std::deque<TouchEvent> touches_;  // of the widgets
+    // The finger. While it is undecided, the widgets do not know of it.
+    enum class Finger { up, undecided, scrolls, presses } finger_ = Finger::up;
+    glm::vec2 fingerStart_{0.0F};
+    ImGuiWindow* scrolled_ = nullptr;  // the panel or list that the finger scrolls
+    float scrollStart_ = 0.0F;
     glm::vec2 wheelAt_{0.0F};
     float wheelClicks_ = 0.0F;  // since the last frame
     bool touchDown_ = false;

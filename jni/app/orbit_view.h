@@ -1,9 +1,11 @@
 // The camera that gestures move. It starts exactly as the scene's camera.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/touch.h"
+#include "scene/obstacles.h"
 #include "scene/scene.h"
 
 namespace vct::app {
@@ -11,13 +13,17 @@ namespace vct::app {
 class OrbitView {
   public:
     // Starts with `first` if it is given, else with the scene's first camera, else with a view of the whole
-    // scene for a picture of `aspect` (width over height).
-    OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect);
+    // scene for a picture of `aspect` (width over height). Gestures do not pass the obstacles, if there are
+    // any.
+    OrbitView(const Scene& scene, const std::optional<Camera>& first, double aspect,
+              std::shared_ptr<const Obstacles> obstacles = nullptr);
 
     // Follows the scene's animated camera, until a gesture moves the view. A double tap makes it follow
     // again.
     void follow(const Camera& camera);
 
+    // One finger turns the view around the scene, or around the eye if that is among obstacles: in a room or
+    // in a street. Two fingers move and zoom it as if they held the surface that they touched.
     // `viewport`: size of the window in which the gesture was made, in pixels.
     void apply(const Gesture& gesture, glm::ivec2 viewport);
 
@@ -31,7 +37,11 @@ class OrbitView {
     Camera camera(double aspect) const;
 
   private:
-    void orbit(double yawRad, double pitchRad);
+    void begin(const glm::vec2& position, glm::ivec2 viewport);
+    bool isAmongObstacles() const;
+    void orbit(const glm::dvec3& target, double yawRad, double pitchRad);
+    // Returns the part of a step of the eye that obstacles allow. It slides along them.
+    glm::dvec3 freePart(const glm::dvec3& eye, glm::dvec3 step) const;
 
     void start(const Camera& camera);
     void reset();
@@ -40,7 +50,10 @@ class OrbitView {
     double size_;        // diagonal of the scene, metres
     Camera start_, now_;
     double startDistance_, distance_;  // metres from the eye to the point that the view turns around
+    double touchedDepth_;              // metres along the view axis to the surface that two fingers hold
+    bool turnsAroundEye_ = false;      // during this gesture
     bool moved_ = false;               // a gesture has moved the view
+    std::shared_ptr<const Obstacles> obstacles_;
 };
 
 }  // namespace vct::app

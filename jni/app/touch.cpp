@@ -36,6 +36,7 @@ void Touch::update(const std::vector<TouchPoint>& all, double timeS) {
         }
         if (points.size() != 1) mayBeTap_ = false;
         points_ = std::move(points);
+        if (!points_.empty()) gesture_.begin = 0.5F * (points_.front().position + points_.back().position);
         return;
     }
     if (points.size() == 1) {

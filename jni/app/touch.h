@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace vct::app {
@@ -14,6 +15,8 @@ struct TouchPoint {
 
 // A movement of fingers, in pixels; y points down.
 struct Gesture {
+    // Middle of the fingers, if another number of them has touched the screen. The movement begins there.
+    std::optional<glm::vec2> begin;
     glm::vec2 orbit{0.0F};
     glm::vec2 pan{0.0F};
     float zoom = 1.0F;  // above 1 if the fingers moved apart

@@ -317,18 +317,19 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
 void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window) {
     scene_ = std::move(scene);
     features_ = featuresOf(*scene_);
+    obstacles_ = std::make_shared<const Obstacles>(*scene_);
     defaults_ = look;
     choices_.grid = look.grid.value_or(choices_.grid);
     if (look.cascades) choices_.cascades = look.cascades;
     exposure_ = {};
     aspect_ = aspectOf(sizeIn(window));
-    view_.emplace(*scene_, defaults_.camera, aspect_);
+    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
 }
 
 void Viewer::reset() {
     choices_.lightAnglesDeg.reset();
     if (!scene_) return;
-    view_.emplace(*scene_, defaults_.camera, aspect_);
+    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
     exposure_ = {};
 }
 

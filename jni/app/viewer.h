@@ -79,7 +79,10 @@ class Viewer {
 
     // `points`: every finger that is down after an event, in pixels from the top left.
     void finger(const std::vector<TouchPoint>& points, double timeS);
-    void cancelTouch() { touch_.cancel(); }
+    void cancelTouch() {
+        touch_.cancel();
+        hud_.cancelTouch();
+    }
     bool hudCovers(const glm::vec2& position) const { return hud_.covers(position); }
 
     // The mouse wheel over the panel; positive clicks are upwards.
@@ -157,6 +160,7 @@ class Viewer {
     std::shared_ptr<const Scene> scene_;
     SceneFeatures features_;  // of scene_
     ViewDefaults defaults_;
+    std::shared_ptr<const Obstacles> obstacles_;  // of scene_
     std::optional<OrbitView> view_;
     double aspect_ = 1.0;  // aspect ratio of the last picture
 

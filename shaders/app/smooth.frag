@@ -1,13 +1,14 @@
-// Smooths edges by FXAA (Lottes 2009, "FXAA", NVIDIA; the short variant for consoles): the luma of the four corners of a pixel gives
-// the direction of an edge, along which the frame is then averaged.
+// Smooths edges by FXAA (Lottes 2009, "FXAA", NVIDIA; the short variant for consoles): the luma of the four
+// corners of a pixel gives the direction of an edge, along which the frame is then averaged.
 layout(binding = 0) uniform mediump sampler2D frame;  // sRGB-encoded, with its luma in alpha
 layout(location = 0) out mediump vec4 outColor;
 
 void main() {
     // With less contrast, relative to the brightest corner or absolute, there is no edge.
     const mediump float leastShare = 0.125, least = 0.04;
-    const mediump float longest = 8.0;        // pixels along an edge
-    const mediump float steepness = 0.03125;  // limits the length along edges that are weak or nearly diagonal
+    const mediump float longest = 8.0;  // pixels along an edge
+    const mediump float steepness =
+        0.03125;  // limits the length along edges that are weak or nearly diagonal
     vec2 pixel = 1.0 / vec2(textureSize(frame, 0));
     vec2 position = gl_FragCoord.xy * pixel;
     mediump vec4 middle = textureLod(frame, position, 0.0);

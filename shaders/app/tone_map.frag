@@ -1,5 +1,5 @@
-// Brings each rendered pixel to the colour that the screen shows: exposure, tone mapping and sRGB. smooth.frag reads the luma in
-// alpha.
+// Brings each rendered pixel to the colour that the screen shows: exposure, tone mapping and sRGB.
+// smooth.frag reads the luma in alpha.
 #include "shared/tone_map.h"
 
 layout(binding = 0) uniform sampler2D radianceTarget;  // rgb relative to E/pi

@@ -46,7 +46,7 @@ class Fingers {
             content.possibleGrids = [&] { return grids; };
             content.animated = animated;
             content.lights = lights;
-            const app::HudActions actions = hud.build(content, window, {0, 0, window}, 0.02);
+            const app::HudActions actions = hud.build(content, size, {0, 0, size}, 0.02);
             all.resetView |= actions.resetView;
             all.rescan |= actions.rescan;
             all.measure |= actions.measure;
@@ -55,6 +55,7 @@ class Fingers {
         return all;
     }
 
+    glm::ivec2 size = window;
     app::Hud hud{1.0F};
     app::Choices choices;
     std::vector<app::SceneFile> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
@@ -170,6 +171,72 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);
     EXPECT_TRUE(actions.measure);
+}
+
+// A window that is too low for the panel. A finger may begin to scroll on any widget, which it does not
+// change.
+TEST(Hud, AFingerScrollsThePanel) {
+    Fingers fingers;
+    fingers.size = {400, 300};
+    fingers.frames();
+    const app::Choices before = fingers.choices;
+    const auto findsMeasure = [&] {
+        bool found = false;
+        for (float y = 200.0F; y < 300.0F; y += 8.0F)
+            found |= fingers.tap({210.0F, y}).measure;
+        return found;
+    };
+    for (float x = 10.0F; x < 300.0F; x += 10.0F) {
+        fingers.drag({x, 280.0F}, {x + 5.0F, 40.0F});
+        fingers.drag({x, 40.0F}, {x + 5.0F, 280.0F});
+    }
+    EXPECT_EQ(fingers.choices, before);
+    EXPECT_FALSE(findsMeasure());
+    fingers.tap({390.0F, 290.0F});  // closes the list that a tap has opened
+    fingers.choices = before;
+    for (int i = 0; i < 3; ++i)
+        fingers.drag({100.0F, 280.0F}, {100.0F, 40.0F});
+    EXPECT_EQ(fingers.choices, before);
+    EXPECT_TRUE(findsMeasure());
+}
+
+TEST(Hud, AFingerScrollsAList) {
+    Fingers fingers;
+    fingers.size = {400, 500};
+    fingers.lights = std::vector<std::string>(40, "light");
+    fingers.frames();
+    const auto highestWith = [&](int drags) {
+        fingers.choices.lightsOff.reset();
+        for (float y = 250.0F; y < 500.0F && fingers.choices.lightsOff.none(); y += 12.0F) {
+            fingers.tap({60.0F, y});  // opens a list, if there is one
+            for (int i = 0; i < drags; ++i)
+                fingers.drag({60.0F, 400.0F}, {60.0F, 100.0F});
+            fingers.tap({60.0F, 300.0F});
+            fingers.tap({60.0F, y});
+        }
+        std::size_t highest = 0;
+        for (std::size_t i = 0; i < fingers.lights.size(); ++i)
+            if (fingers.choices.lightsOff.test(i)) highest = i;
+        return highest;
+    };
+    const std::size_t first = highestWith(0), last = highestWith(5);
+    EXPECT_GT(first, 0U);
+    EXPECT_GT(last, first + 10);
+}
+
+// The system takes the finger away, for a gesture of its own.
+TEST(Hud, ACancelledTouchPressesNothing) {
+    for (const bool moved : {false, true}) {
+        Fingers fingers;
+        fingers.frames();
+        fingers.hud.touch(corner, true);
+        if (moved) fingers.hud.touch(corner + glm::vec2(15.0F, 0.0F), true);
+        fingers.frames();
+        fingers.hud.cancelTouch();
+        fingers.hud.touch(corner, false);
+        fingers.frames();
+        EXPECT_TRUE(fingers.hud.covers({100.0F, 200.0F})) << "the panel is hidden";
+    }
 }
 
 TEST(Hud, OffersNoGridThatIsNotPossible) {

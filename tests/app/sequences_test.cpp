@@ -80,6 +80,7 @@ class RandomLife {
         const auto point = [this](int id) {
             return AInputEvent::Pointer{id, static_cast<float>(pick(32)), static_cast<float>(pick(32))};
         };
+        android_.touch(AMOTION_EVENT_ACTION_HOVER_MOVE, {point(0)});
         android_.touch(AMOTION_EVENT_ACTION_DOWN, {point(0)});
         if (pick(2) == 0) {
             const int second = 1 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT;

@@ -1,8 +1,14 @@
 // Touches become gestures, and gestures change the view.
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "app/android/activity.h"
 #include "app/orbit_view.h"
 #include "app/touch.h"
+#include "scene/first_surfaces.h"
+#include "scene/gltf.h"
+#include "stand_in/stand_in.h"
 #include "support/scenes.h"
 
 namespace vct::test {
@@ -163,6 +169,143 @@ TEST(OrbitView, TheSceneFollowsTheFinger) {
     gesture.zoom = 2.0F;
     zoomed.apply(gesture, viewport);
     EXPECT_NEAR(eyeOf(zoomed).z, 2.0, 1e-9);
+}
+
+// The same box, seen from outside only.
+Scene solidBox() {
+    Scene scene = boxScene();
+    for (Mesh& mesh : scene.meshes)
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    return scene;
+}
+
+OrbitView viewWithObstacles(const Scene& scene, const Camera& camera) {
+    return {scene, camera, 1.5, std::make_shared<const Obstacles>(scene)};
+}
+
+Camera cameraAt(const glm::dvec3& eye) {
+    Camera camera;
+    camera.worldFromCamera[3] = glm::dvec4(eye, 1.0);
+    return camera;
+}
+
+// The place of a point of the world in the window, in shares of half its height from its middle.
+glm::dvec2 shownAt(const OrbitView& view, const glm::dvec3& world) {
+    const Camera camera = view.camera(1.0 * viewport.x / viewport.y);
+    const glm::dvec3 p = glm::inverse(camera.worldFromCamera) * glm::dvec4(world, 1.0);
+    return glm::dvec2(p) / (-p.z * std::tan(0.5 * camera.verticalFovRad));
+}
+
+// A random gesture from one frame to the next.
+Gesture randomGesture(std::mt19937& random) {
+    std::uniform_real_distribution<float> share(0.0F, 1.0F), way(-120.0F, 120.0F);
+    Gesture gesture;
+    if (share(random) < 0.2F) gesture.begin = {800.0F * share(random), 600.0F * share(random)};
+    if (share(random) < 0.5F)
+        gesture.orbit = {way(random), way(random)};
+    else
+        gesture.pan = {way(random), way(random)};
+    if (share(random) < 0.4F) gesture.zoom = std::exp2(2.0F * share(random) - 1.0F);
+    return gesture;
+}
+
+TEST(OrbitView, TurnsAroundTheEyeInARoomAndAroundTheSceneOutside) {
+    Gesture gesture;
+    gesture.begin = {400.0F, 300.0F};
+    gesture.orbit = {60, 30};
+    const Scene room = boxScene();
+    OrbitView inside = viewWithObstacles(room, cameraAt({0.2, 0.1, 0.3}));
+    const glm::dvec3 ahead(0.2, 0.1, -1.0);
+    inside.apply(gesture, viewport);
+    EXPECT_EQ(eyeOf(inside), glm::dvec3(0.2, 0.1, 0.3));
+    // The point under the finger has moved with it: 60 and 30 of 600 pixels, in shares of half the height.
+    const glm::dvec2 after = shownAt(inside, ahead);
+    EXPECT_NEAR(after.x, 0.2, 0.02);
+    EXPECT_NEAR(after.y, -0.1, 0.02);
+    OrbitView outside = viewWithObstacles(solidBox(), cameraAt({0.0, 0.0, 4.0}));
+    outside.apply(gesture, viewport);
+    EXPECT_GT(glm::distance(eyeOf(outside), glm::dvec3(0.0, 0.0, 4.0)), 0.5);
+    EXPECT_NEAR(glm::length(eyeOf(outside)), 4.0, 1e-9);
+}
+
+TEST(OrbitView, TwoFingersHoldTheSurfaceThatTheyTouch) {
+    OrbitView view = viewWithObstacles(solidBox(), cameraAt({0.0, 0.0, 4.0}));
+    Gesture gesture;
+    gesture.begin = {400.0F, 300.0F};
+    gesture.zoom = 2.0F;
+    view.apply(gesture, viewport);
+    EXPECT_NEAR(eyeOf(view).z, 2.5, 1e-6) << "half as far from the front side of the box";
+    gesture = {};
+    gesture.begin = {400.0F, 300.0F};
+    gesture.pan = {60, 0};
+    view.apply(gesture, viewport);
+    EXPECT_NEAR(shownAt(view, {0, 0, 1}).x, 0.2, 1e-6);
+}
+
+TEST(OrbitView, PassesNoWall) {
+    std::mt19937 random(7);
+    const Scene room = boxScene(), solid = solidBox();
+    OrbitView inside = viewWithObstacles(room, cameraAt({0.2, 0.1, 0.3}));
+    OrbitView outside = viewWithObstacles(solid, cameraAt({0.0, 0.0, 4.0}));
+    double reached = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        inside.apply(randomGesture(random), viewport);
+        outside.apply(randomGesture(random), viewport);
+        const glm::dvec3 in = glm::abs(eyeOf(inside)), out = glm::abs(eyeOf(outside));
+        ASSERT_LT(std::max({in.x, in.y, in.z}), 1.0) << i;
+        ASSERT_GT(std::max({out.x, out.y, out.z}), 1.0) << i;
+        reached = std::max({reached, in.x, in.y, in.z});
+    }
+    EXPECT_GT(reached, 0.98) << "the eye reaches the walls";
+}
+
+// The share of all directions in which the first surface shows its back: 1 inside of a wall.
+double shareOfBacks(const Scene& scene, const glm::dvec3& eye) {
+    std::vector<FirstSurfaces> views = viewsAround(eye, 4);
+    for (FirstSurfaces& view : views)
+        view.findsBacks = true;
+    drawFirstSurfaces(scene, views);
+    int backs = 0, count = 0;
+    for (const FirstSurfaces& view : views)
+        for (const FirstSurfaces::Sample& sample : view.samples) {
+            backs += sample.backDepth > 0.0 && (sample.depth == 0.0 || sample.backDepth < sample.depth);
+            ++count;
+        }
+    return static_cast<double>(backs) / count;
+}
+
+TEST(OrbitView, NoDragEndsInAWallOfTheTown) {
+    const Scene town = loadGltf(VCT_SOURCE_DIR "/assets/town.glb");
+    const auto obstacles = std::make_shared<const Obstacles>(town);
+    std::mt19937 random(3);
+    for (const Camera& camera : town.cameras) {
+        OrbitView view(town, camera, 1.5, obstacles);
+        const double first = shareOfBacks(town, eyeOf(view));
+        for (int i = 0; i < 200; ++i) {
+            view.apply(randomGesture(random), viewport);
+            if (i % 50 == 0) {
+                EXPECT_LT(shareOfBacks(town, eyeOf(view)), std::max(0.5, first)) << camera.name;
+            }
+        }
+    }
+}
+
+// Android reports a mouse above the screen, and wheels, as motion events too.
+TEST(Touch, HoverAndWheelAreNoFingers) {
+    for (const int action :
+         {AMOTION_EVENT_ACTION_DOWN, AMOTION_EVENT_ACTION_UP, AMOTION_EVENT_ACTION_MOVE,
+          AMOTION_EVENT_ACTION_CANCEL, AMOTION_EVENT_ACTION_POINTER_DOWN, AMOTION_EVENT_ACTION_POINTER_UP}) {
+        const AInputEvent event{AINPUT_EVENT_TYPE_MOTION, action, {}};
+        EXPECT_TRUE(app::isTouch(&event)) << action;
+    }
+    for (const int action : {AMOTION_EVENT_ACTION_HOVER_MOVE, AMOTION_EVENT_ACTION_HOVER_ENTER,
+                             AMOTION_EVENT_ACTION_HOVER_EXIT, AMOTION_EVENT_ACTION_SCROLL}) {
+        const AInputEvent event{AINPUT_EVENT_TYPE_MOTION, action, {}};
+        EXPECT_FALSE(app::isTouch(&event)) << action;
+    }
+    const AInputEvent key{AINPUT_EVENT_TYPE_KEY, AMOTION_EVENT_ACTION_DOWN, {}};
+    EXPECT_FALSE(app::isTouch(&key));
 }
 
 TEST(OrbitView, NeverTurnsOverAndStaysRigid) {

@@ -20,6 +20,21 @@ float pixelsPerDp(AConfiguration* configuration) {
     return density > 0 && density < ACONFIGURATION_DENSITY_ANY ? static_cast<float>(density) / 160.0F : 1.0F;
 }
 
+bool isTouch(const AInputEvent* event) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return false;
+    switch (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) {
+        case AMOTION_EVENT_ACTION_DOWN:
+        case AMOTION_EVENT_ACTION_UP:
+        case AMOTION_EVENT_ACTION_MOVE:
+        case AMOTION_EVENT_ACTION_CANCEL:
+        case AMOTION_EVENT_ACTION_POINTER_DOWN:
+        case AMOTION_EVENT_ACTION_POINTER_UP:
+            return true;
+        default:
+            return false;
+    }
+}
+
 std::vector<TouchPoint> fingersAfter(const AInputEvent* event) {
     const int action = AMotionEvent_getAction(event);
     const int kind = action & AMOTION_EVENT_ACTION_MASK;

@@ -24,7 +24,11 @@ float pixelsPerDp(AConfiguration* configuration);
 // Reads the insets of the activity's window; zero before the window's first layout.
 WindowInsets windowInsets(ANativeActivity& activity);
 
-// Every finger that is down after a motion event.
+// True if fingers touch the screen, move on it or leave it. Android also reports a mouse or pen above the
+// screen, and wheels, as motion events.
+bool isTouch(const AInputEvent* event);
+
+// Every finger that is down after such an event.
 std::vector<TouchPoint> fingersAfter(const AInputEvent* event);
 
 }  // namespace vct::app

@@ -195,7 +195,7 @@ void App::halt(const std::string& why) {
 }
 
 bool App::onInput(const AInputEvent* event) {
-    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return false;
+    if (!isTouch(event)) return false;
     const bool cancelled =
         (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) == AMOTION_EVENT_ACTION_CANCEL;
     if (cancelled) viewer_->cancelTouch();
