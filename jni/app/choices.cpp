@@ -73,26 +73,28 @@ ShowRequest showRequestFromText(const std::string& text) {
                 wholeNumberFromText("show: lights-off", number, VCT_MAX_PUNCTUAL_LIGHTS) - 1));
     };
     setFromWords(
-        text, {{"scene", [&](const auto& value) { request.scene = value; }},
-               {"preset", [&](const auto& value) { choosePreset(choices, value); }},
-               {"mode", [&](const auto& value) { choices.mode = modesFromText(value).front(); }},
-               {"grid", [&](const auto& value) { grid = wholeNumberFromText("show: grid", value, 100000); }},
-               {"cascades",
-                [&](const auto& value) {
-                    if (value != "auto")
-                        cascades = wholeNumberFromText("show: cascades", value, VCT_MAX_CASCADES);
-                }},
-               {"cone-angle",
-                [&](const auto& value) {
-                    choices.coneAngleDeg = static_cast<float>(numberFromText("show: cone-angle", value));
-                }},
-               {"pixels", setPixels},
-               {"display", setSwitch("display", request.display)},
-               {"steps", setSwitch("steps", choices.timeSteps)},
-               {"revoxelize", setSwitch("revoxelize", choices.revoxelize)},
-               {"sky", setSky},
-               {"lights-off", setLightsOff},
-               {"time", setTime}});
+        text,
+        {{"scene", [&](const auto& value) { request.scene = value; }},
+         {"preset", [&](const auto& value) { choosePreset(choices, value); }},
+         {"mode", [&](const auto& value) { choices.mode = modesFromText(value).front(); }},
+         {"grid", [&](const auto& value) { grid = wholeNumberFromText("show: grid", value, 100000); }},
+         {"cascades",
+          [&](const auto& value) {
+              if (value != "auto") cascades = wholeNumberFromText("show: cascades", value, VCT_MAX_CASCADES);
+          }},
+         {"cone-angle",
+          [&](const auto& value) {
+              choices.coneAngleDeg = static_cast<float>(numberFromText("show: cone-angle", value));
+          }},
+         {"pixels", setPixels},
+         {"display", setSwitch("display", request.display)},
+         {"steps", setSwitch("steps", choices.timeSteps)},
+         {"revoxelize", setSwitch("revoxelize", choices.revoxelize)},
+         {"sky", setSky},
+         {"lights-off", setLightsOff},
+         {"record",
+          [&](const auto& value) { request.recordS = wholeNumberFromText("show: record", value, 3600); }},
+         {"time", setTime}});
     if (grid) request.choices.grid = *grid;
     choices.cascades = cascades;
     validate(settingsFor(request.choices, glm::ivec2(1), 1.0));

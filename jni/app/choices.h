@@ -60,6 +60,7 @@ struct ShowRequest {
     Choices choices;
     bool display = true;
     double timeS = 0.0;
+    int recordS = 0;  // seconds for which the time of each frame is recorded; 0: not at all
 };
 // Throws vct::Error.
 ShowRequest showRequestFromText(const std::string& text);

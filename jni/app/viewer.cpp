@@ -21,14 +21,20 @@ Viewer::Viewer(ViewerHost host, const ShowRequest& request)
     : host_(std::move(host)),
       scenes_(host_.findScenes, host_.readScene),
       choices_(request.choices),
+      recordS_(request.recordS),
       animationS_(request.timeS),
       hud_(host_.pixelsPerDp),
       touch_(host_.pixelsPerDp),
       lastFrame_(std::chrono::steady_clock::now()) {
     if (!request.display) hud_.turnOff();
+    if (recordS_ > 0) host_.keepScreenOn(true);
     const int first = scenes_.find(request.scene.empty() ? firstScene : request.scene);
-    if (first < 0 && !request.scene.empty())
-        fail("there is no scene '" + request.scene + "'; copy it into the folder " + host_.folder);
+    if (first < 0 && !request.scene.empty()) {
+        const std::string why =
+            "there is no scene '" + request.scene + "'; copy it into the folder " + host_.folder;
+        fail(why);
+        endRecording(why);
+    }
     if (!scenes_.all().empty()) scenes_.load(scenes_.all()[std::max(first, 0)]);
 }
 
@@ -60,8 +66,14 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
                                      : measuring ? nullptr
                                                  : gl_->rendererOf(scene_);
     present(renderer, window, free, passedS);
-    if (isRendered && scaleFollowsTime(choices_)) {
-        followTime(window, now);
+    if (!isRendered || !(scaleFollowsTime(choices_) || recordS_ > 0)) return;
+    // The time is taken by waiting for the GPU, which works with every driver: GPU clocks are wrong on many
+    // (gl/driver_faults.h), and the time between two frames is never below the display's refresh.
+    gl::Finish();
+    const std::chrono::duration<double, std::milli> work = std::chrono::steady_clock::now() - now;
+    if (recordS_ > 0) record(1e3 * passedS, work.count());
+    if (scaleFollowsTime(choices_)) {
+        followTime(window, work.count());
         followHeat(window);
     }
 }
@@ -191,21 +203,42 @@ glm::ivec2 Viewer::sizeIn(glm::ivec2 window) const {
     return settingsFor(choices_, window, scale_.divisor()).size;
 }
 
-// Adapts the resolution to the time of the frame that began at `start`. The time is taken by waiting for the
-// GPU, which works with every driver: GPU clocks are wrong on many (gl/driver_faults.h), and the time between
-// two frames is never below the display's refresh.
-void Viewer::followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start) {
-    gl::Finish();
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (scale_.follow(took.count())) logSize("time", window);
+// Adapts the resolution to the time of a frame, from its start until the GPU has finished it.
+void Viewer::followTime(glm::ivec2 window, double workMs) {
+    if (scale_.follow(workMs)) logSize("time", window);
 }
 
 void Viewer::followHeat(glm::ivec2 window) {
     if (lastFrame_ < nextHeatCheck_) return;
     nextHeatCheck_ = lastFrame_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                       std::chrono::duration<double>(ResolutionScale::heatPeriodS));
-    const std::optional<float> headroom = host_.thermalHeadroom();
-    if (headroom && scale_.followHeat(*headroom)) logSize("heat", window);
+    headroom_ = host_.thermalHeadroom();
+    if (headroom_ && scale_.followHeat(*headroom_)) logSize("heat", window);
+}
+
+// The first frame of the scene begins the recording; its own time includes loading.
+void Viewer::record(double frameMs, double workMs) {
+    try {
+        if (!recording_)
+            recording_.emplace(host_.folder, recordS_);
+        else if (!recording_->add({frameMs, workMs, scale_.divisor(), headroom_}))
+            endRecording("");
+    } catch (const Error& error) {
+        endRecording(error.what());
+    }
+}
+
+void Viewer::endRecording(const std::string& failure) {
+    if (recordS_ == 0) return;
+    if (!failure.empty()) fail("recording failed: " + failure);
+    try {
+        if (recording_ && !failure.empty()) recording_->failed(failure);
+    } catch (const Error& error) {
+        fail(error.what());
+    }
+    recording_.reset();
+    recordS_ = 0;
+    host_.keepScreenOn(false);
 }
 
 void Viewer::logSize(const std::string& limit, glm::ivec2 window) const {
@@ -275,6 +308,7 @@ void Viewer::dropCaches() {
 // Goes back to the last choices and scene that could be rendered.
 void Viewer::revert(const std::string& why, glm::ivec2 window) {
     fail(why);
+    endRecording(why);
     gl_->dropRenderer();
     const Wanted wanted{choices_, scene_, window};
     failed_ = wanted;
@@ -310,7 +344,9 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         }
         choices_.lightAnglesDeg.reset();
     } catch (const std::exception& error) {
-        return request_ ? endMeasuring(error.what()) : fail(error.what());
+        if (request_) return endMeasuring(error.what());
+        fail(error.what());
+        endRecording(error.what());
     }
 }
 

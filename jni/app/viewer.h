@@ -14,6 +14,7 @@
 #include "app/gl_objects.h"
 #include "app/hud.h"
 #include "app/orbit_view.h"
+#include "app/recording.h"
 #include "app/resolution_scale.h"
 #include "app/scenes.h"
 #include "app/touch.h"
@@ -138,8 +139,10 @@ class Viewer {
 
     glm::ivec2 sizeIn(glm::ivec2 window) const;    // size of the rendered picture
     Settings settingsOf(glm::ivec2 window) const;  // settings of the renderer
-    void followTime(glm::ivec2 window, std::chrono::steady_clock::time_point start);
+    void followTime(glm::ivec2 window, double workMs);
     void followHeat(glm::ivec2 window);
+    void record(double frameMs, double workMs);
+    void endRecording(const std::string& failure);  // "": it is complete
     void logSize(const std::string& limit, glm::ivec2 window) const;
     DirectionalLight light() const;  // the sun in the scene's rest pose, turned as chosen
     double sceneTimeS() const;
@@ -167,6 +170,9 @@ class Viewer {
     Choices choices_;
     ResolutionScale scale_;
     std::chrono::steady_clock::time_point nextHeatCheck_;
+    std::optional<float> headroom_;  // as the device told last
+    int recordS_;                    // seconds to record, once a scene is shown
+    std::optional<Recording> recording_;
     double animationS_ = 0.0;       // playing time so far, of all scenes together
     std::optional<Wanted> good_;    // the last frame that could be rendered
     ViewDefaults goodDefaults_;     // the look of that frame

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program_run.h"
 #include "image/image.h"
@@ -96,6 +97,43 @@ TEST_P(MeasureFails, WithTheReasonInTheFileFailed) {
     expectMentions(failed, {GetParam().says});
     EXPECT_FALSE(std::filesystem::exists(files.file("results/done")));
     EXPECT_EQ(android.misuse, std::vector<std::string>{});
+}
+
+TEST(RecordingInTheApp, WritesTheTimeAndTheDivisorOfEachFrame) {
+    Measuring android("show record=1 display=off steps=off grid=64 mode=phong preset=mobile");
+    const TemporaryFolder& files = android.folder;
+    android.headroom = 0.5F;
+    android.runUntil("recorded ");
+    EXPECT_EQ(android.errors(), "");
+    EXPECT_EQ(android.windowFlags, 0U) << "the screen may go dark again";
+    EXPECT_TRUE(std::filesystem::exists(files.file("results/done")));
+    std::istringstream rows(readBytes(files.file("results/frames.csv")));
+    std::string row;
+    std::getline(rows, row);
+    EXPECT_EQ(row, "end_ms,frame_ms,work_ms,divisor,headroom");
+    double end = 0.0, sum = 0.0;
+    int count = 0;
+    while (std::getline(rows, row)) {
+        double frame = 0.0, work = 0.0, divisor = 0.0, headroom = 0.0;
+        ASSERT_EQ(std::sscanf(row.c_str(), "%lf,%lf,%lf,%lf,%lf", &end, &frame, &work, &divisor, &headroom),
+                  5)
+            << row;
+        sum += frame;
+        EXPECT_GT(work, 0.0);
+        EXPECT_GE(divisor, 1.0);
+        EXPECT_NEAR(headroom, 0.5, 1e-6);
+        ++count;
+    }
+    EXPECT_GE(count, 1) << "one frame may take all of the time";
+    EXPECT_GE(end, 1000.0);
+    EXPECT_NEAR(sum, end, 1.0);
+}
+
+TEST(RecordingInTheApp, OfAMissingSceneFailsAtOnce) {
+    Measuring android("show record=60 scene=none.glb");
+    android.framesUntilLogged("recording failed: there is no scene 'none.glb'");
+    android.run();
+    EXPECT_EQ(android.windowFlags, 0U);
 }
 
 TEST(MeasureInTheApp, QuittingInTheMiddleSaysFailed) {
