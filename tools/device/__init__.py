@@ -1,0 +1,1 @@
+"""A phone that is connected by adb, and the app on it (tools/phone.py)."""
