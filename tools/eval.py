@@ -32,6 +32,7 @@ VERBS = {
     "cases": "small scenes with known answers",
     "compare": "the presets beside other renderers: three.js, Godot, and Cycles as a check of the references",
     "report": "one page of all results in the folder",
+    "phone": "what a phone sent (scripts/phone.sh all), beside this machine and the bounds",
     "mali": "time below which a Mali-T880 cannot draw a frame",
 }
 
