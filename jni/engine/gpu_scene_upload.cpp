@@ -59,19 +59,21 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
 }
 
 void GpuScene::uploadTextures(const Scene& scene) {
-    const auto upload = [&](const std::vector<bool>& read, TextureOf of) {
+    const auto upload = [&](const std::vector<bool>& read, TextureOf of,
+                            const std::vector<std::optional<float>>& holesBelow) {
         std::vector<gl::Texture> textures;
         for (std::size_t i = 0; i < scene.textures.size(); ++i) {
             const Texture& texture = scene.textures[i];
             if (texture.external != 0)
                 textures.push_back(gl::Texture::wrapExternal(texture.external));
             else
-                textures.push_back(read[i] ? materialTexture(texture, of) : gl::Texture());
+                textures.push_back(read[i] ? materialTexture(texture, of, holesBelow[i]) : gl::Texture());
         }
         return textures;
     };
-    textures_ = upload(features_.textures, TextureOf::colors);
-    dataTextures_ = upload(features_.dataTextures, TextureOf::numbers);
+    textures_ = upload(features_.textures, TextureOf::colors, features_.holesBelow);
+    const std::vector<std::optional<float>> noHoles(scene.textures.size());
+    dataTextures_ = upload(features_.dataTextures, TextureOf::numbers, noHoles);
 }
 
 }  // namespace vct

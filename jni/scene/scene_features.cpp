@@ -42,6 +42,7 @@ SceneFeatures featuresOf(const Scene& scene) {
     found.movingLight = std::any_of(scene.lights.begin(), scene.lights.end(), moves) ||
                         std::any_of(scene.punctualLights.begin(), scene.punctualLights.end(), moves);
     found.textures.resize(scene.textures.size());
+    found.holesBelow.resize(scene.textures.size());
     found.dataTextures.resize(scene.textures.size());
     found.materials = static_cast<int>(materials.size());
     std::set<unsigned> combinations;
@@ -51,6 +52,9 @@ SceneFeatures featuresOf(const Scene& scene) {
         combinations.insert(features | sharedFeatures(scene));
         found.glossy |= material.isGlossy();
         if (features & featureBaseColorTexture) found.textures[material.baseColorTexture] = true;
+        if (features & featureBaseColorTexture && features & featureAlphaMask &&
+            material.baseColor.a > 0.0F && !found.holesBelow[material.baseColorTexture])
+            found.holesBelow[material.baseColorTexture] = material.alphaCutoff / material.baseColor.a;
         if (features & featureEmissiveTexture) found.textures[material.emissiveTexture] = true;
         if (features & featureGlossTexture) found.dataTextures[material.glossTexture] = true;
         if (features & featureNormalMap) found.dataTextures[material.normalTexture] = true;

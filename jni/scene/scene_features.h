@@ -2,6 +2,7 @@
 // and calls only for these. Only materials of instances count: an unused material costs nothing.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -32,11 +33,13 @@ struct SceneFeatures {
     std::vector<unsigned> materialFeatures;  // the combinations that occur, each once, ascending
     bool glossy = false;                     // a material is glossy
     std::vector<bool> textures;              // per texture of Scene::textures: a material reads it as colour
-    std::vector<bool> dataTextures;          // per texture: read as numbers (gloss, normal map)
-    int materials = 0;                       // number of materials that occur
-    bool movingObjects = false;              // an animation moves an instance
-    bool deforms = false;                    // an animation deforms a mesh
-    bool movingLight = false;                // an animation moves a light
+    // Per texture: the alpha below which the first mask that reads it has a hole; none: no mask does.
+    std::vector<std::optional<float>> holesBelow;
+    std::vector<bool> dataTextures;  // per texture: read as numbers (gloss, normal map)
+    int materials = 0;               // number of materials that occur
+    bool movingObjects = false;      // an animation moves an instance
+    bool deforms = false;            // an animation deforms a mesh
+    bool movingLight = false;        // an animation moves a light
 
     // True if any material has this feature.
     bool has(MaterialFeature feature) const;

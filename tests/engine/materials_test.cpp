@@ -168,5 +168,95 @@ TEST(Materials, ANormalMapTurnsTheNormal) {
             }
 }
 
+// Masks keep the share of their area that is covered, however far away they are: in the picture, in the
+// shadow map and in the voxels.
+constexpr int leafTexels = 32;
+constexpr double leafRadius = 0.36;  // in widths of the texture
+
+// A round leaf, opaque green, on transparent red.
+Texture leaf() {
+    std::vector<std::uint8_t> rgba;
+    for (int y = 0; y < leafTexels; ++y)
+        for (int x = 0; x < leafTexels; ++x) {
+            const glm::dvec2 fromMiddle = (glm::dvec2(x, y) + 0.5) / double{leafTexels} - 0.5;
+            const bool covered = glm::length(fromMiddle) < leafRadius;
+            const std::uint8_t green = covered ? 255 : 0, red = covered ? 0 : 255;
+            rgba.insert(rgba.end(), {red, green, 0, green});
+        }
+    Texture texture;
+    texture.width = texture.height = leafTexels;
+    texture.rgba = rgba;
+    return texture;
+}
+const double leafShare = pi * leafRadius * leafRadius;
+
+// A floor of side 2 in the plane y = 0, and `leavesAcross` squared leaves in a square of the same size above.
+Scene leavesOverFloor(int leavesAcross) {
+    Scene scene = emptyScene();
+    scene.textures.push_back(leaf());
+    Material mask;
+    mask.metallic = 0.0F;
+    mask.baseColorTexture = 0;
+    mask.alphaMode = Material::AlphaMode::mask;
+    mask.doubleSided = true;
+    scene.materials.push_back(mask);
+    addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    addQuad(scene, {-1, 1, -1}, {0, 0, 2}, {2, 0, 0}, 1);
+    Mesh& leaves = scene.meshes.back();
+    for (Vertex& vertex : leaves.vertices)
+        vertex.uv = 0.5F * float(leavesAcross) * (glm::vec2(vertex.position.x, vertex.position.z) + 1.0F);
+    return finished(std::move(scene));
+}
+
+Settings settingsOfLeaves() {
+    Settings settings = mobileAt(128);
+    settings.shadowMapSize = 128;
+    return settings;
+}
+
+class Leaves : public testing::TestWithParam<int> {
+  protected:
+    const Context context_ = openContext(Backend::egl);
+    const Scene scene_ = leavesOverFloor(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(Masks, Leaves, testing::Values(8, 24, 50, 100));
+
+TEST_P(Leaves, CoverTheSameShareOfThePicture) {
+    FrameInspector frame(context_, scene_, slantingSun, settingsOfLeaves(),
+                         lookAt({0, 9, 0.001}, {0, 0, 0}, 12));
+    int covered = 0, all = 0;
+    double red = 0.0;
+    for (const SurfacePixel& pixel : frame.pixels()) {
+        ++all;
+        if (pixel.positionWorld.y < 0.5) continue;
+        ++covered;
+        red += pixel.albedo.r;
+    }
+    EXPECT_NEAR(static_cast<double>(covered) / all, leafShare, 0.03);
+    EXPECT_LE(red / covered, 0.05);  // holes have no colour
+}
+
+TEST_P(Leaves, ShadeTheSameShareOfTheFloor) {
+    FrameInspector frame(context_, scene_, slantingSun, settingsOfLeaves(),
+                         lookAt({0, 0.9, 0.001}, {0, 0, 0}, 70));
+    double sum = 0.0;
+    const std::vector<float> light = frame.hardShadow();
+    for (const float share : light)
+        sum += share;
+    EXPECT_NEAR(sum / static_cast<double>(light.size()), 1.0 - leafShare, 0.03);
+}
+
+TEST_P(Leaves, CoverTheSameShareOfTheirVoxels) {
+    FrameInspector frame(context_, scene_, slantingSun, settingsOfLeaves(),
+                         lookAt({0, 9, 0.001}, {0, 0, 0}, 12));
+    const FaceLevel level = frame.faceLevels().front();
+    double covered = 0.0, ofFloor = 0.0;
+    const int upwards = 2;
+    level.forEachVoxel([&](const glm::ivec3& voxel) {
+        (voxel.y > level.side() / 2 ? covered : ofFloor) += level.at(voxel, upwards).a;
+    });
+    EXPECT_NEAR(covered / ofFloor, leafShare, 0.04);
+}
+
 }  // namespace
 }  // namespace vct::test
