@@ -39,7 +39,9 @@ void addPngOptions(CLI::App& command, std::string& exposure, std::string& toneMa
         .add_option(
             "--tone-map", toneMap,
             "Tone mapping of the PNGs: neutral (Khronos PBR Neutral, which keeps colours up to 0.8 and "
-            "compresses brighter ones) or none (values above 1 are clamped)")
+            "compresses brighter ones), agx (as in Blender: bright colours turn white gradually), aces (as "
+            "of "
+            "film: more contrast, darker) or none (values above 1 are clamped)")
         ->capture_default_str()
         ->group(picturesGroup);
 }

@@ -13,16 +13,20 @@ namespace vct {
 ToneMap toneMapFromText(const std::string& text) {
     if (text == "none") return ToneMap::none;
     if (text == "neutral") return ToneMap::neutral;
-    throw Error("'" + text + "' is not a tone mapping; use neutral or none");
+    if (text == "agx") return ToneMap::agx;
+    if (text == "aces") return ToneMap::aces;
+    throw Error("'" + text + "' is not a tone mapping; use neutral, agx, aces or none");
 }
 
 Image toneMapped(Image image, ToneMap toneMap, float exposure) {
+    const auto curve = toneMap == ToneMap::agx    ? shared::agxToneMapped
+                       : toneMap == ToneMap::aces ? shared::acesToneMapped
+                                                  : shared::neutralToneMapped;
     for (glm::vec3& pixel : image.pixels) {
         pixel *= exposure;
-        // Rendering errors can leave negative values and NaN, which the curve does not accept.
-        if (toneMap == ToneMap::neutral)
-            pixel = shared::neutralToneMapped(
-                glm::clamp(glm::mix(pixel, glm::vec3(0.0F), glm::isnan(pixel)), 0.0F, 1e30F));
+        // Rendering errors can leave negative values and NaN, which the curves do not accept.
+        if (toneMap != ToneMap::none)
+            pixel = curve(glm::clamp(glm::mix(pixel, glm::vec3(0.0F), glm::isnan(pixel)), 0.0F, 1e30F));
     }
     return image;
 }

@@ -7,14 +7,12 @@
 
 namespace vct {
 
-enum class ToneMap {
-    none,     // values above 1 are clamped
-    neutral,  // shaders/shared/tone_map.h
-};
-// Accepts "none" and "neutral"; throws vct::Error naming both for any other text.
+// The tone mappers of shaders/shared/tone_map.h. With `none`, values above 1 are clamped.
+enum class ToneMap { none, neutral, agx, aces };
+// Accepts the names above; throws vct::Error naming all of them for any other text.
 ToneMap toneMapFromText(const std::string& text);
 
-// The result is linear. With ToneMap::neutral it lies in [0, 1].
+// The result is linear. It lies in [0, 1], except with ToneMap::none.
 Image toneMapped(Image image, ToneMap toneMap, float exposure);
 
 // Exposure that brings the geometric mean of a picture's luminance to middle grey (Reinhard et al. 2002,

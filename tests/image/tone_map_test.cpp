@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "shared/tone_map.h"
@@ -39,6 +40,46 @@ TEST(NeutralToneMap, KeepsBaseColoursAndCompressesBrighterOnes) {
     EXPECT_GT(last, 0.999F);
 }
 
+// AgX shows middle grey at half of the display's code. The matrices of Hill's fit keep grey, so its curve
+// alone decides.
+TEST(ToneMaps, OfFilmKeepGreyGreyAndMiddleGreyWhereItIsKnown) {
+    const auto known = [](const glm::vec3& shown, float value, float tolerance) {
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(shown[c], value, tolerance);
+    };
+    known(shared::agxToneMapped(glm::vec3(0.18F)), std::pow(0.5F, 2.2F), 0.005F);
+    known(shared::agxToneMapped(glm::vec3(0.0F)), 0.0F, 1e-3F);
+    known(shared::agxToneMapped(glm::vec3(1e6F)), 1.0F, 0.01F);
+    // (.18 (.18 + .0245786) - .000090537) / (.18 (.983729 .18 + .432951) + .238081)
+    known(shared::acesToneMapped(glm::vec3(0.18F)), 0.10559F, 1e-4F);
+    known(shared::acesToneMapped(glm::vec3(0.0F)), 0.0F, 1e-3F);
+    known(shared::acesToneMapped(glm::vec3(1e30F)), 1.0F, 0.02F);
+    for (const auto curve : {shared::agxToneMapped, shared::acesToneMapped}) {
+        float last = -1.0F;
+        for (float value = 0.0F; value < 1e4F; value = value * 1.1F + 1e-3F) {
+            const glm::vec3 shown = curve(glm::vec3(value));
+            EXPECT_GE(shown.r, last);
+            EXPECT_NEAR(shown.g, shown.r, 0.005F);
+            EXPECT_NEAR(shown.b, shown.r, 0.005F);
+            last = shown.r;
+        }
+        // Bright red turns white gradually; the neutral curve is compared above.
+        EXPECT_LT(curve({1, 0, 0}).g, curve({20, 0, 0}).g);
+    }
+}
+
+TEST(ToneMaps, AreChosenByName) {
+    const Image image(1, 1, glm::vec3(2.0F, 0.5F, 0.1F));
+    const auto shown = [&](const char* name) {
+        return toneMapped(image, toneMapFromText(name), 0.5F).pixels[0];
+    };
+    const glm::vec3 exposed = 0.5F * image.pixels[0];
+    EXPECT_EQ(shown("neutral"), shared::neutralToneMapped(exposed));
+    EXPECT_EQ(shown("agx"), shared::agxToneMapped(exposed));
+    EXPECT_EQ(shown("aces"), shared::acesToneMapped(exposed));
+    EXPECT_EQ(shown("none"), exposed);
+}
+
 TEST(NeutralToneMap, ShowsNoNumberAsBlack) {
     Image image(3, 1, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
     image.pixels[1] = glm::vec3(-1.0F);
@@ -47,7 +88,7 @@ TEST(NeutralToneMap, ShowsNoNumberAsBlack) {
     EXPECT_EQ(image.pixels[0], glm::vec3(0.0F));
     EXPECT_EQ(image.pixels[1], glm::vec3(0.0F));
     EXPECT_NEAR(image.pixels[2].r, 1.0F, 1e-3F);
-    expectMentions(errorOf([] { toneMapFromText("filmic"); }), {"filmic", "neutral", "none"});
+    expectMentions(errorOf([] { toneMapFromText("filmic"); }), {"filmic", "neutral", "agx", "aces", "none"});
 }
 
 TEST(AutomaticExposure, BringsAPictureToMiddleGrey) {
