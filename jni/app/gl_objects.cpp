@@ -35,12 +35,8 @@ GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
 }
 
 std::size_t GlObjects::linkNext(const SceneFeatures& features, const Settings& settings, Output mode) {
-    const gl::ShaderLibrary library = shaderLibrary(settings, capabilities_, shaders_, programs_);
-    std::vector<gl::ProgramDescription> missing;
-    for (const FrameProgram& use : framePrograms(settings, mode, features, capabilities_))
-        if (!programs_->contains(library, use.program)) missing.push_back(use.program);
-    if (!missing.empty()) gl::Program(library, missing.front());  // the cache keeps it
-    return missing.size();
+    return vct::linkNext(shaderLibrary(settings, capabilities_, shaders_, programs_), settings, mode,
+                         features, capabilities_);
 }
 
 std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {

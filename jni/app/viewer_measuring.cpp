@@ -56,11 +56,11 @@ void Viewer::measure() {
             if (request_->light.empty() && scene_->lights.empty())
                 sky.skyRadiance = chooseSky(*scene_, chooseLight(*scene_));
             bench_ = std::make_unique<BenchRun>(
-                BenchRun::Input{
-                    *request_, scene_, lightFromText(request_->light, *scene_), sky, gl_->capabilities(),
-                    host_.shaders, host_.backend, selfTestJson(*testResult_),
-                    [](const std::string& line) { log(line); },
-                    host_.openGpuCounters ? std::optional(host_.openGpuCounters()) : std::nullopt},
+                BenchRun::Input{*request_, scene_, lightFromText(request_->light, *scene_), sky,
+                                gl_->capabilities(), host_.shaders, host_.backend, selfTestJson(*testResult_),
+                                [](const std::string& line) { log(line); },
+                                host_.openGpuCounters ? std::optional(host_.openGpuCounters()) : std::nullopt,
+                                gl_->programs()},
                 results_->path());
         }
         more = bench_->advance();

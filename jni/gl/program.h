@@ -49,8 +49,8 @@ class Program {
     std::shared_ptr<Linked> linked_;
 };
 
-// Too many programs were new: see ProgramCache::limitNewPrograms(). It is no vct::Error, because nothing is
-// wrong: the same work succeeds if it is repeated often enough.
+// Too many programs were new: see ProgramCache::runLimited(). It is no vct::Error, because nothing is wrong:
+// the same work succeeds if it is repeated often enough.
 struct NewProgramLimit : std::exception {
     const char* what() const noexcept override { return "too many new programs for one frame"; }
 };
@@ -61,10 +61,22 @@ class ProgramCache {
   public:
     bool contains(const ShaderLibrary& library, const ProgramDescription& description) const;
 
-    // Allows `count` programs to be linked or to be used for the first time, which is when some drivers
-    // compile them. The next one throws NewProgramLimit. The initial count is the largest possible.
-    void limitNewPrograms(int count) { *newPrograms_ = count; }
-    void removeLimit() { *newPrograms_ = std::numeric_limits<int>::max(); }
+    // Runs `work`, which may link one program or use one for the first time, which is when some drivers
+    // compile it. Returns false if it needs more: then it was interrupted, and gets further when repeated.
+    template <typename Work>
+    bool runLimited(const Work& work) {
+        struct Limit {
+            int& newPrograms;
+            explicit Limit(int& count) : newPrograms(count) { newPrograms = 1; }
+            ~Limit() { newPrograms = unlimited; }
+        } const limit(*newPrograms_);
+        try {
+            work();
+        } catch (const NewProgramLimit&) {
+            return false;
+        }
+        return true;
+    }
 
     void removeUnused();  // deletes the programs that have no other owner
 
@@ -74,7 +86,8 @@ class ProgramCache {
     static Key keyOf(const ShaderLibrary& library, const ProgramDescription& description);
 
     std::map<Key, std::shared_ptr<Program::Linked>> programs_;
-    std::shared_ptr<int> newPrograms_ = std::make_shared<int>(std::numeric_limits<int>::max());
+    static constexpr int unlimited = std::numeric_limits<int>::max();
+    std::shared_ptr<int> newPrograms_ = std::make_shared<int>(unlimited);
 };
 
 }  // namespace vct::gl

@@ -6,9 +6,11 @@
 
 #include "core/error.h"
 #include "core/files.h"
+#include "engine/programs.h"
 #include "gl/debug.h"
 #include "image/image.h"
 #include "lab/options.h"
+#include "lab/program_list.h"
 #include "scene/camera.h"
 #include "scene/near_plane.h"
 
@@ -102,6 +104,7 @@ BenchRun::BenchRun(Input input, std::string folder)
         cameraNote(*input_.scene, input_.request.camera, camera_, aspectOf(input_.request.size));
     if (!note.empty()) input_.log(note);
     if (input_.counters) input_.log("GPU counters: " + countersText(*input_.counters));
+    features_ = featuresOf(*input_.scene);
     camera_ = withFittedNearPlane(camera_, *input_.scene, aspectOf(input_.request.size));
     for (const BenchConfig& config : configsOf(input_.request)) {
         validate(settingsFor(config));
@@ -134,12 +137,13 @@ std::string BenchRun::progress() const {
 // of them.
 bool BenchRun::advance() {
     try {
-        if (!renderer_)
-            beginRun();
-        else if (mode_ == modes_.size())
+        if (!renderer_) {
+            if (!linkNext()) beginRun();
+        } else if (mode_ == modes_.size()) {
             endRun();
-        else
+        } else {
             frame();
+        }
     } catch (const gl::ContextLost&) {
         throw;
     } catch (const std::exception& error) {
@@ -150,10 +154,20 @@ bool BenchRun::advance() {
     return false;
 }
 
+bool BenchRun::linkNext() {
+    const Settings settings = settingsFor(config());
+    const gl::ShaderLibrary library =
+        shaderLibrary(settings, input_.capabilities, input_.shaders, input_.programs);
+    for (const Output mode : modesFromText(config().modes))
+        if (vct::linkNext(library, settings, mode, features_, input_.capabilities) > 0) return true;
+    return false;
+}
+
 void BenchRun::beginRun() {
     input_.log("bench: " + progress());
     const Settings settings = settingsFor(config());
-    renderer_.emplace(*input_.scene, input_.light, settings, input_.capabilities, input_.shaders);
+    renderer_.emplace(*input_.scene, input_.light, settings, input_.capabilities, input_.shaders,
+                      input_.programs);
     modes_ = modesFromText(config().modes);
     mode_ = 0;
     frame_ = 0;
@@ -174,9 +188,14 @@ void BenchRun::frame() {
             input_.counters->read();  // drops the counts of earlier frames
         renderer_->timer().startRecording(Clocks::cpuAndGpu);
     }
-    renderer_->render({{modes_[mode_]}, camera_});
+    const auto render = [&] { renderer_->render({{modes_[mode_]}, camera_}); };
     lastTimed_.reset();
-    if (frame_ >= warmUpFrames) lastTimed_ = modes_[mode_];
+    if (frame_ < warmUpFrames) {
+        if (!input_.programs->runLimited(render)) return;
+    } else {
+        render();
+        lastTimed_ = modes_[mode_];
+    }
     if (++frame_ == warmUpFrames + timedFrames) endMode();
 }
 

@@ -68,6 +68,8 @@ class BenchRun {
         nlohmann::ordered_json selfTest;  // result of the self-test, copied into the files; null: none
         std::function<void(const std::string&)> log;
         std::optional<GpuCounters> counters = {};  // the files do not mention counters without it
+        // The context's programs. Each is linked once, and at most one in a call of advance().
+        std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>();
     };
     // Writes into `folder` the report (bench.json and bench.txt, or presets.json and presets.txt) and, for
     // the first run, timings.json and its pictures. An empty `folder` writes no files. Throws vct::Error if
@@ -85,14 +87,17 @@ class BenchRun {
     const BenchReport& report() const { return report_; }
 
     std::string progress() const;  // "2 of 15: scene 5, 256^3, 10 degrees, run 1 of 3: gi-cone-shadow"
-    // The renderer of the current configuration; null between two configurations.
-    const Renderer* renderer() const { return renderer_ ? &*renderer_ : nullptr; }
+    // The renderer of the current configuration; null before its first frame.
+    const Renderer* renderer() const {
+        return renderer_ && (mode_ > 0 || frame_ > 0) ? &*renderer_ : nullptr;
+    }
 
   private:
     BenchRuns& current() { return runs_[run_ % runs_.size()]; }
     const BenchConfig& config() const { return runs_[run_ % runs_.size()].config; }
     std::size_t count() const { return runs_.size() * static_cast<std::size_t>(input_.request.repeat); }
     Settings settingsFor(const BenchConfig& config) const;
+    bool linkNext();  // links one program of the run; false: all are linked
     void beginRun();
     void frame();
     void endMode();
@@ -102,6 +107,7 @@ class BenchRun {
     Input input_;
     std::string folder_;
     Camera camera_;
+    SceneFeatures features_;
     std::vector<BenchRuns> runs_;  // one per configuration
     std::size_t run_ = 0;          // number of the current run, below count()
     std::vector<Output> modes_;

@@ -202,4 +202,13 @@ std::vector<unsigned> allFeatures() {
     return all;
 }
 
+std::size_t linkNext(const gl::ShaderLibrary& library, const Settings& settings, Output mode,
+                     const SceneFeatures& features, const gl::Capabilities& capabilities) {
+    std::vector<gl::ProgramDescription> missing;
+    for (const FrameProgram& use : framePrograms(settings, mode, features, capabilities))
+        if (!library.cache->contains(library, use.program)) missing.push_back(use.program);
+    if (!missing.empty()) gl::Program(library, missing.front());  // the cache keeps it
+    return missing.size();
+}
+
 }  // namespace vct

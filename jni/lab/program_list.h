@@ -25,4 +25,9 @@ struct FrameProgram {
 std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
                                         const gl::Capabilities& capabilities);
 
+// Links one program that such a frame needs and the library's cache lacks. Returns how many were missing; 0:
+// all are linked. Throws vct::Error.
+std::size_t linkNext(const gl::ShaderLibrary& library, const Settings& settings, Output mode,
+                     const SceneFeatures& features, const gl::Capabilities& capabilities);
+
 }  // namespace vct

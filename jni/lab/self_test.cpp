@@ -222,9 +222,12 @@ SelfTest::SelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& s
 
 bool SelfTest::advance() {
     const Check& check = checks_[check_];
-    programs_->limitNewPrograms(1);
+    std::string wrong;
     try {
-        const std::string wrong = check.run();
+        if (!programs_->runLimited([&] { wrong = check.run(); })) {
+            ++newPrograms_;
+            return true;
+        }
         ++check_;
         if (!wrong.empty())
             result_ = SelfTestResult{false, check.place + ": " + wrong + check.remedy};
@@ -234,14 +237,11 @@ bool SelfTest::advance() {
                           " levels and their lists equal the CPU's; all presets run, and the driver meets "
                           "their assumptions" +
                           notTested_};
-    } catch (const gl::NewProgramLimit&) {
-        ++newPrograms_;
     } catch (const gl::ContextLost&) {
         throw;
     } catch (const std::exception& error) {
         result_ = SelfTestResult{false, check.place + ": " + error.what()};
     }
-    programs_->removeLimit();
     return !result_.has_value();
 }
 

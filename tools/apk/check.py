@@ -91,8 +91,10 @@ def badging(apk: Apk) -> Iterator[str]:
     for attribute in ("hasCode", "extractNativeLibs"):
         if not re.search(rf":{attribute}\(0x[0-9a-f]+\)=false$", tree, re.M):
             yield f"the manifest does not say {attribute}=false"
-    if not re.search(r":appCategory\(0x[0-9a-f]+\)=0$", tree, re.M):
-        yield "the manifest does not say appCategory=game"
+    if re.search(r":appCategory\(0x[0-9a-f]+\)=0$", tree, re.M):
+        yield "the manifest says appCategory=game, so game modes may scale pictures and limit frames"
+    if not re.search(r"E: profileable.*\n(\s+A: .*\n)*?\s+A: .*:shell\(0x[0-9a-f]+\)=true$", tree, re.M):
+        yield "the manifest does not say profileable shell=true"
 
 
 def alignment(apk: Apk) -> Iterator[str]:
