@@ -13,6 +13,7 @@ namespace vct {
 namespace {
 
 constexpr int checkPixels = 64, checkFragments = checkPixels * checkPixels;
+constexpr int checkTexels = 64;                // of an image in which invocations meet
 constexpr int checkSide = 8, checkLevels = 3;  // a level of one texel has no position between texels
 constexpr std::size_t groupWords = 4, checkWords = 64, countedWord = 63;
 
@@ -31,6 +32,20 @@ gl::ProgramDescription filteredProgram(bool cleared) {
     return {"check filtered",
             {"lab/check_filtered.comp"},
             {cleared ? "VCT_CHECK_CLEARED true" : "VCT_CHECK_CLEARED false"}};
+}
+gl::ProgramDescription imageAtomicsProgram() {
+    return {"check image atomics", {"passes/full_screen.vert", "lab/check_image_atomics.frag"}, {}};
+}
+gl::ProgramDescription imageSwapsProgram() {
+    return {"check image swaps", {"lab/check_image_swaps.comp"}, {}};
+}
+gl::ProgramDescription imageValuesProgram(bool swaps) {
+    return {"check image values",
+            {"lab/check_image_values.comp"},
+            {swaps ? "VCT_CHECK_SWAPS true" : "VCT_CHECK_SWAPS false"}};
+}
+gl::ProgramDescription sharedAtomicsProgram() {
+    return {"check shared atomics", {"lab/check_shared_atomics.comp"}, {}};
 }
 gl::ProgramDescription countProgram() {
     return {"check count", {"lab/check_count.comp"}, {}};
@@ -97,7 +112,60 @@ class Checks {
                      wrongLevels("clears of the slices of a 3D texture (" + name + ")"));
     }
 
+    std::string imageAtomics() {
+        return checkImage("atomics of fragments on a 3D image", false, 3 * checkTexels,
+                          [&] { draw(imageAtomicsProgram()); });
+    }
+    std::string imageSwaps() {
+        const gl::Program swaps(shaders_, imageSwapsProgram());
+        return checkImage("compare-and-swap on a 3D image", true, checkTexels, [&] {
+            swaps.use();
+            gl::DispatchCompute(checkFragments / checkTexels, 1, 1);
+        });
+    }
+
+    std::string sharedAtomics() {
+        const gl::Program atomics(shaders_, sharedAtomicsProgram());
+        constexpr std::uint32_t groups = 16;
+        return check(
+            [&] {
+                atomics.use();
+                gl::DispatchCompute(groups, 1, 1);
+            },
+            groups,
+            [&](const auto& found) -> std::string {
+                if (found[0] == groups && found[1] == 0) return "";
+                return "atomics on shared variables: wrong in " + std::to_string(found[1]) + " of " +
+                       std::to_string(found[0]) + " work groups; expected 0 of " + std::to_string(groups);
+            });
+    }
+
   private:
+    // Runs `work` on a cleared image. `firsts`: the number of its operations that must find a texel empty.
+    template <typename Work>
+    std::string checkImage(const std::string& what, bool swaps, std::uint32_t firsts,
+                           const Work& work) const {
+        const gl::Texture image =
+            gl::Texture::make3d("check " + what, GL_R32UI, checkSide, checkSide, checkSide, 1);
+        const gl::Program values(shaders_, imageValuesProgram(swaps));
+        gl::clearTexture3d(image, checkSide);
+        return check(
+            [&] {
+                image.bindImage(0, 0, GL_READ_WRITE);
+                work();
+                gl::MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+                values.use();
+                gl::DispatchCompute(1, 1, 1);
+            },
+            1,
+            [&](const auto& found) -> std::string {
+                if (found[0] == 0 && found[1] == firsts) return "";
+                return what + ": " + std::to_string(found[0]) + " of " + std::to_string(checkTexels) +
+                       " texels are wrong, and " + std::to_string(found[1]) +
+                       " operations found an empty texel; expected 0 and " + std::to_string(firsts);
+            });
+    }
+
     using Words = std::array<std::uint32_t, groupWords + checkWords>;
 
     static std::function<std::string(const std::uint32_t*)> wrongLevels(const std::string& what) {
@@ -162,16 +230,21 @@ class Checks {
 const std::vector<DriverCheck>& driverChecks() {
     using Shaders = const gl::ShaderLibrary&;
     static const std::vector<DriverCheck> all{
-        [](Shaders shaders) { return Checks(shaders).atomics(); },
-        [](Shaders shaders) { return Checks(shaders).derivatives(); },
-        [](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA8); },
-        [](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA16F); }};
+        {[](Shaders shaders) { return Checks(shaders).imageAtomics(); }, true},
+        {[](Shaders shaders) { return Checks(shaders).atomics(); }},
+        {[](Shaders shaders) { return Checks(shaders).imageSwaps(); }},
+        {[](Shaders shaders) { return Checks(shaders).sharedAtomics(); }},
+        {[](Shaders shaders) { return Checks(shaders).derivatives(); }},
+        {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA8); }},
+        {[](Shaders shaders) { return Checks(shaders).levelsOf(GL_RGBA16F); }}};
     return all;
 }
 
 std::vector<gl::ProgramDescription> driverCheckPrograms() {
-    return {atomicsProgram(),      derivativesProgram(),   fillProgram(GL_RGBA8), fillProgram(GL_RGBA16F),
-            filteredProgram(true), filteredProgram(false), countProgram()};
+    return {imageAtomicsProgram(),    imageValuesProgram(false), imageSwapsProgram(),
+            imageValuesProgram(true), sharedAtomicsProgram(),    atomicsProgram(),
+            derivativesProgram(),     fillProgram(GL_RGBA8),     fillProgram(GL_RGBA16F),
+            filteredProgram(true),    filteredProgram(false),    countProgram()};
 }
 
 }  // namespace vct

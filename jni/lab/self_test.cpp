@@ -193,6 +193,29 @@ std::string wrongIn(const std::string& preset, const gl::Capabilities& capabilit
     return packed ? "" : wrongLight(renderer);
 }
 
+Settings cascadedSettings() {
+    Settings settings = testSettings("mobile");
+    settings.cascades = 2;
+    return settings;
+}
+
+// Tests nested cubes of voxels, which large scenes have. Returns an error text or "".
+std::string wrongWithCascades(const gl::Capabilities& capabilities, const gl::ReadShader& shaders,
+                              const std::shared_ptr<gl::ProgramCache>& programs) {
+    const Scene scene = testScene();
+    Renderer renderer(scene, light(), cascadedSettings(), capabilities, shaders, programs);
+    Camera camera = frameScene(scene, 1.0);
+    // The second frame moves the cubes, and keeps the voxels that are in both places.
+    for (const char* frame : {"first frame, ", "second frame, "}) {
+        renderer.render({{Output::giConeShadow}, camera});
+        const std::string wrong =
+            renderer.activeVoxels().at(0) == 0 ? "there are no voxels" : wrongLight(renderer);
+        if (!wrong.empty()) return frame + wrong;
+        camera.worldFromCamera[3].x += 8.0;
+    }
+    return "";
+}
+
 // Advice for the case that a preset is wrong.
 std::string remedyFor(const std::string& preset) {
     return preset == "thesis" ? "; use a newer driver, or the preset mobile" : "; use the preset thesis";
@@ -205,11 +228,16 @@ SelfTest::SelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& s
     : programs_(std::move(programs)) {
     const gl::ShaderLibrary library{shaders, capabilities.language(), {}, programs_};
     for (const DriverCheck& check : driverChecks())
-        checks_.push_back({"driver", [check, library] { return check(library); },
-                           ". The presets mobile and quality need it; use the preset thesis"});
+        checks_.push_back({"driver", [check, library] { return check.run(library); },
+                           check.isNeededByThesis
+                               ? ". All presets need it; use a newer driver"
+                               : ". The presets mobile and quality need it; use the preset thesis"});
+    const auto meets = [&](const Settings& settings) {
+        const std::vector<gl::Requirement> needs = needsOf(settings, capabilities);
+        return std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; });
+    };
     for (const std::string& preset : presetNames()) {
-        const std::vector<gl::Requirement> needs = needsOf(testSettings(preset), capabilities);
-        if (std::all_of(needs.begin(), needs.end(), [](const auto& need) { return need.met; }))
+        if (meets(testSettings(preset)))
             checks_.push_back({"preset " + preset,
                                [this, preset, capabilities, shaders] {
                                    return wrongIn(preset, capabilities, shaders, programs_, packedVoxels_);
@@ -218,6 +246,11 @@ SelfTest::SelfTest(const gl::Capabilities& capabilities, const gl::ReadShader& s
         else
             notTested_ += "; " + preset + " was not tested, because the driver lacks something that it needs";
     }
+    if (meets(cascadedSettings()))
+        checks_.push_back(
+            {"preset mobile with cascades",
+             [this, capabilities, shaders] { return wrongWithCascades(capabilities, shaders, programs_); },
+             remedyFor("mobile")});
 }
 
 bool SelfTest::advance() {
