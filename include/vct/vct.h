@@ -202,10 +202,10 @@ struct Pictures {
     unsigned specular = 0;
 };
 
-// The places of the inputs of the look-up in a program: five texture units and three binding points of
-// uniform buffers, from these on.
+// The places of the inputs of the look-up in a program: seven texture units and two binding points of uniform
+// buffers, from these on, and a binding point of storage buffers.
 struct LookUpBindings {
-    unsigned firstTextureUnit = 0, firstUniformBuffer = 0;
+    unsigned firstTextureUnit = 0, firstUniformBuffer = 0, storageBuffer = 0;
 };
 
 // The function of the window or EGL library that returns GL entry points. A lambda can adapt its type:
@@ -280,13 +280,13 @@ class GlobalIllumination {
     // world space, on a surface or in the air. `normal`: unit length. Its result has the meaning and unit of
     // Pictures::irradiance. Outside of the voxels it is that of the sky. For the presets mobile and quality.
     //
-    // The text has no #version, and all else that it declares begins with vct_. In a shader of any stage,
-    // insert it after "precision highp float;" and "precision highp int;". It is the same for the whole life
-    // of the GlobalIllumination.
+    // The text has no #version, and all else that it declares begins with vct_. In a fragment or compute
+    // shader (or another one, where the driver has storage buffers in it), insert it after "precision highp
+    // float;" and "precision highp int;". It is the same for the whole life of the GlobalIllumination.
     std::string lookUpGlsl(const LookUpBindings& bindings = {}) const;
     // Binds the inputs of lookUpGlsl(), which change the bindings of their texture units (textures and
-    // sampler) and uniform buffers. Call it after each render(), before draws with the look-up. Options must
-    // request radiance, irradiance or specular.
+    // sampler), uniform buffers and storage buffer. Call it after each render(), before draws with the
+    // look-up. Options must request radiance, irradiance or specular.
     void bindLookUp(const LookUpBindings& bindings = {}) const;
 
     // The radiance that is 1 in Pictures: the sun's illuminance / pi, which is the radiance of a white

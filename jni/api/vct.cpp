@@ -476,19 +476,21 @@ std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const
         throw Error("lookUpGlsl: the preset thesis has no look-up; use mobile or quality");
     std::vector<std::string> defines = renderer.lookUpDefines();
     unsigned unit = bindings.firstTextureUnit, buffer = bindings.firstUniformBuffer;
-    for (const char* name : {"FACES", "IRRADIANCE", "BRICKS", "WALLS", "SKY"})
+    for (const char* name : {"VOXELS", "DYNAMIC_VOXELS", "BLOCKS", "IRRADIANCE", "BRICKS", "WALLS", "SKY"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(unit++))));
-    for (const char* name : {"FRAME", "FACE_RANGE", "EMITTERS"})
+    for (const char* name : {"FRAME", "EMITTERS"})
         defines.push_back("VCT_LOOK_UP_" + (name + (" " + std::to_string(buffer++))));
+    defines.push_back("VCT_LOOK_UP_FACES " + std::to_string(bindings.storageBuffer));
     return embeddableGlsl(renderer.shaders().read, "directional/look_up.glsl", defines, "irradianceAt");
 }
 
 void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
     Implementation& implementation = ready(implementation_, "bindLookUp");
     const LookUpInputs inputs = implementation.renderer->lookUpInputs();
-    GLint activeUnit = 0, generic = 0;
+    GLint activeUnit = 0, generic = 0, storage = 0;
     gl::GetIntegerv(GL_ACTIVE_TEXTURE, &activeUnit);
     gl::GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &generic);
+    gl::GetIntegerv(GL_SHADER_STORAGE_BUFFER_BINDING, &storage);
     for (GLuint i = 0; i < inputs.textures.size(); ++i) {
         if (inputs.textures[i] == nullptr) continue;
         inputs.textures[i]->bind(static_cast<int>(bindings.firstTextureUnit + i));
@@ -497,8 +499,10 @@ void GlobalIllumination::bindLookUp(const LookUpBindings& bindings) const {
     for (GLuint i = 0; i < inputs.uniforms.size(); ++i)
         if (inputs.uniforms[i] != nullptr)
             inputs.uniforms[i]->bindBase(GL_UNIFORM_BUFFER, bindings.firstUniformBuffer + i);
+    inputs.faces->bindBase(GL_SHADER_STORAGE_BUFFER, bindings.storageBuffer);
     gl::ActiveTexture(static_cast<GLenum>(activeUnit));
     gl::BindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(generic));
+    gl::BindBuffer(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(storage));
 }
 
 double GlobalIllumination::radianceUnit() const {

@@ -34,7 +34,7 @@ std::string optionsOf(const std::string& error) {
                                          {"cone angle", "--cone-angle"},
                                          {"shadow map must", "--shadow-map"},
                                          {"the shadow 'cone'", "--shadow"},
-                                         {"the specular 'cone'", "--specular"},
+                                         {"the specular 'rays'", "--specular"},
                                          {"coarser grid", "--grid"},
                                          {"smaller picture", "--size"},
                                          {"allow files outside", "--allow-outside"}})

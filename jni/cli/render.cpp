@@ -336,7 +336,7 @@ void render(RenderOptions options) {
     if (settings.specular == Specular::none && featuresOf(scene).glossy)
         say("warning: glossy materials (metals, and others with a roughness below 1) are rendered without "
             "reflections; use --preset "
-            "mobile or quality with --specular cone");
+            "mobile or quality with --specular rays");
 
     const Context context = options.scene.backend.open();
     say(context.capabilities.renderer + ", " + context.capabilities.version);

@@ -18,9 +18,8 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
                          true, found >= needed});
     };
     atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
-            faces ? std::max(DirectionalVoxels::blocksX, settings.cascades) * settings.grid : settings.grid,
-            "needed for the voxels at " + cubed + (faces ? ", with six faces per voxel" : "") +
-                "; use a coarser grid");
+            faces ? DirectionalVoxels::widestTexture(settings.grid, settings.cascades) : settings.grid,
+            "needed for the voxels at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
             faces ? FaceProjection::sideFor(settings.grid) : settings.grid,
             "needed for voxelization at " + cubed + "; use a coarser grid");

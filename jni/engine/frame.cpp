@@ -9,6 +9,7 @@
 // reads() (engine/output.h) says which of these inputs an output needs.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "engine/frame_uniforms.h"
@@ -52,32 +53,38 @@ void Renderer::render(const RenderRequest& request) {
             : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_, uniforms.clipFromVolume); });
 
     const int lightSteps = request.lightSteps == LightSteps::all ? std::numeric_limits<int>::max() : 1;
-    bool indirectTookSteps = false;
-    for (std::size_t i = 0; i < request.outputs.size(); ++i) {
+    bool tookSteps = false;
+    // Bricks hold ambient visibility or light. Light comes last, because the look-up of embedding programs
+    // reads it after the frame.
+    std::vector<std::size_t> order(request.outputs.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_partition(order.begin(), order.end(),
+                          [&](std::size_t i) { return reads(request.outputs[i]).ambientVisibility; });
+    for (const std::size_t i : order) {
         const Output output = request.outputs[i];
 
-        // Lit voxels and their mip levels (thesis 4.4 and 4.5). Faces gather indirect light or ambient
-        // occlusion, whichever the output needs. A frame takes one light step (inject, mip levels, gather),
-        // or all steps until the light has converged. If several outputs show indirect light, the first one
-        // takes the steps, and the others reuse the result.
+        // Lit voxels (thesis 4.4), and with the preset thesis their mip levels (4.5). Otherwise faces gather
+        // indirect light and ambient visibility. A frame takes one light step (inject, gather), or all steps
+        // until the light has converged. If several outputs show what faces gather, the
+        // first one takes the steps, and the others reuse the result.
         VoxelLight light;
         if (reads(output).voxels) {
-            const bool indirect = reads(output).indirectLight;
             light = voxels().update({.scene = scene_,
                                      .light = direct,
                                      .surface = surface,
                                      .now = now,
                                      .cascades = cascades_,
                                      .output = output,
-                                     .lightSteps = indirect && indirectTookSteps ? 0 : lightSteps,
+                                     .lightSteps = tookSteps ? 0 : lightSteps,
                                      .allBounces = request.allBounces,
                                      .forceRebuild = settings_.revoxelize},
                                     timer_);
-            indirectTookSteps |= indirect;
+            tookSteps |= reads(output).gathered();
         }
 
         // The light of every pixel, or the part of the light that the output shows (thesis 4.6).
-        if (i == shades_.size()) shades_.emplace_back(shaders_, lightFeatures(), settings_);
+        while (i >= shades_.size())
+            shades_.emplace_back(shaders_, lightFeatures(), settings_);
         timer_.time(Step::trace, [&] { shades_[i].draw(output, surface, direct, light); });
     }
 

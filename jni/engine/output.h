@@ -37,6 +37,8 @@ struct OutputReads {
     bool emission;     // the G-buffer's emission
     bool punctualLights;
 
+    // True if the output shows what the faces of directional voxels gather.
+    constexpr bool gathered() const { return ambientVisibility || indirectLight; }
     // Direct light reaches voxels through the shadow map, so every output that reads voxels needs it.
     constexpr bool shadowMap() const { return hardShadow || softShadow || voxels; }
 };

@@ -29,17 +29,8 @@ std::string number(float value) {
     return text;
 }
 
-std::vector<std::string> gatherDefines(const GatherSettings& g) {
-    return {"VCT_GATHER_DIRECTIONS " + std::to_string(g.directionSet()),
-            "VCT_GATHER_START " + number(g.startOffset),
-            "VCT_GATHER_FIRST_SAMPLE " + number(g.firstSample),
-            "VCT_GATHER_OWN_SURFACE " + number(g.ownSurface),
-            "VCT_GATHER_STEP " + number(g.step),
-            "VCT_GATHER_HEIGHT " + number(g.height),
-            "VCT_GATHER_LEVEL_END " + number(g.levelEnd),
-            "VCT_GATHER_EXTINCTION " + number(g.extinction),
-            booleanDefine("VCT_GATHER_FADES", g.fadesAtBorder),
-            "VCT_GATHER_THRESHOLD " + number(g.threshold)};
+std::vector<std::string> gatherDefines(const GatherSettings& settings) {
+    return {"VCT_GATHER_DIRECTIONS " + std::to_string(settings.directionSet())};
 }
 
 std::vector<std::string> lightDefines(const LightFeatures& sources) {
@@ -67,7 +58,7 @@ gl::ShaderLibrary shaderLibrary(const Settings& settings, const gl::Capabilities
     std::vector<std::string> defines;
     if (settings.cascades > 1) defines.push_back("VCT_CASCADES " + std::to_string(settings.cascades));
     if (settings.countInvocations) defines.emplace_back("VCT_SHADER_COUNTERS");
-    // llvmpipe emulates the rounding of mediump, which makes the cones up to twice as slow.
+    // llvmpipe emulates the rounding of mediump, which makes the last pass up to twice as slow.
     if (capabilities.softwareDriver) defines.emplace_back("mediump highp");
     return {std::move(read), capabilities.language(), std::move(defines), std::move(cache)};
 }

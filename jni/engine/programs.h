@@ -26,7 +26,7 @@ std::vector<std::string> featureDefines(unsigned features, unsigned used,
 // Returns "NAME true" or "NAME false".
 std::string booleanDefine(const char* name, bool value);
 
-// The constants of directional/cones.glsl.
+// The constants of directional/gather_directions.glsl.
 std::vector<std::string> gatherDefines(const GatherSettings& settings);
 // The kinds of light in a scene besides the sun and a sky of one colour.
 struct LightFeatures {

@@ -164,6 +164,7 @@ shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const 
     values.faceSumUnits = faceSumUnits(triangles_);
     values.emissionRange = emissionRange_;
     values.largestBounceShare = largestBounceShare_;
+    values.hasDynamicObjects = scene_.moves() || settings_.revoxelize ? 1 : 0;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);
     frameUniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FRAME);
@@ -230,25 +231,28 @@ Image Renderer::radiance() const {
 }
 
 std::vector<std::string> Renderer::lookUpDefines() const {
-    GatherSettings few = settings_.gather;
+    GatherSettings few;
     few.directions = lookUpDirections;
-    few.refinedDirections = 0;
+    const LightFeatures lights = lightFeatures();
     std::vector<std::string> defines = shaders_.defines;
-    for (const std::vector<std::string>& more : {gatherDefines(few), lightDefines(lightFeatures())})
+    for (const std::vector<std::string>& more :
+         {gatherDefines(few), lightDefines(lights), emissionDefines(lights.emission)})
         defines.insert(defines.end(), more.begin(), more.end());
     return defines;
 }
 
 LookUpInputs Renderer::lookUpInputs() const {
     const DirectionalVolume* volume = directional();
-    const Irradiance* light = volume != nullptr ? volume->irradiance(GatherPurpose::light) : nullptr;
-    if (light == nullptr || light->irradiance() == nullptr)
+    const Irradiance* light = volume != nullptr ? volume->irradiance() : nullptr;
+    if (light == nullptr || !light->holdsLight())
         throw Error(
             "the look-up has no light yet; use the preset mobile or quality, and request a picture with "
             "indirect light before");
-    return {{&volume->voxels().faces(), light->irradiance(), light->bricks(), light->walls(),
-             environment_ ? &*environment_ : nullptr},
-            {&frameUniforms_, &volume->voxels().range(), emitters_ ? &emitters_->uniforms() : nullptr}};
+    const DirectionalVoxels& voxels = volume->voxels();
+    return {{&voxels.staticIndex(), &voxels.dynamicIndex(), &voxels.blocks(), light->irradiance(),
+             light->bricks(), light->walls(), environment_ ? &*environment_ : nullptr},
+            {&frameUniforms_, emitters_ ? &emitters_->uniforms() : nullptr},
+            &voxels.faceData()};
 }
 
 std::vector<std::uint32_t> Renderer::activeVoxels() const {

@@ -45,8 +45,10 @@ struct RenderRequest {
 
 // The inputs of shaders/directional/look_up.glsl. Those that the scene does not need are null.
 struct LookUpInputs {
-    std::array<const gl::Texture*, 5> textures{};  // faces, irradiance, bricks, walls, sky
-    std::array<const gl::Buffer*, 3> uniforms{};   // frame, face range, emitters
+    // Static and dynamic index, blocks, irradiance, bricks, walls, sky.
+    std::array<const gl::Texture*, 7> textures{};
+    std::array<const gl::Buffer*, 2> uniforms{};  // frame, emitters
+    const gl::Buffer* faces = nullptr;            // a storage buffer
 };
 
 class Renderer {

@@ -29,11 +29,11 @@ Shadow shadowFromText(const std::string& text) {
 }
 
 const char* specularName(Specular specular) {
-    return specular == Specular::none ? "none" : "cone";
+    return specular == Specular::none ? "none" : "rays";
 }
 
 Specular specularFromText(const std::string& text) {
-    return valueNamed(text, Specular::none, Specular::cone, specularName);
+    return valueNamed(text, Specular::none, Specular::rays, specularName);
 }
 
 const std::vector<int>& allGrids() {
@@ -52,16 +52,12 @@ Settings presetSettings(const std::string& name) {
     if (name == "thesis") return settings;
     settings.voxels = Voxels::directional;
     settings.shadow = Shadow::softMap;
-    settings.specular = Specular::cone;
+    settings.specular = Specular::rays;
     settings.shadowMapSize = 1024;
-    settings.occlusion.startOffset = 0.5F;
-    settings.gather.refinedDirections = 256;
+    settings.gather.refinedDirections = 1024;
     if (name == "mobile") {
         settings.grid = 64;
         settings.gridRange = {64, 128};
-        settings.gather.height = 0.22F;
-        settings.gather.threshold = 0.21F;
-        settings.gather.bounceGain = 1.06F;
         settings.filterTaps = 4;
         return settings;
     }
@@ -69,18 +65,7 @@ Settings presetSettings(const std::string& name) {
         settings.grid = 128;
         settings.gridRange = {128, 256};
         settings.gather.directions = 128;
-        settings.gather.cones = 16;
-        settings.gather.startOffset = 0.5F;
-        settings.gather.firstSample = 0.25F;
-        settings.gather.step = 1.0F;
-        settings.gather.height = 0.2F;
-        settings.gather.fadesAtBorder = true;
-        settings.gather.threshold = 0.16F;
-        settings.gather.bounceGain = 1.02F;
-        settings.occlusion.directions = 128;
-        settings.occlusion.cones = 16;
-        settings.occlusion.step = 1.0F;
-        settings.occlusion.height = 0.4F;
+        settings.gather.rays = 16;
         return settings;
     }
     throw Error("the preset '" + name + "' does not exist; the presets are: " + presetList());
@@ -120,7 +105,7 @@ void validate(const Settings& settings) {
     require(settings.voxels == Voxels::packed || settings.shadow == Shadow::softMap,
             "the shadow 'cone' works only with the preset thesis; use soft-map with the other presets");
     require(settings.voxels == Voxels::directional || settings.specular == Specular::none,
-            "the specular 'cone' does not work with the preset thesis; use another preset, or none");
+            "the specular 'rays' does not work with the preset thesis; use another preset, or none");
     require(settings.aoDistance > 0.0F && settings.aoDistance <= 1.0F,
             "the distance of ambient occlusion must be above 0 and at most 1, in sides of the voxel volume");
     const int maxCascades = maxCascadesFor(grid);

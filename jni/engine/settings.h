@@ -25,9 +25,9 @@ Shadow shadowFromText(const std::string& text);
 // The specular light of glossy materials: metals, and others with a roughness below 1.
 enum class Specular {
     none,  // every surface is Lambertian, with its base colour as albedo
-    cone,  // the sun's highlight, and one cone along the mirror direction (passes/gloss.h)
+    rays,  // the sun's highlight, and rays around the mirror direction (passes/gloss.h)
 };
-const char* specularName(Specular specular);  // "none", "cone"
+const char* specularName(Specular specular);  // "none", "rays"
 // Throws vct::Error that lists the names if `text` is none of them.
 Specular specularFromText(const std::string& text);
 
@@ -37,37 +37,15 @@ enum class Voxels {
     directional,  // six one-sided faces per voxel, filtered by the texture unit
 };
 
-// The quantity that faces gather: indirect light, or ambient visibility within the AO distance.
-enum class GatherPurpose { light, occlusion };
-
-// Settings of the gather at the faces of directional voxels. Lengths are in voxels of the finest level.
-// docs/design-decisions.md has the measurements behind the values.
+// Settings of the gather at the faces of directional voxels. docs/design-decisions.md has the measurements
+// behind the values.
 struct GatherSettings {
     int directions = 64;        // per face, visited over several frames after a change; a power of two
     int refinedDirections = 0;  // per face, visited in the refinement after that; a power of two; 0: none
-    int cones = 8;              // per face and frame while nothing changes, until the light has converged
-    // Cones of a whole frame in which something changes, whatever the size of the scene. Faces take turns;
+    int rays = 8;               // per face and frame while nothing changes, until the light has converged
+    // Rays of a whole frame in which something changes, whatever the size of the scene. Faces take turns;
     // faces that pixels look up have more turns than the others.
-    int coneBudget = 16384;
-    float startOffset = 0.5F;  // from the surface to the start of a cone, along the normal
-    float firstSample = 0.5F;  // from the start of a cone to its first sample
-    // Height above the surface's plane, in footprints, below which a cone ignores faces that may be the
-    // surface's own. They lie within half a texel of the plane, and filtering widens them by one texel.
-    float ownSurface = 1.5F;
-    float step = 1.25F;        // distance between samples, in footprints
-    float height = 0.5F;       // largest footprint, relative to the sample's height above the plane
-    float extinction = 1.05F;  // scales the opacity of a sample
-    // Scales the opacity of the last sample before the footprint grows: 0.5 is exact for partial coverage
-    // everywhere, 1 lets no light through a wall at that sample (docs/design-decisions.md).
-    float levelEnd = 0.65F;
-    // True: samples fade out across the volume's border. False: cones end at the border, which loses part of
-    // a wall that lies on it and offsets an excess that cones meet elsewhere (docs/design-decisions.md).
-    bool fadesAtBorder = false;
-    float threshold = 0.15F;  // a cone with less transmittance ends
-    // Scales the light that faces reflect. Cones lose some light through the gaps between their samples, as
-    // a closed furnace shows, and without this gain each bounce would lose it again.
-    // With cascades it is 1 (DirectionalVolume): rooms are then far from the border, where most is lost.
-    float bounceGain = 1.06F;
+    int rayBudget = 16384;
 
     // The number of directions to choose from.
     int directionSet() const { return std::max(directions, refinedDirections); }
@@ -87,7 +65,6 @@ struct Settings {
     Voxels voxels = Voxels::packed;
     Specular specular = Specular::none;  // modes 4 and 5; directional voxels only
     GatherSettings gather;               // indirect diffuse light; directional voxels only
-    GatherSettings occlusion;            // ambient occlusion (mode 3); directional voxels only
     int lightFrames = 16;                // light steps after a change; refinement may follow them
     int grid = 256;                      // voxels along a side of the volume, one of allGrids()
     GridRange gridRange;                 // bounds for chooseGrid()

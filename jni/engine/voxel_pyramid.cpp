@@ -14,8 +14,8 @@ namespace vct {
 
 namespace {
 
-int levelsOf(int grid) {
-    return static_cast<int>(std::log2(grid)) + 1;
+int levelsOf(int grid, VoxelPyramid::Kind kind) {
+    return kind == VoxelPyramid::Kind::packed ? static_cast<int>(std::log2(grid)) + 1 : 1;
 }
 
 shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, VoxelPyramid::Kind kind,
@@ -31,13 +31,17 @@ shared::CommandLists makeInitialCommands(int grid, std::uint32_t baseCapacity, V
     std::uint32_t firstEntry = 0;
     for (int list = 0; list < VCT_LISTS; ++list) {
         const bool isStatic = list >= VCT_LIST_STATIC, isDynamic = !isStatic && list >= VCT_LIST_DYNAMIC;
+        // Directional voxels have a list of voxels at the base level only, and a list of the faces of blocks.
+        const bool isPacked = kind == VoxelPyramid::Kind::packed,
+                   isOfBlocks = !isPacked && list == VCT_BRICK_LEVEL;
         const bool exists = isStatic    ? cascades > 1
                             : isDynamic ? kind == VoxelPyramid::Kind::staticAndDynamicFaces
-                                        : list < levelsOf(grid);
+                                        : isOfBlocks || list < levelsOf(grid, kind);
         if (!exists) continue;
         shared::LevelCommands& c = commands.lists[list];
         c.groupsY = c.groupsZ = c.faceGroupsY = c.faceGroupsZ = 1;
         c.firstEntry = firstEntry;
+        if (isOfBlocks) continue;
         c.capacity = static_cast<std::uint32_t>(std::min(wanted, voxels(list < VCT_LIST_DYNAMIC ? list : 0)));
         firstEntry += c.capacity;
     }
@@ -56,10 +60,6 @@ bool missesCounts() {
     return !gl::faultsOf(gl::glString(GL_RENDERER), gl::glString(GL_VERSION)).indirectDispatches.empty();
 }
 
-int textureLevels(int grid, VoxelPyramid::Kind kind) {
-    return kind == VoxelPyramid::Kind::packed ? levelsOf(grid) : 1;
-}
-
 }  // namespace
 
 gl::ProgramDescription packedClearProgram() {
@@ -70,9 +70,8 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
                            int cascades)
     : grid_(grid),
       cascades_(cascades),
-      levels_(levelsOf(grid)),
-      texture_(
-          gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind))),
+      levels_(levelsOf(grid, kind)),
+      texture_(gl::Texture::make3d("voxels", GL_R32UI, grid, grid, grid * cascades, levelsOf(grid, kind))),
       initialCommands_(makeInitialCommands(grid, baseCapacity, kind, cascades)),
       commands_("voxel commands", GL_SHADER_STORAGE_BUFFER, sizeof initialCommands_, &initialCommands_,
                 GL_DYNAMIC_COPY),
@@ -86,7 +85,7 @@ VoxelPyramid::VoxelPyramid(const gl::ShaderLibrary& shaders, int grid, std::uint
 }
 
 std::size_t VoxelPyramid::bytesFor(int grid, std::uint32_t baseCapacity, Kind kind, int cascades) {
-    return gl::textureBytes(GL_R32UI, grid, grid, grid * cascades, textureLevels(grid, kind)) +
+    return gl::textureBytes(GL_R32UI, grid, grid, grid * cascades, levelsOf(grid, kind)) +
            listBytes(makeInitialCommands(grid, baseCapacity, kind, cascades));
 }
 

@@ -38,7 +38,7 @@ class VoxelPyramid {
                                 int cascades = 1);
 
     int grid() const { return grid_; }
-    int levels() const { return levels_; }  // log2(grid) + 1
+    int levels() const { return levels_; }  // log2(grid) + 1, or 1 with directional voxels
     const gl::Texture& texture() const { return texture_; }
     const gl::Buffer& commands() const { return commands_; }
     const gl::Buffer& activeVoxels() const { return activeVoxels_; }
@@ -60,7 +60,7 @@ class VoxelPyramid {
 
     // Dispatches the current compute program over the active voxels of a list.
     void dispatchOverLevel(std::uint32_t list) const;
-    // Dispatches it over a level's face list.
+    // Dispatches it over the face lists of the base level (0), or of the blocks (VCT_BRICK_LEVEL).
     void dispatchOverFaces(int level) const;
 
     // Read the commands, and a level's list of active voxels. Wait for the GPU.

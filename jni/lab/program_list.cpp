@@ -32,11 +32,10 @@ bool possible(unsigned features) {
 
 std::vector<gl::ProgramDescription> everyProgram() {
     std::vector<gl::ProgramDescription> programs{
-        packedMipmapperProgram(), packedClearProgram(),       voxelViewProgram(),
+        packedMipmapperProgram(), packedClearProgram(),   voxelViewProgram(),
 
-        listFacesProgram(),       clearLevelProgram(),        resetListsProgram(),
-        markStaticProgram(),      keepVoxelsProgram(),        directionalMipmapperProgram(),
-        shadowMomentsProgram(),   nextShadowMomentsProgram(), deformProgram(),
+        listFacesProgram(),       clearBlocksProgram(),   resetListsProgram(),        markStaticProgram(),
+        keepVoxelsProgram(),      shadowMomentsProgram(), nextShadowMomentsProgram(), deformProgram(),
         copyVerticesProgram(),    sortAxesProgram()};
     for (const gl::ProgramDescription& program : driverCheckPrograms())
         programs.push_back(program);
@@ -71,12 +70,13 @@ std::vector<gl::ProgramDescription> everyProgram() {
     for (const auto& [emission, emitters] : emissionAndEmitters) {
         programs.push_back(clearDynamicProgram(emission));
         programs.push_back(keepSumsProgram(emission));
+        programs.push_back(resolveProgram(emission));
+        programs.push_back(fillBlocksProgram(emission));
         for (const bool environment : {false, true}) {
             for (const char* name : lightPrograms)
                 programs.push_back(lightProgram(name, {false, environment, emitters, emission}));
             for (const bool punctual : {false, true})
-                for (const bool bounces : {false, true})
-                    programs.push_back(injectProgram({punctual, environment, emitters, emission}, bounces));
+                programs.push_back(injectProgram({punctual, environment, emitters, emission}));
         }
     }
     for (const Settings& settings : variants) {
@@ -93,14 +93,14 @@ std::vector<gl::ProgramDescription> everyProgram() {
         if (settings.voxels != Voxels::directional) continue;
         for (const auto& [emission, emitters] : emissionAndEmitters) {
             const LightFeatures lights{false, settings.environment != nullptr, emitters, emission};
-            for (const bool mapped : {false, true}) {
-                programs.push_back(halfGlossProgram(mapped, lights, settings));
-                programs.push_back(glossProgram(mapped, lights, settings));
-            }
-            programs.push_back(gatherProgram(settings.gather, GatherPurpose::light, lights));
-            programs.push_back(gatherProgram(settings.occlusion, GatherPurpose::occlusion,
-                                             featuresFor(GatherPurpose::occlusion, lights)));
-            if (emitters) programs.push_back(emittersProgram(settings.gather, lights));
+            for (const bool mapped : {false, true})
+                for (const bool punctual : {false, true}) {
+                    const LightFeatures all{punctual, lights.environment, emitters, emission};
+                    programs.push_back(halfGlossProgram(mapped, all));
+                    programs.push_back(glossProgram(mapped, all));
+                }
+            programs.push_back(gatherProgram(settings.gather, lights));
+            if (emitters) programs.push_back(emittersProgram(lights));
         }
     }
     for (int view = VCT_DEBUG_VIEW_SHADOW_MAP; view <= VCT_DEBUG_VIEW_EMISSIVE; ++view)
@@ -141,7 +141,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
         add(Step::renderData, gBufferProgram(f, targets));
     if (read.voxels && settings.voxels == Voxels::directional) {
         add(Step::voxelize, clearDynamicProgram(emission));
-        add(Step::voxelize, clearLevelProgram());
+        add(Step::voxelize, clearBlocksProgram());
         add(Step::voxelize, resetListsProgram());
         if (settings.cascades > 1) {
             add(Step::voxelize, markStaticProgram());
@@ -153,16 +153,16 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
             add(Step::voxelize, accumulateProgram(f, emission));
         }
         add(Step::voxelize, listFacesProgram());
-        const GatherPurpose of = read.ambientVisibility ? GatherPurpose::occlusion : GatherPurpose::light;
-        const LightFeatures gathered = featuresFor(of, lights);
-        for (const char* name : lightPrograms)
-            add(Step::irradiance, lightProgram(name, gathered));
-        if (gathered.emitters) add(Step::irradiance, emittersProgram(settings.gather, gathered));
-        add(Step::inject, chooseRangeProgram());
-        add(Step::inject, injectProgram(lights, of == GatherPurpose::light));
-        add(Step::mipmap, directionalMipmapperProgram());
-        add(Step::irradiance,
-            gatherProgram(of == GatherPurpose::light ? settings.gather : settings.occlusion, of, gathered));
+        add(Step::voxelize, resolveProgram(emission));
+        add(Step::voxelize, fillBlocksProgram(emission));
+        if (read.ambientVisibility || read.indirectLight) {
+            for (const char* name : lightPrograms)
+                add(Step::irradiance, lightProgram(name, lights));
+            if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
+            add(Step::inject, chooseRangeProgram());
+            add(Step::inject, injectProgram(lights));
+            add(Step::irradiance, gatherProgram(settings.gather, lights));
+        }
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());
         for (unsigned f : features.materialFeatures)
@@ -179,8 +179,8 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
     add(Step::trace, shadeProgram(mode, targets, lights, settings));
     if (targets.gloss && read.reflections) {
         add(Step::trace, markGlossProgram());
-        add(Step::trace, halfGlossProgram(targets.mappedNormals, lights, settings));
-        add(Step::trace, glossProgram(targets.mappedNormals, lights, settings));
+        add(Step::trace, halfGlossProgram(targets.mappedNormals, lights));
+        add(Step::trace, glossProgram(targets.mappedNormals, lights));
     }
     return programs;
 }

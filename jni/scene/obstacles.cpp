@@ -19,8 +19,7 @@ bool meetsBox(const glm::vec3& min, const glm::vec3& max, const glm::vec3& from,
 
 }  // namespace
 
-Obstacles::Obstacles(const Scene& scene)
-    : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)) {
+Obstacles::Obstacles(const Scene& scene) : centre_(0.5 * (scene.boundsWorld.min + scene.boundsWorld.max)) {
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const Material& material = scene.materials[static_cast<std::size_t>(mesh.material)];

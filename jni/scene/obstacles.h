@@ -30,8 +30,8 @@ class Obstacles {
         glm::vec3 corner, edge1, edge2;
         bool doubleSided;
     };
-    // A leaf has `count` triangles from `first` on. Another node (`count` is 0) has one child behind it in the
-    // list, and the other at `first`.
+    // A leaf has `count` triangles from `first` on. Another node (`count` is 0) has one child behind it in
+    // the list, and the other at `first`.
     struct Node {
         glm::vec3 min, max;
         std::uint32_t first, count;

@@ -1,13 +1,12 @@
-// Second of two passes over the triangles. Each fragment adds its coverage, albedo, emission and plane to
-// the sums of the voxel's faces that it covers. The sums are integers, so the order of the fragments does not
-// matter.
+// Second of two passes over the triangles. Each fragment adds its coverage, place, albedo, emission and plane
+// to the sums of the voxel's faces that it covers. The sums are integers, so the order of the fragments does
+// not matter.
 #include "shared/counters.glsl"
 #include "directional/coverage.glsl"
 
 in vec3 fragmentNormal;
 
-layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D index;  // the index of the faces in `list`
-layout(location = VCT_UNIFORM_LIST) uniform uint list;
+layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D index;  // the index of the faces in the list
 
 void main() {
     COUNT(VCT_COUNTER_ACCUMULATE);
@@ -16,20 +15,37 @@ void main() {
     if (materialIsHole(baseColor.a)) discard;
     ivec3 voxel = fragmentVoxel();
     uint cell = texelFetch(index, listedVoxel(voxel), 0).r;
-    vec3 albedo = materialIsUnlit ? vec3(0.0) : baseColor.rgb;
+    vec3 albedo = materialIsUnlit ? vec3(0.0) : clamp(baseColor.rgb, 0.0, 1.0);
     vec3 emission = materialEmissive() * (draw.surface.w / frame.emissionRange);
     vec3 normal = safeNormalize(fragmentNormal);
     bool curved = dot(normal, safeNormalize(coverage)) < 0.9999;  // 0.8 degrees
-    float offset = dot(normal, fragmentPosition * float(frame.gridSide) - vec3(voxel) - 0.5);
-    uint firstId = commands[list].firstId, lastId = firstId + commands[list].faceCapacity;
-    uint front = coveredFaces(coverage), back = materialIsDoubleSided ? coveredFaces(-coverage) : 0u;
-    // A loop over set bits, because most surfaces cover one face only.
-    for (uint left = (front | back) & cell; left != 0u; left &= left - 1u) {
+    vec3 place = fragmentPosition * float(frame.gridSide) - vec3(voxel);
+    vec3 fromMiddle = place - 0.5;
+    float offset = dot(normal, fromMiddle), nearness = max(1.0 - 0.6 * length(fromMiddle), 0.0);
+    uint fronts = coveredFaces(coverage), backs = materialIsDoubleSided ? coveredFaces(-coverage) : 0u;
+    // A loop over set bits, because most surfaces cover one face only. The cell is 0 if the list has no room
+    // for the voxel; a later frame has room.
+    for (uint left = (fronts | backs) & cell; left != 0u; left &= left - 1u) {
         COUNT(VCT_COUNTER_ACCUMULATE_FACE);
         int face = findLSB(left);
-        uint id = faceId(cell, face, firstId);
-        if (!hasFace(cell, face) || id >= lastId) break;  // the list overflowed; a later frame has room
-        float side = (front >> uint(face) & 1u) != 0u ? 1.0 : -1.0;
-        addToFace(id, abs(coverage[face >> 1]), albedo, emission, curved, side * normal, side * offset);
+        uint at = faceAt(faceId(cell, face));
+        float side = (fronts >> uint(face) & 1u) != 0u ? 1.0 : -1.0, weight = abs(coverage[face >> 1]);
+        float front = 0.5 + ((face & 1) == 0 ? fromMiddle[face >> 1] : -fromMiddle[face >> 1]);
+        atomicMax(faceData[at + VCT_FACE_PLANE], packPlane(nearness, curved, side * normal, side * offset));
+        atomicMax(faceData[at + VCT_FACE_FRONT],
+                  packPlane(clamp(front, 0.0, 1.0), curved, side * normal, side * offset));
+        addToWords(at + VCT_FACE_ALBEDO, weight * albedo);
+        uvec3 units = uvec3(vec3(weight, weight * acrossFaces(place, face >> 1)) * frame.faceSumUnits + 0.5);
+        atomicAdd(faceData[at + VCT_FACE_COVERAGE], units.x);
+        atomicAdd(faceData[at + VCT_FACE_PLACE], units.y);
+        atomicAdd(faceData[at + VCT_FACE_PLACE + 1u], units.z);
+        if (curved) {
+            vec2 across = 0.5 + 0.5 * side * acrossFaces(normal, face >> 1);
+            atomicAdd(faceData[at + VCT_FACE_CURVE], units.x);
+            addToWords(at + VCT_FACE_CURVE + 1u, weight * vec3(across, place[face >> 1]));
+        }
+#ifdef VCT_EMISSION
+        addToWords(at + VCT_FACE_EMISSION, weight * emission);
+#endif
     }
 }

@@ -1,7 +1,7 @@
 // Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
 // the mean of a neighbouring voxel's faces, dynamic in the last pose or static. If cascades have moved with
 // the camera, static faces come first, and a face that the same cascade did not hold takes over the history
-// of a coarser one. A face that it did hold also gets its radiance back.
+// of a coarser one. A face that it did hold also keeps its radiance.
 #include "directional/cascades.glsl"
 #include "directional/face_sums.glsl"
 #include "directional/voxels.glsl"
@@ -10,7 +10,6 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex;
-layout(rgba8, binding = VCT_IMAGE_FACES) writeonly uniform mediump image3D faces;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
 
 struct History {
@@ -19,10 +18,9 @@ struct History {
     float weight;
 };
 
-void add(inout History history, uint cell, int face, uint firstId, uint endId) {
+void add(inout History history, uint cell, int face) {
     if (!hasFace(cell, face)) return;
-    uint id = faceId(cell, face, firstId);
-    if (id >= endId) return;
+    uint id = faceId(cell, face);
     FaceIrradiance mean = faceIrradianceAt(id);
     if (mean.steps == 0.0) return;
     history.mean.light += mean.light;
@@ -50,17 +48,12 @@ LastPlace lastPlaceOf(ivec3 voxel) {
     return LastPlace(clamp(last, first, first + frame.gridSide - 1), cascade == own);
 }
 
-// Gives a static face of a cascade that has moved in this frame the radiance and the surface that it had at
-// its last place. The injection skips it then.
-void restoreRadiance(ListedFace listed, uint id, LastPlace last, uint lastCell, uint firstId, uint endId) {
+// Gives a static face of a cascade that has moved in this frame the radiance that it had at its last place.
+// The injection skips it then.
+void restoreRadiance(ListedFace listed, uint id, LastPlace last, uint lastCell) {
     if (list != staticList || !last.isSame || !hasFace(lastCell, listed.face)) return;
-    int cascade = cascadeOf(listed.voxel);
-    uint lastId = faceId(lastCell, listed.face, firstId);
-    if (faceData[id * faceWords + VCT_FACE_SURFACE] != 0u) return;  // it has new light already
-    if (frame.cascade[cascade] == frame.lastCascade[cascade] || lastId >= endId) return;
-    faceData[id * faceWords + VCT_FACE_SURFACE] = faceData[lastId * faceWords + VCT_FACE_SURFACE];
-    ivec3 texel = faceTexel(listed.voxel, listed.face >> 1, listed.face & 1, frame.gridSide);
-    imageStore(faces, texel, unpackUnorm4x8(faceData[lastId * faceWords + VCT_FACE_LAST_RADIANCE]));
+    faceData[faceAt(id) + VCT_FACE_RADIANCE] =
+        faceData[faceAt(faceId(lastCell, listed.face)) + VCT_FACE_RADIANCE];
 }
 
 // The history of a coarser cascade's face has the wrong detail, so new light soon replaces it.
@@ -68,26 +61,22 @@ const float maxStepsFromCoarser = 8.0;
 
 void main() {
     COUNT(VCT_COUNTER_CARRY_OVER);
-    uint count = faceCount(list), previous = list ^ 1u;
-    uint firstId = commands[previous].firstId, endId = firstId + faceCount(previous);
+    uint count = faceCount(list);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_CARRY_OVER_FACE);
         ListedFace listed = listedFace(list, i);
-        History history = History(FaceIrradiance(vec3(0.0), 0.0, vec3(0.0), 0.0), vec3(0.0), 0.0);
+        History history = History(FaceIrradiance(vec4(0.0), 0.0, vec4(0.0), 0.0), vec3(0.0), 0.0);
         LastPlace last = lastPlaceOf(listed.voxel);
         uint lastCell = texelFetch(previousIndex, last.voxel, 0).r;
-        add(history, lastCell, listed.face, firstId, endId);
-        if (VCT_CASCADES > 1)
-            restoreRadiance(listed, commands[list].firstId + i, last, lastCell, firstId, endId);
+        add(history, lastCell, listed.face);
+        if (VCT_CASCADES > 1) restoreRadiance(listed, commands[list].firstId + i, last, lastCell);
         for (int n = 0; n < 27 && history.weight < 1.0; ++n) {
             COUNT(VCT_COUNTER_CARRY_OVER_NEIGHBOUR);
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
-            add(history, texelFetch(previousIndex, beside, 0).r, listed.face, firstId, endId);
-            if (list == dynamicList)
-                add(history, texelFetch(staticIndex, beside, 0).r, listed.face, firstStaticId(),
-                    firstStaticId() + faceCount(listOfStatic()));
+            add(history, texelFetch(previousIndex, beside, 0).r, listed.face);
+            if (list == dynamicList) add(history, texelFetch(staticIndex, beside, 0).r, listed.face);
         }
         float share = 1.0 / max(history.weight, 1.0);
         FaceIrradiance mean = history.mean;

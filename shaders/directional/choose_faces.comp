@@ -9,11 +9,11 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-shared uint groupCones[2];  // cones of one turn: of the faces that pixels look up, and of the others
+shared uint groupRays[2];  // rays of one turn: of the faces that pixels look up, and of the others
 
 void main() {
     COUNT(VCT_COUNTER_CHOOSE_FACES);
-    if (gl_LocalInvocationIndex < 2u) groupCones[gl_LocalInvocationIndex] = 0u;
+    if (gl_LocalInvocationIndex < 2u) groupRays[gl_LocalInvocationIndex] = 0u;
     if (gl_GlobalInvocationID.x < VCT_LIGHT_SUMS)
         faceIrradianceData[lightSums(lightStep.frame + 1u) + gl_GlobalInvocationID.x] = 0u;
     barrier();
@@ -33,7 +33,7 @@ void main() {
         bool hasLongHistory = lightStep.longEnough > 0.0 && mean.steps >= lightStep.longEnough;
         bool isChosen =
             !hasLongHistory && (mean.steps == 0.0 || turnOf(listed.voxel, listed.face >> 1, lookedUp).isNow);
-        bool hasNoRadiance = faceData[id * faceWords + VCT_FACE_SURFACE] == 0u;
+        bool hasNoRadiance = faceData[faceAt(id) + VCT_FACE_RADIANCE] == 0u;
         bool hasTurn =
             !hasLongHistory && (i / uint(VCT_LIST_GROUP) + lightStep.frame) % VCT_TURN_PERIOD == 0u;
         if (VCT_CASCADES > 1 && lightStep.longEnough > 0.0 && (isChosen || hasNoRadiance || hasTurn)) {
@@ -41,13 +41,13 @@ void main() {
             faceIrradianceData[lightStep.lastActiveFace - before] = id;
         }
         if (hasLongHistory) continue;
-        atomicAdd(groupCones[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_CONES) : 1u);
+        atomicAdd(groupRays[lookedUp ? 0 : 1], isNearSurfaces(mean) ? uint(VCT_MIN_CREASE_RAYS) : 1u);
         if (!isChosen) continue;
         uint chosen = atomicAdd(faceIrradianceData[sums + VCT_SUM_CHOSEN], 1u);
         faceIrradianceData[lightStep.chosenFaces + chosen] = id | (lookedUp ? lookedUpFlag : 0u);
     }
     barrier();
     if (gl_LocalInvocationIndex < 2u)
-        atomicAdd(faceIrradianceData[sums + VCT_SUM_LOOKED_UP_CONES + gl_LocalInvocationIndex],
-                  groupCones[gl_LocalInvocationIndex]);
+        atomicAdd(faceIrradianceData[sums + VCT_SUM_LOOKED_UP_RAYS + gl_LocalInvocationIndex],
+                  groupRays[gl_LocalInvocationIndex]);
 }

@@ -1,10 +1,8 @@
 // The light of the compact emitters at a point: a closed form gives the share of the hemisphere that a part
-// of an emitter fills, and a cone towards the part gives its visibility (next event estimation).
-#include "directional/cones.glsl"
+// of an emitter fills, and rays to points of the part tell how much of it is visible (next event estimation).
+#include "directional/ray.glsl"
 #include "shared/emitters.glsl"
 
-// Width of a cone relative to its part. A cone as wide as the part would meet surfaces beside it.
-const float emitterConeWidth = 0.25;
 // The smallest positive half float.
 const float minStoredLight = 6e-8;
 
@@ -12,7 +10,6 @@ const float minStoredLight = 6e-8;
 struct SeenPart {
     vec3 towards;    // unit length
     float distance;  // to its middle, in sides of the volume
-    float area;      // projected, in squared sides of the volume
     vec3 light;      // irradiance if nothing is in between, relative to E
 };
 
@@ -25,35 +22,47 @@ SeenPart seenPart(EmitterPartUniforms part, vec3 position, vec3 normal) {
     // Form factor of a small disc. Close to it, the area in the denominator keeps the factor below 1, as for
     // a disc that faces the surface.
     float share = max(dot(towards, normal), 0.0) * area / (3.1415927 * distance * distance + area);
-    return SeenPart(towards, distance, area, part.radiance.rgb * share);
+    return SeenPart(towards, distance, part.radiance.rgb * share);
 }
 
 bool isStorable(vec3 light) {
     return max(light.r, max(light.g, light.b)) >= minStoredLight;
 }
 
-// A cone's transmittance at the distance `reach`, in voxels. `tangent`: tangent of its half angle.
-mediump float transmittanceTo(Cone cone, float reach, float tangent) {
-    ConeResult result = coneBegin;
-    while (result.distance < reach) {
-        COUNT(VCT_COUNTER_EMITTERS_STEP);
-        // Samples narrow again towards the emitter, so that they do not meet it.
-        float widest =
-            min(VCT_GATHER_HEIGHT * heightAt(cone, result.distance), 0.5 * (reach - result.distance));
-        float level = floor(log2(max(min(2.0 * result.distance * tangent, widest), 1.0)));
-        // The last sample counts in proportion to its part before the end.
-        mediump float within = min((reach - result.distance) / (VCT_GATHER_STEP * exp2(level)), 1.0);
-        if (addSample(result, cone, level, within * sampleOpacity)) break;
+// A point in front of a part, in volume space; `u` in 0..1 selects it. It is so far in front that the part's
+// own voxels, and those of a surface that it lies on, do not block the ray to it.
+vec3 pointOfPart(EmitterPartUniforms part, SeenPart seen, vec2 u, float voxel) {
+    const float inFront = 0.5;  // voxels
+    vec2 aside = 2.0 * u - 1.0;
+    if (part.side.xyz == vec3(0.0)) {
+        mat3 axes = frameAround(seen.towards);
+        float radius = sqrt(u.x) * part.position.w, angle = 6.2831853 * u.y;
+        vec3 disc = axes[0] * (radius * cos(angle)) + axes[2] * (radius * sin(angle));
+        return part.position.xyz + disc - seen.towards * (part.radiance.w + inFront * voxel);
     }
-    return coneEnd(result).transmittance;
+    vec3 normal = normalize(part.facing.xyz);
+    vec3 other =
+        cross(normal, part.side.xyz) * (0.25 * length(part.facing.xyz) / dot(part.side.xyz, part.side.xyz));
+    return part.position.xyz + aside.x * part.side.xyz + aside.y * other +
+           normal * (part.radiance.w + inFront * voxel);
 }
 
-// The part's light at the point. The rest of the arguments: as of coneFrom().
-vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascade, vec3 normal,
-                 vec3 ownBelow) {
-    // A cone at a grazing angle to a flat part is near its voxels, and its support's, for longer.
-    float rising = clamp(seen.area / (length(part.facing.xyz) + part.facing.w), 0.25, 1.0);
-    float reach = (seen.distance - endOfCones(part) / rising) * voxelsAlongVolume(cascade);
-    Cone cone = coneFrom(start, cascade, normal, ownBelow, seen.towards, false);
-    return seen.light * transmittanceTo(cone, reach, emitterConeWidth * part.position.w / seen.distance);
+// The part's light at a point: `start`, in voxels of a cascade.
+vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascade) {
+    // If the first rays agree, the part is visible as a whole or not at all.
+    const int first = 4, all = 16;
+    float voxel = 1.0 / voxelsAlongVolume(cascade), visible = 0.0;
+    int rays = first;
+    for (int i = 0; i < rays; ++i) {
+        COUNT(VCT_EMITTER_RAY);
+        // A sequence that covers the square evenly (Roberts 2018, "The unreasonable effectiveness of
+        // quasirandom sequences").
+        vec2 u = fract(0.5 + float(i) * vec2(0.7548777, 0.5698403));
+        vec3 end = voxelsFromVolume(pointOfPart(part, seen, u, voxel), cascade), way = end - start;
+        float distance = length(way);
+        if (traceRay(start, cascade, way / distance, distance, diceOf(i, ivec3(start))).id == noFace)
+            visible += 1.0;
+        if (i == first - 1 && visible > 0.0 && visible < float(first)) rays = all;
+    }
+    return seen.light * (visible / float(rays));
 }

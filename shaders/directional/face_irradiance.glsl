@@ -2,7 +2,6 @@
 // to E, the irradiance of a surface that faces the sun. The buffer has, in this order: sums over all faces
 // for the last three steps, the histories of the faces, the sums of the blocks, and the list of the faces
 // that gather.
-#include "directional/face_range.glsl"
 #include "directional/light_step.glsl"
 
 layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
@@ -10,16 +9,16 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 };
 
 struct FaceIrradiance {
-    vec3 light;       // mean irradiance; for ambient occlusion the ambient visibility in all channels
+    vec4 light;       // mean irradiance; a: ambient visibility
     float steps;      // history length; 0: no history
-    vec3 roundStart;  // `light` at the beginning of the round (directional/gather.comp: nextMean())
+    vec4 roundStart;  // `light` at the beginning of the round (directional/gather.comp: nextMean())
     float nearness;   // mean of 1 / distance to the surrounding surfaces, in voxels
 };
 // Words per face.
 #ifdef VCT_EMITTERS
-#define VCT_IRRADIANCE_WORDS 6u
+#define VCT_IRRADIANCE_WORDS 7u
 #else
-#define VCT_IRRADIANCE_WORDS 4u
+#define VCT_IRRADIANCE_WORDS 5u
 #endif
 uint irradianceIndex(uint id) {
     return VCT_LIGHT_HEADER + VCT_IRRADIANCE_WORDS * id;
@@ -29,9 +28,11 @@ FaceIrradiance faceIrradianceAt(uint id) {
     uint at = irradianceIndex(id);
     vec2 blueAndSteps = unpackHalf2x16(faceIrradianceData[at + 1u]);
     vec2 startBlueAndNearness = unpackHalf2x16(faceIrradianceData[at + 3u]);
-    return FaceIrradiance(vec3(unpackHalf2x16(faceIrradianceData[at]), blueAndSteps.x), blueAndSteps.y,
-                          vec3(unpackHalf2x16(faceIrradianceData[at + 2u]), startBlueAndNearness.x),
-                          startBlueAndNearness.y);
+    vec2 visibility = unpackHalf2x16(faceIrradianceData[at + 4u]);
+    return FaceIrradiance(
+        vec4(unpackHalf2x16(faceIrradianceData[at]), blueAndSteps.x, visibility.x), blueAndSteps.y,
+        vec4(unpackHalf2x16(faceIrradianceData[at + 2u]), startBlueAndNearness.x, visibility.y),
+        startBlueAndNearness.y);
 }
 float historyLength(uint id) {
     return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
@@ -42,11 +43,12 @@ const float maxStoredLight = 6e4;
 
 void storeFaceIrradiance(uint id, FaceIrradiance value) {
     uint at = irradianceIndex(id);
-    vec3 light = min(value.light, maxStoredLight), roundStart = min(value.roundStart, maxStoredLight);
+    vec4 light = min(value.light, maxStoredLight), roundStart = min(value.roundStart, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, value.steps));
     faceIrradianceData[at + 2u] = packHalf2x16(roundStart.rg);
     faceIrradianceData[at + 3u] = packHalf2x16(vec2(roundStart.b, value.nearness));
+    faceIrradianceData[at + 4u] = packHalf2x16(vec2(light.a, roundStart.a));
 }
 
 // The nearer the surrounding surfaces are, the faster irradiance varies along a surface (Ward, Rubinstein and
@@ -70,11 +72,11 @@ int indexInBlock(ivec3 voxel, int axis) {
 // noise.
 #ifdef VCT_EMITTERS
 vec3 emitterIrradiance(uint id) {
-    uint at = irradianceIndex(id) + 4u;
+    uint at = irradianceIndex(id) + 5u;
     return vec3(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(faceIrradianceData[at + 1u]).x);
 }
 void storeEmitterIrradiance(uint id, vec3 light) {
-    uint at = irradianceIndex(id) + 4u;
+    uint at = irradianceIndex(id) + 5u;
     light = min(light, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(light.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));

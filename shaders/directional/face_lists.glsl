@@ -1,17 +1,14 @@
-// The face lists: one list of occupied faces per level. Most voxels have one or two of six faces, so passes
-// iterate over faces and not over voxels.
+// The face lists. Most voxels have one or two of six faces, so passes iterate over faces and not over voxels.
 //
 // At the base level, static geometry and dynamic objects have separate lists. The position in these lists
 // gives a face its id, which locates its sums and its irradiance. Static faces have the first ids and keep
 // them. Two ranges of ids for dynamic faces follow. They alternate from pose to pose, so that a new pose can
 // read the last one. With cascades, static faces have two ranges that alternate as well, because cascades
-// move. Above the base level, a list holds the static faces, then the faces that only dynamic objects cover.
+// move. The list of VCT_BRICK_LEVEL holds the faces of blocks: the static ones, then those that only dynamic
+// objects cover.
+#include "directional/face_data.glsl"
 #include "shared/commands.glsl"
 #include "shared/counters.glsl"
-
-layout(std430, binding = VCT_SSBO_FACES) buffer FaceBlock {
-    uint faceData[];  // sums by id, then the lists; above the base level also a bit per occupied face
-};
 
 struct ListedFace {
     ivec3 voxel;
@@ -72,30 +69,4 @@ uint reserveFaces(uint list, uint count) {
 void storeListed(uint list, uint i, ivec3 voxel, int face, uint flags) {
     if (i < commands[list].faceCapacity)
         faceData[commands[list].firstFace + i] = packFace(uvec3(voxel), uint(face)) | flags;
-}
-
-// A voxel's texel in the index: a bit per occupied face, and above them the position of its first face in the
-// list, counted from 1. The position is 0 if the voxel did not fit into the active-voxel list.
-uint packCell(uint first, uint faces) {
-    return (first + 1u) << VCT_FACE_MASK_BITS | faces;
-}
-bool hasFace(uint cell, int face) {
-    return (cell >> uint(face) & 1u) != 0u && cell > VCT_FACE_MASK;
-}
-// The id of an occupied face. `firstId`: the list's first id.
-uint faceId(uint cell, int face, uint firstId) {
-    return firstId + (cell >> VCT_FACE_MASK_BITS) - 1u + uint(bitCount(cell & ((1u << uint(face)) - 1u)));
-}
-// The id of a static face. Returns false if there is none. With cascades, the list may have had no room for
-// it.
-bool findStaticFace(uint cell, int face, out uint id) {
-    id = faceId(cell, face, firstStaticId());
-    return hasFace(cell, face) && (VCT_CASCADES == 1 || id < firstStaticId() + faceCount(listOfStatic()));
-}
-// The id of a face that dynamic objects cover. Returns false if there is none, or the list had no room for
-// it.
-bool findDynamicFace(uint cell, int face, out uint id) {
-    uint first = commands[dynamicList].firstId;
-    id = faceId(cell, face, first);
-    return hasFace(cell, face) && id < first + faceCount(dynamicList);
 }

@@ -1,4 +1,4 @@
-// Writes the irradiance of the faces into the bricks, where pixels look it up.
+// Writes the irradiance of the faces, or their ambient visibility, into the bricks, where pixels look it up.
 #include "directional/face_sums.glsl"
 #include "directional/irradiance.glsl"
 #include "directional/active_faces.glsl"
@@ -6,6 +6,8 @@
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
 layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
+layout(location = VCT_UNIFORM_SHOWS_VISIBILITY) uniform uint showsVisibility;
+layout(location = VCT_UNIFORM_FILLS_ALL) uniform uint fillsAll;
 
 // Stores a texel in the brick of the face's block, and in the borders of neighbouring bricks.
 void storeInBricks(ListedFace listed, vec4 texel) {
@@ -33,7 +35,7 @@ void storeInBricks(ListedFace listed, vec4 texel) {
 // together.
 vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
     float weight = lightStep.smoothing * (1.0 - closeness(mean.nearness));
-    if (weight == 0.0) return mean.light;
+    if (weight == 0.0) return mean.light.rgb;
     int cascade = cascadeOf(listed.voxel);
     ivec3 inCascade = listed.voxel - firstOfCascade(listed.voxel, frame.gridSide);
     vec3 inVoxels = vec3(inCascade) + 0.5 + plane.normal * plane.offset;
@@ -43,22 +45,23 @@ vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
     vec3 block =
         (position + vec3(listed.face >> 1, listed.face & 1, cascade)) / vec3(3.0, 2.0, float(cascades));
     vec4 around = textureLod(blockLight, block, 0.0);
-    return around.a > 0.0 ? mix(mean.light, around.rgb / around.a, weight) : mean.light;
+    return around.a > 0.0 ? mix(mean.light.rgb, around.rgb / around.a, weight) : mean.light.rgb;
 }
 
 void main() {
     COUNT(VCT_COUNTER_FILL_BRICKS);
-    bool fillsAll = lightStep.fillsAll != 0u;
-    uint count = visitedFaceCount(fillsAll);
+    bool everyFace = fillsAll != 0u;
+    uint count = visitedFaceCount(everyFace);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
-        uint id = visitedFaceId(fillsAll, i);
+        uint id = visitedFaceId(everyFace, i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        FaceSurface surface = faceSurface(id);
-        vec3 light = min(smoothed(faceIrradianceAt(id), listed, surface.plane) + emitterIrradiance(id),
-                         maxStoredLight);
-        storeInBricks(listed, vec4(light, 1.0) * surface.coverage);
+        FaceIrradiance mean = faceIrradianceAt(id);
+        vec3 light = showsVisibility != 0u
+                         ? vec3(mean.light.a)
+                         : min(smoothed(mean, listed, facePlane(id)) + emitterIrradiance(id), maxStoredLight);
+        storeInBricks(listed, vec4(light, 1.0) * faceExtent(id).coverage);
     }
 }

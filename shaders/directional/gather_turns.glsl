@@ -1,12 +1,12 @@
-// The turns of faces in the gather. While something changes, a step traces about lightStep.coneBudget cones,
+// The turns of faces in the gather. While something changes, a step traces about lightStep.rayBudget rays,
 // whatever the scene and the grid. Faces take turns: in each step a share of them, the rate, gathers. Faces
 // that pixels have looked up recently have four times the rate of the others. The rate follows from the
-// number of cones in one turn of all faces, which the previous step counted.
+// number of rays in one turn of all faces, which the previous step counted.
 #include "directional/face_irradiance.glsl"
 
-#define VCT_SUM_LOOKED_UP_CONES 15u  // cones in one turn of all faces that pixels have looked up recently
-#define VCT_SUM_OTHER_CONES 16u      // cones in one turn of the other faces
-#define VCT_SUM_CHOSEN 17u           // number of faces that gather in the step
+#define VCT_SUM_LOOKED_UP_RAYS 15u  // rays in one turn of all faces that pixels have looked up recently
+#define VCT_SUM_OTHER_RAYS 16u      // rays in one turn of the other faces
+#define VCT_SUM_CHOSEN 17u          // number of faces that gather in the step
 // Two floats, stored as bits: the turns so far of faces that pixels have looked up recently, and of the
 // others.
 #define VCT_SUM_TURNS 18u
@@ -18,11 +18,11 @@ const uint lookedUpFlag = 0x80000000u;
 // Turns per step; 1 if there is no budget, or if it suffices for all faces.
 float turnRate(bool lookedUp) {
     uint before = lightSums(lightStep.frame + 2u);
-    float lookedUpCones = float(faceIrradianceData[before + VCT_SUM_LOOKED_UP_CONES]);
-    float otherCones = float(faceIrradianceData[before + VCT_SUM_OTHER_CONES]);
-    float budget = float(lightStep.coneBudget);
-    if (lightStep.coneBudget == 0u || lookedUpCones + otherCones <= budget) return 1.0;
-    return min(budget / (lookedUpCones + 0.25 * otherCones), 1.0) * (lookedUp ? 1.0 : 0.25);
+    float lookedUpRays = float(faceIrradianceData[before + VCT_SUM_LOOKED_UP_RAYS]);
+    float otherRays = float(faceIrradianceData[before + VCT_SUM_OTHER_RAYS]);
+    float budget = float(lightStep.rayBudget);
+    if (lightStep.rayBudget == 0u || lookedUpRays + otherRays <= budget) return 1.0;
+    return min(budget / (lookedUpRays + 0.25 * otherRays), 1.0) * (lookedUp ? 1.0 : 0.25);
 }
 
 float turnsBefore(bool lookedUp) {

@@ -9,15 +9,15 @@ layout(location = VCT_UNIFORM_CASCADES) uniform uint moved;  // a bit per cascad
 
 void main() {
     COUNT(VCT_COUNTER_KEEP_SUMS);
-    uint count = faceCount(staticList), last = staticList ^ 1u;
+    uint count = faceCount(staticList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_KEEP_SUMS_FACE);
         ListedFace listed = listedFace(staticList, i);
         if ((moved >> uint(cascadeOf(listed.voxel)) & 1u) != 0u) continue;
         uint cell = texelFetch(previousIndex, listed.voxel, 0).r;
-        uint from = faceWords * faceId(cell, listed.face, commands[last].firstId);
-        uint to = faceWords * (commands[staticList].firstId + i);
+        if (!hasFace(cell, listed.face)) continue;
+        uint from = faceAt(faceId(cell, listed.face)), to = faceAt(commands[staticList].firstId + i);
         for (uint word = 0u; word < faceWords; ++word)
             faceData[to + word] = faceData[from + word];
     }

@@ -3,10 +3,17 @@
 #include "directional/gather_turns.glsl"
 #include "directional/light_sums.glsl"
 
-shared uint groupSums[9], groupLargestIrradiance;
+shared uint groupSums[9], groupLargest;
 vec3 balanceFactor;
 uvec3 sumBefore, sumReflected, sumDirect;
-float irradianceMeasured = 0.0;
+float largestMeasured =
+    0.0;  // light of a face, for the range of the next step (directional/choose_range.comp)
+
+// NaN is ignored, because it fails the comparison.
+void measure(vec3 light) {
+    float largest = max(light.r, max(light.g, light.b));
+    if (largest > largestMeasured) largestMeasured = min(largest, maxStoredLight);
+}
 
 vec3 sumAt(uint at) {
     return vec3(faceIrradianceData[at], faceIrradianceData[at + 1u], faceIrradianceData[at + 2u]);
@@ -44,7 +51,7 @@ vec3 globalEnergyCorrection() {
 // Every invocation calls this first.
 void beginBalance() {
     if (gl_LocalInvocationIndex < 9u) groupSums[gl_LocalInvocationIndex] = 0u;
-    if (gl_LocalInvocationIndex == 0u) groupLargestIrradiance = 0u;
+    if (gl_LocalInvocationIndex == 0u) groupLargest = 0u;
     barrier();
     sumBefore = sumReflected = sumDirect = uvec3(0u);
     balanceFactor = lightStep.previousStepWeight > 0.0 ? globalEnergyCorrection() : vec3(1.0);
@@ -55,18 +62,19 @@ void beginBalance() {
 // one injection to the next.
 vec3 addBounces(uint id, ivec3 voxel, float period, float coverage, vec3 direct, vec3 albedo) {
     FaceIrradiance mean = faceIrradianceAt(id);
-    mean.light = min(mean.light * balanceFactor, maxStoredLight);
-    mean.roundStart *= balanceFactor;
+    mean.light.rgb = min(mean.light.rgb * balanceFactor, maxStoredLight);
+    mean.roundStart.rgb *= balanceFactor;
     storeFaceIrradiance(id, mean);
-    irradianceMeasured = largerOf(irradianceMeasured, mean.light);
-    // The gain compensates for light that cones lose. A face never reflects more than it receives.
-    vec3 reflecting = min(lightStep.bounceGain * albedo, coverage);
-    vec3 own = direct + reflecting * emitterIrradiance(id);
-    float weight = period * weightInSums(voxel);
-    sumBefore += quantizeSum(weight * coverage * mean.light, voxel);
-    sumReflected += quantizeSum(weight * reflecting * mean.light, voxel);
-    sumDirect += quantizeSum(weight * min(own, faceRange.radiance), voxel);
-    return own + reflecting * mean.light;
+    vec3 light = mean.light.rgb;
+    vec3 own = direct + lightStep.bounces * albedo * emitterIrradiance(id);
+    float weight = period * coverage * weightInSums(voxel);
+    sumBefore += quantizeSum(weight * light, voxel);
+    sumReflected += quantizeSum(weight * albedo * light, voxel);
+    sumDirect += quantizeSum(weight * min(own, lightRange), voxel);
+    vec3 radiance = own + lightStep.bounces * albedo * light;
+    measure(light);
+    measure(radiance);
+    return radiance;
 }
 
 // Every invocation calls this last.
@@ -76,9 +84,9 @@ void endBalance() {
         atomicAdd(groupSums[VCT_SUM_REFLECTED + uint(c)], sumReflected[c]);
         atomicAdd(groupSums[VCT_SUM_DIRECT + uint(c)], sumDirect[c]);
     }
-    atomicMax(groupLargestIrradiance, floatBitsToUint(irradianceMeasured));
+    atomicMax(groupLargest, floatBitsToUint(largestMeasured));
     barrier();
-    if (gl_LocalInvocationIndex == 0u) atomicMax(largestIrradiance, groupLargestIrradiance);
+    if (gl_LocalInvocationIndex == 0u) atomicMax(largestLight, groupLargest);
     if (gl_LocalInvocationIndex < 9u)
         atomicAdd(faceIrradianceData[lightSums(lightStep.frame) + gl_LocalInvocationIndex],
                   groupSums[gl_LocalInvocationIndex]);

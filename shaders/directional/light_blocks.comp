@@ -1,5 +1,6 @@
 // The irradiance of each block of 4^3 voxels, per face direction: a mean over the faces and over a few steps,
 // premultiplied by the coverage of the faces that gathered, which is in alpha. Resets the sums of the step.
+#include "shared/commands.glsl"
 #include "shared/counters.glsl"
 #include "directional/irradiance.glsl"
 #include "directional/gather_turns.glsl"
@@ -30,7 +31,7 @@ void main() {
             faceIrradianceData[at + c] = 0u;
         // The texture is uninitialized before the first step.
         vec4 before = lightStep.maxInheritedHistory > 0.0 ? texelFetch(blockLight, texel, 0) : vec4(0.0);
-        light = vec4(sum.rgb * faceRange.sums, sum.a) / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);
+        light = vec4(sum.rgb * lightRange, sum.a) / float(VCT_BRICK_SIDE * VCT_BRICK_SIDE);
         if (before.a > 0.0) light = sum.a > 0.0 ? mix(before, light, shareOfStep(texel)) : before;
     }
     imageStore(blockLightTexels, texel, light);

@@ -30,5 +30,5 @@ float weightInSums(ivec3 voxel) {
 // random.
 uvec3 quantizeSum(vec3 value, ivec3 voxel) {
     vec3 rounding = cascades == 1 ? vec3(0.5) : hashNoise(voxel, lightStep.frame);
-    return uvec3(min(value / faceRange.sums, 64.0) * lightStep.sumUnits + rounding);
+    return uvec3(min(value / lightRange, 64.0) * lightStep.sumUnits + rounding);
 }

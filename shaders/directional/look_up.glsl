@@ -1,23 +1,27 @@
 // The look-up of irradiance for programs that embed the library, at any point and for any normal
 // (GlobalIllumination::lookUpGlsl()). The bindings VCT_LOOK_UP_* are the program's.
 #include "shared/layout.h"
-#undef VCT_TEX_FACES
+#undef VCT_TEX_VOXELS
+#undef VCT_TEX_DYNAMIC_VOXELS
+#undef VCT_TEX_BLOCKS
 #undef VCT_TEX_IRRADIANCE
 #undef VCT_TEX_BRICKS
 #undef VCT_TEX_WALLS
 #undef VCT_TEX_ENVIRONMENT
 #undef VCT_UBO_FRAME
-#undef VCT_UBO_FACE_RANGE
 #undef VCT_UBO_EMITTERS
-#define VCT_TEX_FACES VCT_LOOK_UP_FACES
+#undef VCT_SSBO_FACES
+#define VCT_TEX_VOXELS VCT_LOOK_UP_VOXELS
+#define VCT_TEX_DYNAMIC_VOXELS VCT_LOOK_UP_DYNAMIC_VOXELS
+#define VCT_TEX_BLOCKS VCT_LOOK_UP_BLOCKS
 #define VCT_TEX_IRRADIANCE VCT_LOOK_UP_IRRADIANCE
 #define VCT_TEX_BRICKS VCT_LOOK_UP_BRICKS
 #define VCT_TEX_WALLS VCT_LOOK_UP_WALLS
 #define VCT_TEX_ENVIRONMENT VCT_LOOK_UP_SKY
 #define VCT_UBO_FRAME VCT_LOOK_UP_FRAME
-#define VCT_UBO_FACE_RANGE VCT_LOOK_UP_FACE_RANGE
 #define VCT_UBO_EMITTERS VCT_LOOK_UP_EMITTERS
-#include "directional/cones.glsl"
+#define VCT_SSBO_FACES VCT_LOOK_UP_FACES
+#include "directional/ray.glsl"
 #include "directional/gather_directions.glsl"
 #include "directional/irradiance.glsl"
 #include "directional/sky_light.glsl"
@@ -29,26 +33,26 @@ vec3 volumeFromWorld(vec3 positionWorld) {
     return (positionWorld - frame.volumeInWorld.xyz) * frame.volumeInWorld.w;
 }
 
-// Irradiance in the air, relative to E, by VCT_GATHER_DIRECTIONS cones and one towards each compact emitter.
+// Irradiance in the air, relative to E, by VCT_GATHER_DIRECTIONS rays and some towards each compact emitter.
 // `position` is in volume space.
 vec3 irradianceInAir(vec3 position, vec3 normal, int cascade) {
-    vec3 start = voxelsFromVolume(position, cascade), ownBelow = ownFaces(normal, false);
-    vec3 light = vec3(0.0);
+    vec3 start = voxelsFromVolume(position, cascade), light = vec3(0.0);
+    mat3 axes = frameAround(normal);
     VisibleSky sky = VisibleSky(0.0);
     for (int i = 0; i < VCT_GATHER_DIRECTIONS; ++i) {
-        vec3 aroundNormal = gatherDirection(i);
-        vec3 direction = frameAround(normal) * aroundNormal;
-        ConeResult cone = traceCone(start, cascade, normal, ownBelow, direction, VCT_GATHER_FIRST_SAMPLE,
-                                    2.0 * voxelsAlongVolume(cascade), 1.0);
-        light += cone.radiance;
-        sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y), cone.transmittance);
+        vec3 aroundNormal = gatherDirection(i), direction = axes * aroundNormal;
+        RayHit hit =
+            traceRay(start, cascade, direction, 2.0 * voxelsAlongVolume(cascade), diceOf(i, ivec3(start)));
+        if (hit.id == noFace)
+            sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y));
+        else
+            light += faceRadiance(hit.id);
     }
     light = (light + skyLight(sky)) / float(VCT_GATHER_DIRECTIONS);
 #ifdef VCT_EMITTERS
     for (int i = 0; i < emitters.count.x; ++i) {
         SeenPart seen = seenPart(emitters.part[i], position, normal);
-        if (isStorable(seen.light))
-            light += lightOfPart(emitters.part[i], seen, start, cascade, normal, ownBelow);
+        if (isStorable(seen.light)) light += lightOfPart(emitters.part[i], seen, start, cascade);
     }
 #endif
     return light;
@@ -67,7 +71,7 @@ vec4 irradianceOnSurface(vec3 position, vec3 normal, int cascade) {
 }
 
 // Irradiance relative to E by one cascade. It is the stored one where a surface that faces the normal's side
-// is near, and of cones elsewhere. `position` is in volume space.
+// is near, and of rays elsewhere. `position` is in volume space.
 vec3 irradianceByCascade(vec3 position, vec3 normal, int cascade) {
     bool isInside = position == clamp(position, 0.0, 0.9999);
     vec4 stored = isInside ? irradianceOnSurface(position, normal, cascade) : vec4(0.0);

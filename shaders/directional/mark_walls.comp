@@ -38,7 +38,7 @@ struct StraightFace {
 StraightFace straightFace(Cells cells, int face) {
     if (!hasFace(cells.still | cells.moving, face)) return StraightFace(0.0, 0.0);
     FaceSums sums = combinedSums(cells.still, cells.moving, face);
-    SurfacePlane plane = unpackPlane(sums.plane);
+    SurfacePlane plane = unpackPlane(visiblePlane(sums, face));
     float along = plane.normal[face >> 1];
     return StraightFace(((face & 1) == 0 ? along : -along) > 0.9 ? sums.coverage : 0.0, plane.offset / along);
 }

@@ -21,14 +21,6 @@ uint layerBits(uint layer) {
     return (1u << (layer + 1u)) | (layer == 0u ? 1u : layer == 3u ? 1u << 5 : 0u);
 }
 
-// The components along the axes that a brick's faces span, cyclically behind the axis that they look along.
-vec2 acrossFaces(vec3 v, int axis) {
-    return axis == 0 ? v.yz : axis == 1 ? v.zx : v.xy;
-}
-
-// A position far below the brick stands for no wall.
-const float noWall = -1000.0;
-
 struct WallsBeside {
     vec2 position;  // in texels from the brick's first one
     bvec2 crosses;  // the wall crosses the layer
@@ -44,7 +36,7 @@ WallsBeside wallsBeside(uint word, vec2 across) {
 // Moves a position in a brick away from the walls of the word, to where the filter reads texels of the
 // position's own side only. `along`: unit vector of the axis that the brick's faces look along.
 vec3 besideWalls(uint word, vec3 inBrick, vec3 along) {
-    vec2 across = vec2(dot(inBrick, along.zxy), dot(inBrick, along.yzx));  // acrossFaces()
+    vec2 across = vec2(dot(inBrick, along.zxy), dot(inBrick, along.yzx));
     WallsBeside walls = wallsBeside(word, across);
     // At the middle of its texel, a wall keeps both sides from reading it.
     bvec2 keepsOff = bvec2((word & 1u << 28u) != 0u, (word & 1u << 29u) != 0u);

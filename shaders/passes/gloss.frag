@@ -1,9 +1,12 @@
 // Adds the light that glossy surfaces reflect from around the mirror direction to the last pass's picture. A
-// smooth surface traces a cone in each pixel. A rough one interpolates between the cones of
-// passes/gloss_half.frag, as far as they belong to the same surface, and traces its own if none does.
+// smooth surface traces a few rays in each pixel. A rough one interpolates between the samples of
+// passes/gloss_half.frag, as far as they belong to the same surface, and traces its own rays if none does.
 #include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_REFLECTION_COUNTER VCT_COUNTER_GLOSS_STEP
+#define VCT_RAY_STEP VCT_COUNTER_GLOSS_STEP
+#define VCT_RAY_FACE VCT_COUNTER_GLOSS_VOXEL_FACE
+#define VCT_RAY_LIMIT VCT_COUNTER_GLOSS_LIMIT
+#define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_RAY
 #include "passes/reflection.glsl"
 
 layout(binding = VCT_TEX_G_ALBEDO) uniform mediump sampler2D albedoTarget;
@@ -12,9 +15,8 @@ layout(binding = VCT_TEX_HALF_GLOSS) uniform mediump sampler2D halfGloss;
 layout(early_fragment_tests) in;
 layout(location = 0) out mediump vec4 outRadiance;  // is added; relative to E/pi
 
-// The mean of the samples on both sides of a pixel that belong to its surface; a: their number. The sample of
-// a block is most often that of its first pixel. A pixel at odd coordinates is in the middle between the
-// samples of its own block and of the next one.
+// The mean of the samples of the 2 x 2 blocks around a pixel that belong to its surface; a: their number.
+// Together the four have an even set of directions (turnOfPixel()).
 mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float roughness) {
     // The plane of the surface in window coordinates, scaled so that it gives pixels: samples may be as far
     // from the plane as a pixel is wide.
@@ -24,9 +26,9 @@ mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float
     float alpha = roughness * roughness, minCosine = 1.0 - 0.5 * alpha * alpha;
     ivec2 lastBlock = textureSize(halfGloss, 0) - 1;
     mediump vec4 sum = vec4(0.0);
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 4; ++i) {
         COUNT(VCT_COUNTER_GLOSS_SAMPLE);
-        ivec2 block = min((pixel + i) >> 1, lastBlock);
+        ivec2 block = clamp(((pixel - 1) >> 1) + ivec2(i & 1, i >> 1), ivec2(0), lastBlock);
         mediump vec4 found = texelFetch(halfGloss, block, 0);
         int index = int(found.a) - 1;
         ivec2 of = pixelOf(block, max(index, 0));
@@ -49,9 +51,9 @@ void main() {
     if (met.a > 0.0)
         met.rgb /= met.a;
     else
-        met.rgb = reflectedLight(position, normal, roughness);
+        met.rgb = reflectedLight(position, normal, roughness, 4, turnOfPixel(pixel));
     mediump vec3 albedo = texelFetch(albedoTarget, pixel, 0).rgb;
     Brdf brdf = brdfOf(albedo * albedo, texelFetch(glossTarget, pixel, 0).r, roughness,
                        normalize(frame.eye.xyz - position));
-    outRadiance = vec4(coneShare(roughness) * specularShare(brdf, normal) * met.rgb, 0.0);
+    outRadiance = vec4(lobeShare(roughness) * specularShare(brdf, normal) * met.rgb, 0.0);
 }

@@ -1,9 +1,12 @@
-// Reflections of rough surfaces in half the resolution: one cone for each block of 2 x 2 pixels that shows a
-// surface whose lobe is so wide that passes/gloss.frag can interpolate between the cones of neighbouring
-// blocks. The other blocks are 0 (passes/gloss_mark.frag).
+// Reflections of rough surfaces in half the resolution: a few rays in the lobe, for each block of 2 x 2
+// pixels that shows a surface whose lobe is so wide that passes/gloss.frag can interpolate between
+// neighbouring blocks. The other blocks are 0 (passes/gloss_mark.frag).
 #include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_REFLECTION_COUNTER VCT_COUNTER_GLOSS_HALF_STEP
+#define VCT_RAY_STEP VCT_COUNTER_GLOSS_HALF_STEP
+#define VCT_RAY_FACE VCT_COUNTER_GLOSS_HALF_VOXEL_FACE
+#define VCT_RAY_LIMIT VCT_COUNTER_GLOSS_HALF_LIMIT
+#define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_HALF_RAY
 #include "passes/reflection.glsl"
 
 layout(early_fragment_tests) in;
@@ -17,5 +20,6 @@ void main() {
     ivec2 pixel = pixelOf(block, index);
     vec3 position = surfacePosition(vec2(pixel) + 0.5, surfaceDepth(pixel));
     mediump float roughness = texelFetch(glossTarget, pixel, 0).g;
-    outSample = vec4(reflectedLight(position, shadingNormal(pixel), roughness), float(index + 1));
+    vec3 light = reflectedLight(position, shadingNormal(pixel), roughness, 8, turnOfPixel(block));
+    outSample = vec4(light, float(index + 1));
 }

@@ -1,18 +1,18 @@
 // glTF's metallic-roughness materials (glTF 2.0, appendix B: GGX with alpha = roughness^2, Schlick's Fresnel
 // term). The sun and the punctual lights use the formulas of the appendix. Indirect specular light is a blend
-// of one cone along the mirror direction (passes/gloss.frag) and, for rough surfaces, of face irradiance
+// of rays around the mirror direction (passes/gloss.frag) and, for rough surfaces, of face irradiance
 // (passes/shade.frag).
 
-// Between these roughnesses the cone gives way to face irradiance, because many cones of a gather fit a wide
-// lobe better than one cone does (docs/design-decisions.md).
+// Between these roughnesses the rays give way to face irradiance, because the many rays of a gather fit a
+// wide lobe better than a few rays do (docs/design-decisions.md).
 const float roughFrom = 0.2;
 const float roughTo = 0.9;
-// From this roughness on, half the resolution is enough for the cones (docs/history/gloss.md): 0.2, less the
-// rounding to 8 bits.
-const float halfFrom = 0.197;
+// From this roughness on, half the resolution is enough: 0.1, less the rounding to 8 bits. Below, one ray
+// along the mirror direction stands for the lobe, which is a degree wide.
+const float halfFrom = 0.097;
 
-// The cone's share in the reflected light. It is 0 from roughTo on.
-mediump float coneShare(mediump float roughness) {
+// The share of the lobe's rays in the reflected light. It is 0 from roughTo on.
+mediump float lobeShare(mediump float roughness) {
     return 1.0 - smoothstep(roughFrom, roughTo, roughness);
 }
 
@@ -33,7 +33,7 @@ Brdf brdfOf(mediump vec3 albedo, mediump float metallic, mediump float roughness
                 roughness, toEye);
 }
 
-bool hasCone(Brdf brdf) {
+bool hasLobe(Brdf brdf) {
     return brdf.roughness < roughTo;
 }
 

@@ -1,15 +1,23 @@
-// The light that a surface reflects: one cone along the mirror direction, through directional voxels.
-// VCT_REFLECTION_COUNTER counts its samples.
+// The light that a surface reflects, by rays through the directional voxels.
 #include "shared/frame.glsl"
 #include "shared/sky.glsl"
-#include "directional/cones.glsl"
+#include "shared/shadow.glsl"
+#include "directional/ray.glsl"
+#include "directional/irradiance.glsl"
+#ifdef VCT_PUNCTUAL_LIGHTS
+#include "shared/punctual_lights.glsl"
+#else
+vec3 punctualIrradiance(vec3 position, vec3 normal, float slackShare) {
+    return vec3(0.0);
+}
+#endif
 
-// The compact emitters that a cone meets, merged into one at their mean distance. Their light is not in the
+// The compact emitters around a ray, merged into one at their mean distance. Their light is not in the
 // voxels.
 struct EmitterHit {
     vec3 radiance;  // relative to E/pi, premultiplied by the coverage
     float coverage;
-    float distance;  // to the first of the emitters' own voxels, in voxels
+    float distance;  // in voxels
 };
 #ifdef VCT_EMITTERS
 #include "shared/emitters.glsl"
@@ -46,7 +54,7 @@ EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangen
         }
         met.radiance += share * part.radiance.rgb;
         met.coverage += share;
-        met.distance += share * (along - endOfCones(part)) * grid;
+        met.distance += share * (along - part.radiance.w) * grid;
     }
     met.distance /= max(met.coverage, 1e-6);
     float most = 1.0 / max(met.coverage, 1.0);
@@ -58,127 +66,82 @@ EmitterHit emittersAlongRay(vec3 start, float grid, vec3 direction, float tangen
 }
 #endif
 
-// A ray through the faces: the loop-invariant part of sampleFaces() in directional/cones.glsl, which says how
-// faces are weighted.
-struct FaceRay {
-    vec3 side;                      // y of the block of faces opposite to the ray, per axis
-    mediump vec3 share, shareNear;  // weight of each axis, and the same without the faces of the own surface
+// The radiance of a surface where a ray meets it, relative to E/pi. Its plane, albedo and emission are the
+// face's; its light is that of a pixel there. `position`: volume space.
+vec3 radianceAtHit(RayHit hit, vec3 position) {
+    uint at = faceAt(hit.id);
+    vec3 normal = facePlane(hit.id).normal, albedo = unpackRgb9e5(faceData[at + VCT_FACE_REFLECTANCE]);
+    float slackShare = slackShareOf(faceExtent(hit.id).isCurved);
+    vec3 light = sampleIrradiance(position, normal) + punctualIrradiance(position, normal, slackShare);
+    float cosTheta = dot(normal, frame.directionToLight.xyz);
+    if (cosTheta > 0.0)
+        light += cosTheta * shadowMapLightOn(position, normal, slackShare) * frame.lightColor.rgb;
+    vec3 radiance = albedo * light;
+#ifdef VCT_EMISSION
+    radiance += unpackRgb9e5(faceData[at + VCT_FACE_EMITTED]);
+#endif
+    return radiance;
+}
+
+// The light that arrives along a ray from a surface, relative to E/pi. `start`: in voxels of the cascade
+// `own`. `tangent`: of half the opening angle of what the ray stands for. `isSharp`: light is looked up where
+// the ray ends, in place of the face's mean.
+vec3 lightAlongRay(vec3 start, int own, vec3 direction, float tangent, float dice, bool isSharp) {
+    float grid = voxelsAlongVolume(own);
+    vec3 origin = volumeFromVoxels(start, own);
+    RayHit hit = traceRay(start, own, direction, 2.0 * grid, dice);
+    vec3 light;
+    if (hit.id == noFace)
+        light = sampleSky(direction, 3.1415927 * tangent * tangent);
+    else
+        light =
+            isSharp ? radianceAtHit(hit, origin + direction * (hit.distance / grid)) : faceRadiance(hit.id);
+    EmitterHit emitter = emittersAlongRay(origin, grid, direction, tangent);
+    // The emitter's own voxels do not hide it.
+    const float ownVoxels = 2.0;
+    if (emitter.coverage > 0.0 && hit.distance > emitter.distance - ownVoxels)
+        light = mix(light, emitter.radiance / emitter.coverage, emitter.coverage);
+    return min(light, 6e4);
+}
+
+// The start of rays from a pixel's surface.
+struct RayStart {
+    vec3 position;  // in voxels of the cascade
+    int cascade;
 };
-
-FaceRay faceRayFrom(vec3 normal, vec3 direction) {
-    mediump vec3 share = abs(direction);
-    bvec3 own = lessThan(direction * normal, ownFaces(normal, false));
-    return FaceRay(mix(vec3(0.0), vec3(blockSize.y), greaterThan(direction, vec3(0.0))), share,
-                   mix(share, vec3(0.0), own));
+RayStart rayStartAt(vec3 position, vec3 normal) {
+    int cascade = lookUpCascade(position).cascade;
+    return RayStart(voxelsFromVolume(position, cascade) + normal * startHeight, cascade);
 }
 
-// Premultiplied radiance and coverage, up to 1, at a position (volume space) and level. `texel`: width of the
-// level's texels; `inside`: distance of the position from the volume's border. All in voxels of the cascade
-// `own`.
-mediump vec4 facesAt(FaceRay ray, mediump vec3 share, vec3 position, int own, float level, float texel,
-                     float inside) {
-    int cascade = cascadeOfSample(position, own, level);
-    if (cascades > 1) level = max(level + float(own - cascade), 0.0);
-    vec3 p = faceCoordinates(position, cascade, cascades == 1 ? texel : exp2(level));
-    mediump vec4 x = textureLod(faces, p + vec3(0.0, ray.side.x, 0.0), level);
-    mediump vec4 y = textureLod(faces, p + vec3(blockSize.x, ray.side.y, 0.0), level);
-    mediump vec4 z = textureLod(faces, p + vec3(2.0 * blockSize.x, ray.side.z, 0.0), level);
-    mediump vec3 square = share * share;
-    mediump vec4 shining = square.x * x + square.y * y + square.z * z;
-    mediump float coverage =
-        min(dot(share, vec3(x.a, y.a, z.a)), 1.0) * clamp(inside / texel + 0.5, 0.0, 1.0);
-    return vec4(shining.rgb * (coverage / max(shining.a, 1e-4)), coverage);
-}
-
-// Traces one cone of a reflection. Lengths in voxels of the cascade `own`.
-//
-// Samples are one footprint apart, and those whose footprint is between two levels blend both, each weighted
-// by its texel size: a wall's coverage then adds up to 1 over the samples, wherever they lie. Otherwise the
-// distances of the samples would show as rings.
-//
-// Each turn of the loop looks up one level. Of two levels to blend, the wider comes first: where it is empty,
-// so is the finer. Empty space is passed in larger steps: a texel four times as wide, ahead of the cone,
-// tells whether there are faces.
-mediump vec3 traceReflection(vec3 start, int own, vec3 normal, vec3 direction, float tangent) {
-    const mediump float threshold = 0.1;  // a cone with less transmittance ends
-    float grid = voxelsAlongVolume(own), rise = dot(direction, normal);
-    FaceRay ray = faceRayFrom(normal, direction);
-    EmitterHit hit = emittersAlongRay(volumeFromVoxels(start, own), grid, direction, tangent);
-    mediump vec3 radiance = vec3(0.0);
-    mediump vec4 wider;
-    mediump float transmittance = 1.0;
-    float distance = VCT_GATHER_FIRST_SAMPLE, level = 0.0, texel = 1.0, sampledTo = 0.0;
-    bool hasWider = false;
-    while (distance < 2.0 * grid) {
-        COUNT(VCT_REFLECTION_COUNTER);
-        // The footprint is limited to a quarter of the volume's side.
-        float height = VCT_GATHER_START + distance * rise;
-        float footprint = clamp(min(2.0 * distance * tangent, height), 1.0, 0.25 * grid);
-        if (footprint >= 2.0 * texel) {
-            level += 1.0;
-            texel *= 2.0;
-        }
-        if (cascades > 1) {
-            // A coarser cascade has no smaller texels.
-            vec3 at = volumeFromVoxels(start + direction * distance, own);
-            level = max(level, float(cascadeOfSample(at, own, level) - own));
-            texel = exp2(level);
-            footprint = max(footprint, texel);
-        }
-        // The emitter's light is added before the cone reaches the emitter's own voxels.
-        if (hit.coverage > 0.0 && distance > hit.distance - footprint) {
-            radiance += hit.radiance * (transmittance / faceRange.radiance);
-            transmittance *= 1.0 - hit.coverage;
-            hit.coverage = 0.0;
-        }
-        bool looksAhead = distance >= sampledTo;
-        mediump float blend = clamp(footprint / texel, 1.0, 2.0) - 1.0;
-        bool isWider = blend > 0.0 && !hasWider;
-        float coarser = looksAhead ? 2.0 : isWider ? 1.0 : 0.0;
-        float width = (looksAhead ? 4.0 : isWider ? 2.0 : 1.0) * texel;
-        vec3 position =
-            volumeFromVoxels(start + direction * (looksAhead ? distance + 0.5 * width : distance), own);
-        vec3 fromCentre = abs(position - 0.5);
-        float inside = grid * (0.5 - max(fromCentre.x, max(fromCentre.y, fromCentre.z)));
-        // The cone ends when the widest of the texels is outside of the volume.
-        if (inside + (looksAhead ? width : texel) <= 0.0) break;
-        bool isNear = !looksAhead && height < VCT_GATHER_OWN_SURFACE * width;
-        mediump vec4 met = facesAt(ray, isNear ? ray.shareNear : ray.share, position, own, level + coarser,
-                                   width, looksAhead ? width : inside);
-        if (looksAhead) {
-            // The filter reaches one texel beyond the empty space.
-            if (met.a > 0.0)
-                sampledTo = distance + width;
-            else
-                distance += width - texel;
-            continue;
-        }
-        // Near its own surface the wider look-up leaves out faces that the finer one may meet.
-        if (isWider && (met.a > 0.0 || isNear)) {
-            wider = met;
-            hasWider = true;
-            continue;
-        }
-        if (hasWider) met = mix(met, 0.5 * wider, blend);
-        hasWider = false;
-        mediump float taken = min(VCT_GATHER_STEP * (1.0 + blend) * met.a, transmittance);
-        radiance += met.rgb * (taken / max(met.a, 1e-4));
-        transmittance -= taken;
-        if (transmittance < threshold) break;
-        distance += VCT_GATHER_STEP * footprint;
+// The mean light from around the mirror direction at a surface at `position` (volume space), relative to
+// E/pi: rays to the mirror directions of microfacets, whose normals have the density of GGX (Walter et al.
+// 2007, eq. 35), weighted by the cosine. `turn`: 0..1, shifts the set of directions. A smooth surface takes
+// one ray, and looks up the light where it ends.
+vec3 reflectedLight(vec3 position, vec3 normal, float roughness, int rays, vec2 turn) {
+    float alpha = roughness * roughness;
+    bool isSharp = roughness < 0.3;
+    if (roughness < halfFrom) rays = 1;
+    vec3 view = normalize(position - frame.eye.xyz);
+    mat3 axes = frameAround(normal);
+    RayStart start = rayStartAt(position, normal);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < rays; ++i) {
+        COUNT(VCT_REFLECTION_RAY);
+        vec2 u = rays == 1 ? vec2(0.0) : fract(turn + float(i) * vec2(0.7548777, 0.5698403));
+        float cosine = sqrt((1.0 - u.x) / (1.0 + (alpha * alpha - 1.0) * u.x));
+        float sine = sqrt(1.0 - cosine * cosine), azimuth = 6.2831853 * u.y;
+        vec3 direction = reflect(view, axes * vec3(sine * cos(azimuth), cosine, sine * sin(azimuth)));
+        float weight = dot(direction, normal);
+        if (weight <= 0.0) continue;
+        vec3 light =
+            lightAlongRay(start.position, start.cascade, direction, alpha / sqrt(float(rays)), 0.5, isSharp);
+        sum += weight * vec4(light, 1.0);
     }
-    return min(radiance * faceRange.radiance, 6e4) +
-           transmittance * sampleSky(direction, 3.1415927 * tangent * tangent);
+    return sum.rgb / max(sum.a, 1e-4);
 }
 
-// The light that arrives at a surface at `position` (volume space) from around its mirror direction, relative
-// to E/pi. The median angle between the normals of the surface and its microfacets has the tangent alpha
-// (Walter et al. 2007, eq. 35 at one half). The cone is narrower, because the filter of the faces reaches
-// half a texel beyond its footprint on each side (measured, docs/history/gloss.md).
-const float coneWidth = 0.6;
-mediump vec3 reflectedLight(vec3 position, vec3 normal, mediump float roughness) {
-    int own = lookUpCascade(position).cascade;
-    vec3 start = voxelsFromVolume(position, own) + normal * VCT_GATHER_START;
-    return traceReflection(start, own, normal, reflect(normalize(position - frame.eye.xyz), normal),
-                           coneWidth * roughness * roughness);
+// A shift of the directions for each pixel of a block of 2 x 2, so that neighbours together have an even set.
+vec2 turnOfPixel(ivec2 pixel) {
+    return vec2(0.25 + 0.5 * float(pixel.x & 1), 0.25 + 0.5 * float(pixel.y & 1)) * 0.25;
 }

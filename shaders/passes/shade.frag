@@ -87,17 +87,17 @@ Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
 // The part of the indirect specular light that rough surfaces take from face irradiance. passes/gloss.frag
 // adds the cone's part.
 mediump vec3 roughReflection(Brdf brdf, vec3 normal, mediump vec3 gathered) {
-    return (1.0 - coneShare(brdf.roughness)) * specularShare(brdf, normal) * gathered;
+    return (1.0 - lobeShare(brdf.roughness)) * specularShare(brdf, normal) * gathered;
 }
 // passes/gloss.frag is drawn at the depth 0.5 and only where the depth is larger.
-void markCone(bool hasCone) {
-    gl_FragDepth = hasCone ? 1.0 : 0.0;
+void markLobe(bool hasLobe) {
+    gl_FragDepth = hasLobe ? 1.0 : 0.0;
 }
 #else
 struct Brdf {
     mediump vec3 diffuse;
 };
-bool hasCone(Brdf brdf) {
+bool hasLobe(Brdf brdf) {
     return false;
 }
 Brdf brdfAt(ivec2 pixel, vec3 position, mediump vec3 albedo) {
@@ -112,7 +112,7 @@ mediump vec3 diffuseAlbedoScale(Brdf brdf, vec3 normal) {
 mediump vec3 roughReflection(Brdf brdf, vec3 normal, mediump vec3 gathered) {
     return vec3(0.0);
 }
-void markCone(bool hasCone) {}
+void markLobe(bool hasLobe) {}
 #endif
 
 #ifdef VCT_PUNCTUAL_LIGHTS
@@ -186,7 +186,7 @@ void main() {
     float depth = surfaceDepth(pixel);
     if (depth == 1.0) {
         outRadiance = vec4(skyBehind(gl_FragCoord.xy), 0.0);
-        markCone(false);
+        markLobe(false);
         return;
     }
     vec3 position = surfacePosition(gl_FragCoord.xy, depth);
@@ -197,7 +197,7 @@ void main() {
     Gather gather = indirectDiffuse(position, normals.geometric);
     mediump float light = directLight(position, normals);
     Brdf brdf = brdfAt(pixel, position, albedo.rgb * albedo.rgb);
-    markCone(hasCone(brdf));
+    markLobe(hasLobe(brdf));
     mediump vec3 radiance = shadeSunAndIndirect(brdf, position, normals.shading, cosTheta, light, gather);
     outRadiance = vec4(radiance + shadePunctualLights(brdf, position, normals) + emitted(pixel), 1.0);
 }

@@ -5,7 +5,8 @@
 layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     LevelCommands commands[VCT_LISTS];
     uint dynamicList;
-    uint largestRadiance, largestIrradiance;
+    uint largestLight;
+    float lightRange;
     uint staticList;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {

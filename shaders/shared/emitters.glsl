@@ -5,13 +5,6 @@ layout(std140, binding = VCT_UBO_EMITTERS) uniform EmittersBlock {
     EmitterBlock emitters;
 };
 
-// The distance from the middle of a part at which cones towards it end, in sides of the volume. Nearer voxels
-// may be the emitter's own.
-float endOfCones(EmitterPartUniforms part) {
-    const float freeVoxels = 2.0;
-    return part.radiance.w + freeVoxels / voxelsAlongVolume(lookUpCascade(part.position.xyz).cascade);
-}
-
 // The projected area of a distant part, seen along the unit vector `towards` it: the projected flat area, and
 // a quarter of the closed convex area (Cauchy).
 float projectedArea(EmitterPartUniforms part, vec3 towards) {

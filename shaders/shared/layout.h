@@ -48,14 +48,12 @@ using glm::vec4;
 #define VCT_UBO_LIGHT 2
 #define VCT_UBO_PUNCTUAL_LIGHTS 3
 #define VCT_UBO_EMITTERS 4
-#define VCT_UBO_FACE_RANGE 5
-#define VCT_UBO_COUNT 6
+#define VCT_UBO_COUNT 5
 
 // Shader storage blocks.
 #define VCT_SSBO_COMMANDS 0
 #define VCT_SSBO_ACTIVE_VOXELS 1
 #define VCT_SSBO_FACES 2
-#define VCT_SSBO_FACE_RANGE 2  // shared with VCT_SSBO_FACES; no pass needs both
 #define VCT_SSBO_FACE_IRRADIANCE 3
 #define VCT_SSBO_COUNTERS 4
 #define VCT_SSBO_COUNT 5
@@ -88,83 +86,90 @@ using glm::vec4;
 #define VCT_COUNTER_LIST_FACES 15
 #define VCT_COUNTER_LIST_FACES_VOXEL 16
 #define VCT_COUNTER_LIST_FACES_FACE 17
-#define VCT_COUNTER_LIST_FACES_LEVEL 18
-#define VCT_COUNTER_LIST_FACES_PARENT 19
-#define VCT_COUNTER_ACCUMULATE 20
-#define VCT_COUNTER_ACCUMULATE_FACE 21
-#define VCT_COUNTER_FACE_CLEAR 22
-#define VCT_COUNTER_FACE_CLEAR_FACE 23
-#define VCT_COUNTER_CLEAR_DYNAMIC 24
-#define VCT_COUNTER_CLEAR_DYNAMIC_FACE 25
-#define VCT_COUNTER_RESET_LISTS 26
-#define VCT_COUNTER_INJECT 27
-#define VCT_COUNTER_INJECT_FACE 28
-#define VCT_COUNTER_INJECT_POINT 29
-#define VCT_COUNTER_FACE_MIPMAPPER 30
-#define VCT_COUNTER_FACE_MIPMAPPER_FACE 31
-#define VCT_COUNTER_CARRY_OVER 32
-#define VCT_COUNTER_CARRY_OVER_FACE 33
-#define VCT_COUNTER_CARRY_OVER_NEIGHBOUR 34
-#define VCT_COUNTER_BRICKS_CLEAR 35
-#define VCT_COUNTER_BRICKS_CLEAR_TEXEL 36
-#define VCT_COUNTER_BRICKS_CLEAR_PLACE 37
-#define VCT_COUNTER_PLACE_BRICKS 38
-#define VCT_COUNTER_PLACE_BRICKS_FACE 39
-#define VCT_COUNTER_IRRADIANCE 40
-#define VCT_COUNTER_IRRADIANCE_FACE 41
-#define VCT_COUNTER_IRRADIANCE_CONE 42
-#define VCT_COUNTER_IRRADIANCE_STEP 43
-#define VCT_COUNTER_FILL_BRICKS_TEXEL 44
-#define VCT_COUNTER_IRRADIANCE_NEARBY 45
-#define VCT_COUNTER_LIGHT_BLOCKS 46
-#define VCT_COUNTER_GLOSS_STEP 47
-#define VCT_COUNTER_SHADOW_MOMENTS 48
-#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 49
-#define VCT_COUNTER_EMITTERS 50
-#define VCT_COUNTER_EMITTERS_FACE 51
-#define VCT_COUNTER_EMITTERS_CONE 52
-#define VCT_COUNTER_EMITTERS_STEP 53
-#define VCT_COUNTER_DEFORM 54
-#define VCT_COUNTER_DEFORM_VERTEX 55
-#define VCT_COUNTER_DEFORM_TARGET 56
-#define VCT_COUNTER_SORT_AXES 57
-#define VCT_COUNTER_SORT_AXES_TRIANGLE 58
-#define VCT_COUNTER_MARK_LOOKUPS 59
-#define VCT_COUNTER_CHOOSE_FACES 60
-#define VCT_COUNTER_CHOOSE_FACES_FACE 61
-#define VCT_COUNTER_FILL_BRICKS 62
-#define VCT_COUNTER_FILL_BRICKS_FACE 63
-#define VCT_COUNTER_CHOOSE_RANGE 64
-#define VCT_COUNTER_IRRADIANCE_VOXEL 65
-#define VCT_COUNTER_IRRADIANCE_OTHER_FACE 66
-#define VCT_COUNTER_EMITTERS_VOXEL 67
-#define VCT_COUNTER_EMITTERS_OTHER_FACE 68
-#define VCT_COUNTER_MARK_WALLS 69
-#define VCT_COUNTER_MARK_WALLS_FACE 70
-#define VCT_COUNTER_MARK_WALLS_SURFACE 71
-#define VCT_COUNTER_MARK_WALLS_CROSSED 72
-#define VCT_COUNTER_MARK_WALLS_BRICK 73
-#define VCT_COUNTER_MARK_WALLS_WORD 74
-#define VCT_COUNTER_GLOSS 75
-#define VCT_COUNTER_GLOSS_SAMPLE 76
-#define VCT_COUNTER_GLOSS_MARK 77
-#define VCT_COUNTER_GLOSS_HALF 78
-#define VCT_COUNTER_GLOSS_HALF_STEP 79
-#define VCT_COUNTER_MARK_STATIC 80
-#define VCT_COUNTER_KEEP_VOXELS 81
-#define VCT_COUNTER_KEEP_VOXELS_VOXEL 82
-#define VCT_COUNTER_KEEP_SUMS 83
-#define VCT_COUNTER_KEEP_SUMS_FACE 84
-#define VCT_COUNTER_COUNT 85
+#define VCT_COUNTER_LIST_FACES_BLOCK_FACE 18
+#define VCT_COUNTER_ACCUMULATE 19
+#define VCT_COUNTER_ACCUMULATE_FACE 20
+#define VCT_COUNTER_FACE_CLEAR 21
+#define VCT_COUNTER_FACE_CLEAR_FACE 22
+#define VCT_COUNTER_CLEAR_DYNAMIC 23
+#define VCT_COUNTER_CLEAR_DYNAMIC_FACE 24
+#define VCT_COUNTER_RESET_LISTS 25
+#define VCT_COUNTER_INJECT 26
+#define VCT_COUNTER_INJECT_FACE 27
+#define VCT_COUNTER_INJECT_POINT 28
+#define VCT_COUNTER_CARRY_OVER 29
+#define VCT_COUNTER_CARRY_OVER_FACE 30
+#define VCT_COUNTER_CARRY_OVER_NEIGHBOUR 31
+#define VCT_COUNTER_BRICKS_CLEAR 32
+#define VCT_COUNTER_BRICKS_CLEAR_TEXEL 33
+#define VCT_COUNTER_BRICKS_CLEAR_PLACE 34
+#define VCT_COUNTER_PLACE_BRICKS 35
+#define VCT_COUNTER_PLACE_BRICKS_FACE 36
+#define VCT_COUNTER_GATHER 37
+#define VCT_COUNTER_GATHER_FACE 38
+#define VCT_COUNTER_GATHER_RAY 39
+#define VCT_COUNTER_FILL_BRICKS_TEXEL 40
+#define VCT_COUNTER_IRRADIANCE_NEARBY 41
+#define VCT_COUNTER_LIGHT_BLOCKS 42
+#define VCT_COUNTER_SHADOW_MOMENTS 43
+#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 44
+#define VCT_COUNTER_EMITTERS 45
+#define VCT_COUNTER_EMITTERS_FACE 46
+#define VCT_COUNTER_EMITTERS_RAY 47
+#define VCT_COUNTER_DEFORM 48
+#define VCT_COUNTER_DEFORM_VERTEX 49
+#define VCT_COUNTER_DEFORM_TARGET 50
+#define VCT_COUNTER_SORT_AXES 51
+#define VCT_COUNTER_SORT_AXES_TRIANGLE 52
+#define VCT_COUNTER_MARK_LOOKUPS 53
+#define VCT_COUNTER_CHOOSE_FACES 54
+#define VCT_COUNTER_CHOOSE_FACES_FACE 55
+#define VCT_COUNTER_FILL_BRICKS 56
+#define VCT_COUNTER_FILL_BRICKS_FACE 57
+#define VCT_COUNTER_CHOOSE_RANGE 58
+#define VCT_COUNTER_MARK_WALLS 59
+#define VCT_COUNTER_MARK_WALLS_FACE 60
+#define VCT_COUNTER_MARK_WALLS_SURFACE 61
+#define VCT_COUNTER_MARK_WALLS_CROSSED 62
+#define VCT_COUNTER_MARK_WALLS_BRICK 63
+#define VCT_COUNTER_MARK_WALLS_WORD 64
+#define VCT_COUNTER_GLOSS 65
+#define VCT_COUNTER_GLOSS_SAMPLE 66
+#define VCT_COUNTER_GLOSS_MARK 67
+#define VCT_COUNTER_GLOSS_HALF 68
+#define VCT_COUNTER_MARK_STATIC 69
+#define VCT_COUNTER_KEEP_VOXELS 70
+#define VCT_COUNTER_KEEP_VOXELS_VOXEL 71
+#define VCT_COUNTER_KEEP_SUMS 72
+#define VCT_COUNTER_KEEP_SUMS_FACE 73
+#define VCT_COUNTER_RESOLVE 74
+#define VCT_COUNTER_RESOLVE_FACE 75
+#define VCT_COUNTER_RESOLVE_OTHER 76
+#define VCT_COUNTER_GATHER_STEP 77
+#define VCT_COUNTER_GATHER_VOXEL_FACE 78
+#define VCT_COUNTER_GATHER_LIMIT 79
+#define VCT_COUNTER_EMITTERS_STEP 80
+#define VCT_COUNTER_EMITTERS_VOXEL_FACE 81
+#define VCT_COUNTER_EMITTERS_LIMIT 82
+#define VCT_COUNTER_GLOSS_STEP 83
+#define VCT_COUNTER_GLOSS_VOXEL_FACE 84
+#define VCT_COUNTER_GLOSS_LIMIT 85
+#define VCT_COUNTER_GLOSS_HALF_STEP 86
+#define VCT_COUNTER_GLOSS_HALF_VOXEL_FACE 87
+#define VCT_COUNTER_GLOSS_HALF_LIMIT 88
+#define VCT_COUNTER_GLOSS_HALF_RAY 89
+#define VCT_COUNTER_FILL_BLOCKS 90
+#define VCT_COUNTER_FILL_BLOCKS_OCTANT 91
+#define VCT_COUNTER_GLOSS_RAY 92
+#define VCT_COUNTER_COUNT 93
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
+#define VCT_TEX_HALF_GLOSS 0  // shared with VCT_TEX_BASE_COLOR; no pass needs both
 #define VCT_TEX_EMISSIVE 1
-#define VCT_TEX_WALLS 1       // shared with VCT_TEX_EMISSIVE; no pass needs both
-#define VCT_TEX_HALF_GLOSS 1  // shared with VCT_TEX_EMISSIVE; no pass needs both
+#define VCT_TEX_WALLS 1  // shared with VCT_TEX_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_MAP 2
 #define VCT_TEX_VOXELS 3
-#define VCT_TEX_DYNAMIC_VOXELS 4   // present pose; passes that read the G-buffer do not need it
 #define VCT_TEX_PREVIOUS_VOXELS 5  // last pose; passes that read the G-buffer do not need it
 #define VCT_TEX_G_ALBEDO 4
 #define VCT_TEX_GLOSS 4  // shared with VCT_TEX_G_ALBEDO; no pass needs both
@@ -172,10 +177,11 @@ using glm::vec4;
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
-#define VCT_TEX_LAST_LOOKUPS 7  // shared with VCT_TEX_G_EMISSIVE; no pass needs both
-#define VCT_TEX_SHADOW_DEPTH 8  // the shadow map, read without comparison
-#define VCT_TEX_FACES 9
-#define VCT_TEX_IRRADIANCE 10  // the bricks of directional/irradiance.glsl, and their locations
+#define VCT_TEX_LAST_LOOKUPS 7    // shared with VCT_TEX_G_EMISSIVE; no pass needs both
+#define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_LAST_LOOKUPS; no pass needs both
+#define VCT_TEX_SHADOW_DEPTH 8    // the shadow map, read without comparison
+#define VCT_TEX_DYNAMIC_VOXELS 9  // present pose
+#define VCT_TEX_IRRADIANCE 10     // the bricks of directional/irradiance.glsl, and their locations
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
 #define VCT_TEX_BLOCK_LIGHT 12  // shared with VCT_TEX_G_GLOSS; no pass needs both
@@ -188,12 +194,12 @@ using glm::vec4;
 #define VCT_IMAGE_STATIC_WALLS 0  // shared with VCT_IMAGE_VOXELS; no pass needs both
 #define VCT_IMAGE_VOXELS_NEXT 1
 #define VCT_IMAGE_WALLS 1  // shared with VCT_IMAGE_VOXELS_NEXT; no pass needs both
-#define VCT_IMAGE_FACES 2
-#define VCT_IMAGE_IRRADIANCE 2  // shared, because ES 3.1 guarantees four units only; no pass needs both
+#define VCT_IMAGE_IRRADIANCE 2
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_COUNT 4
 #define VCT_IMAGE_BLOCK_LIGHT 2
 #define VCT_IMAGE_LAST_LOOKUPS 2
+#define VCT_IMAGE_BLOCKS 2
 
 // Vertex attributes.
 #define VCT_ATTRIBUTE_POSITION 0
@@ -206,17 +212,17 @@ using glm::vec4;
 #define VCT_ATTRIBUTE_VOXEL 0
 
 // Locations of uniforms outside of blocks.
-#define VCT_UNIFORM_LEVEL 0        // mip level of a pass over a list
-#define VCT_UNIFORM_LIST 1         // list that a pass writes (directional/face_lists.glsl)
-#define VCT_UNIFORM_CASCADE 2      // cascade that triangles are voxelized into
-#define VCT_UNIFORM_CASCADES 2     // the cascades that have moved, a bit for each
-#define VCT_UNIFORM_KEEPS 1        // 1: what is listed is static from now on; 0: nothing is
-#define VCT_UNIFORM_COMPLETE 0     // 1: the last injection of light was into all faces
-#define VCT_UNIFORM_ALL 2          // true: a pass visits all faces, false: the active ones
-#define VCT_UNIFORM_SHADOW_TILE 2  // tile of the sun's shadow map that is drawn
-#define VCT_UNIFORM_FRAME_INDEX 1  // number of the light step, which seeds the dither
-#define VCT_UNIFORM_AXIS 0         // axis along which the triangles of a draw call are voxelized
-#define VCT_UNIFORM_LIGHT_MAP 0    // index of the light's shadow map
+#define VCT_UNIFORM_LEVEL 0             // mip level of a pass over a list
+#define VCT_UNIFORM_LIST 1              // list that a pass writes (directional/face_lists.glsl)
+#define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
+#define VCT_UNIFORM_CASCADES 2          // the cascades that have moved, a bit for each
+#define VCT_UNIFORM_KEEPS 1             // 1: what is listed is static from now on; 0: nothing is
+#define VCT_UNIFORM_ALL 2               // true: a pass visits all faces, false: the active ones
+#define VCT_UNIFORM_FILLS_ALL 1         // 1: bricks take the light of all faces; 0: only of the active faces
+#define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
+#define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
+#define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized
+#define VCT_UNIFORM_LIGHT_MAP 0         // index of the light's shadow map
 // An array of uniforms for passes/copy_vertices.comp, passes/deform.comp and passes/sort_axes.comp: positions
 // of a mesh in their buffers. The numbers are the elements of the array.
 #define VCT_UNIFORM_DEFORM 0
@@ -256,8 +262,10 @@ using glm::vec4;
 #define VCT_LIST_STATIC 12
 #define VCT_LISTS 14
 // Words per base-level face (directional/face_sums.glsl), without and with sums of emission.
-#define VCT_FACE_WORDS 6u
-#define VCT_EMISSIVE_FACE_WORDS 9u
+#define VCT_FACE_WORDS 16u
+#define VCT_EMISSIVE_FACE_WORDS 20u
+// Words per block of 4^3 voxels (directional/blocks.glsl).
+#define VCT_BLOCK_WORDS 24u
 // A texel of the index of occupied voxels has a bit per occupied face, and above them the position of the
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
@@ -269,9 +277,9 @@ using glm::vec4;
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4         // 2^VCT_BRICK_LEVEL voxels
 #define VCT_BRICK_TEXELS 6       // the voxels and a border for the filter
-#define VCT_MIN_CREASE_CONES 4   // minimum number of cones per step of a face near other surfaces
+#define VCT_MIN_CREASE_RAYS 4    // minimum number of rays per step of a face near other surfaces
 #define VCT_INITIAL_HISTORY 6.0  // history length of a face after its first step
-// Steps in which all faces trace cones towards the emitters once, and after a move of the cascades, in which
+// Steps in which all faces trace rays towards the emitters once, and after a move of the cascades, in which
 // all faces with a short history are active once.
 #define VCT_TURN_PERIOD 4u
 #define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
@@ -308,7 +316,9 @@ struct FrameUniforms {
     // shadow map (shared/shadow.glsl).
     mat4 shadowTileFromVolume[VCT_SHADOW_TILES];
     vec4 shadowTileCone[VCT_SHADOW_TILES];
-    vec4 volumeInWorld;  // xyz: the volume's first corner, in metres; w: 1 / its side
+    vec4 volumeInWorld;     // xyz: the volume's first corner, in metres; w: 1 / its side
+    int hasDynamicObjects;  // 0: directional voxels hold static geometry only
+    int unused0, unused1, unused2;
 };
 
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the
@@ -346,39 +356,29 @@ struct EmitterBlock {
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
 };
 
-// The ranges of the directional voxels in a light step, relative to E/pi (directional/choose_range.comp).
-struct FaceRange {
-    float radiance;  // radiance that the faces' 8 bits store as 1
-    float sums;      // value that the integer sums over faces store as 1
-    float changed;   // 1: `radiance` is another than in the last injection
-    float unused0;
-};
-
 // One step of the gather (jni/engine/directional/gather_schedule.h).
 struct LightStep {
     uint frame;                 // number of the step
     uint direction;             // index of the first direction, if the step has no budget
-    uint cones;                 // per face
-    uint initialCones;          // per face without a history
+    uint rays;                  // per face
+    uint initialRays;           // per face without a history
     uint beginsRound;           // 1 if the step is the first of a round
     uint bricksAlong;           // bricks along x and y of their texture
     float roundShare;           // weight of the step in its round; 0 outside of rounds
     float maxHistory;           // maximum history length, in steps
     float maxInheritedHistory;  // maximum history length that a new face takes over from other faces
     float energyCorrection;     // share of the global energy correction that the step applies
-    float bounceGain;           // gain of the light that faces reflect; 0: the first bounce only
+    float bounces;              // 1: faces also reflect their irradiance; 0: the first bounce only
     float previousStepWeight;   // weight that the previous step had in the histories
     float sumUnits;             // fixed-point units of 1 in the sums over all faces
     uint blockSums;             // word of the irradiance buffer where the blocks' sums begin
     float smoothing;            // maximum weight of the block's mean in a face's irradiance, 0..1
     float minHistory;           // minimum history length after the step; large once the light has converged
-    uint coneBudget;   // cones of the whole step (directional/gather_turns.glsl); 0: every face gathers
+    uint rayBudget;    // rays of the whole step (directional/gather_turns.glsl); 0: every face gathers
     uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
     // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
     float longEnough;
     uint lastActiveFace;  // word of the irradiance buffer with the first of the active faces; more are before
-    uint fillsAll;        // 1: bricks take the light of all faces; 0: only of the active faces
-    float unused0, unused1, unused2;
 };
 
 struct DrawUniforms {
@@ -425,10 +425,11 @@ struct LevelCommands {
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
     uint dynamicList;  // list of the dynamic objects in the present pose
-    // The largest radiance and the largest irradiance of a face in the last injection of light. They are the
-    // bits of floats, because non-negative floats have the same order as their bits and atomicMax() needs
-    // integers.
-    uint largestRadiance, largestIrradiance;
+    // The largest radiance or irradiance of a face in the last injection of light, as the bits of a float,
+    // because non-negative floats have the same order as their bits and atomicMax() needs integers.
+    uint largestLight;
+    float
+        lightRange;  // light that the integer sums of a light step store as 1 (directional/choose_range.comp)
     uint staticList;  // list of the static geometry: 0, or with cascades the present one of two
 };
 

@@ -60,7 +60,7 @@ TEST_P(LookUp, AgreesWithPathTracing) {
         const double relMse = 2.0 * squares / (3.0 * points.height);
         const char* place = first == 0 ? "on surfaces" : "in the air";
         std::cout << place << ": relMSE " << relMse << ", bias " << 100 * (sum / expectedSum - 1) << " %\n";
-        EXPECT_LE(relMse, first == 0 ? 0.02 : 0.05) << place;
+        EXPECT_LE(relMse, first == 0 ? 0.02 : 0.07) << place;
     }
 }
 
@@ -72,14 +72,15 @@ TEST_F(Embedded, LookUpTakesTheBindingsOfTheProgramAndNoOthers) {
     expectMentions(errorOf([&] { light.bindLookUp(); }), {"has no light yet"});
     light.render(described_.view());
     const GlState before = readGlState();
-    light.bindLookUp({5, 4});
+    light.bindLookUp({5, 4, 2});
     std::set<std::string> changed, expected;
     for (const auto& [name, values] : readGlState())
         if (values != before.at(name)) changed.insert(name);
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 7; ++i)
         expected.insert("textures and sampler of unit " + std::to_string(5 + i));
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 2; ++i)
         expected.insert("uniform buffer " + std::to_string(4 + i));
+    expected.insert("storage buffer 2");
     EXPECT_EQ(changed, expected);
     EXPECT_EQ(gl::GetError(), GLenum{GL_NO_ERROR});
 

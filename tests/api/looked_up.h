@@ -77,7 +77,7 @@ float levelAt(vec3 position) { return position.x; }
 
 // Positions and normals to irradiance, by a compute shader of the program's own.
 inline std::vector<glm::vec3> lookedUp(const GlobalIllumination& light, const Image& points) {
-    const LookUpBindings bindings{3, 2};
+    const LookUpBindings bindings{3, 2, 1};
     const std::string source = "#version 310 es\nprecision highp float;\nprecision highp int;\n" +
                                light.lookUpGlsl(bindings) + ownNames + R"(
 layout(local_size_x = 1) in;

@@ -33,8 +33,14 @@ FrameInspector inspectorOf(const Context& context, Scene scene, const Directiona
     const Camera camera = frameScene(scene, 1.0);
     return {context, std::move(scene), light, directionalSettings(), camera};
 }
-std::vector<FaceLevel> facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
-    return inspectorOf(context, std::move(scene), light).faceLevels();
+Faces facesOf(const Context& context, Scene scene, const DirectionalLight& light) {
+    return inspectorOf(context, std::move(scene), light).faces();
+}
+glm::ivec3 voxelOf(std::uint32_t entry) {
+    return glm::ivec3(shared::unpackFaceVoxel(entry));
+}
+int faceOf(std::uint32_t entry) {
+    return static_cast<int>(shared::unpackFace(entry));
 }
 
 // A quad with this normal around a point; `side` in voxels. Its edges run along no axis, so rounding along
@@ -50,28 +56,27 @@ Scene quadScene(const glm::dvec3& normal, const glm::dvec3& centre, double side)
     return finished(std::move(scene));
 }
 
-TEST(FaceCoverage, AWallAcrossTheVolumeIsOpaqueFromItsFrontAloneAtEveryLevel) {
+TEST(FaceCoverage, AWallAcrossTheVolumeIsOpaqueFromItsFrontAlone) {
     const Context context = openContext(Backend::egl);
-    constexpr int wall = 21;  // odd, so it is behind its sibling for half of the faces
+    constexpr int wall = 21;
     for (int face = 0; face < faceCount; ++face) {
         glm::dvec3 centre(directionalGrid / 2);
         centre[face / 2] = wall + 0.5;
-        const std::vector<FaceLevel> levels = facesOf(
-            context, quadScene(faceDirection(face), centre, 1.5 * directionalGrid), lightFrom({1, 2, 3}));
-        ASSERT_EQ(levels.size(), 7U);
-        for (std::size_t level = 0; level < levels.size(); ++level)
-            levels[level].forEachVoxel([&](const glm::ivec3& voxel) {
-                const bool inWall = voxel[face / 2] == wall >> level;
-                for (int f = 0; f < faceCount; ++f)
-                    ASSERT_EQ(levels[level].at(voxel, f).a, inWall && f == face ? 255 : 0)
-                        << "wall towards " << faceName(face) << ", level " << level << ", face "
-                        << faceName(f) << " of voxel " << voxel.x << " " << voxel.y << " " << voxel.z;
-            });
+        const Faces faces = facesOf(context, quadScene(faceDirection(face), centre, 1.5 * directionalGrid),
+                                    lightFrom({1, 2, 3}));
+        EXPECT_EQ(faces.size(), std::size_t{directionalGrid} * directionalGrid);
+        for (const auto& [entry, value] : faces) {
+            ASSERT_EQ(faceOf(entry), face);
+            ASSERT_EQ(voxelOf(entry)[face / 2], wall);
+            ASSERT_EQ(value.coverage, 1.0);
+            ASSERT_EQ(value.opacity, 1.0);
+            ASSERT_NEAR(value.offset, 0.0, 1.0 / 127.5);
+        }
     }
 }
 
-// Each column of voxels along the dominant axis k has one fragment, which covers max(0, n.f) / |n_k| of the
-// face f. Their sum is the area of the plane as seen from f.
+// Each column of a quarter of a voxel along the dominant axis k has one fragment, which covers a quarter of
+// max(0, n.f) / |n_k| of the face f. Their sum is the area of the plane as seen from f.
 TEST(FaceCoverage, SumsToTheAreaOfATiltedPlaneAsSeenFromEachFace) {
     const Context context = openContext(Backend::egl);
     constexpr double side = 30.0;
@@ -79,27 +84,25 @@ TEST(FaceCoverage, SumsToTheAreaOfATiltedPlaneAsSeenFromEachFace) {
          {glm::dvec3(1, 2, 3), glm::dvec3(-3, 1, -0.2), glm::dvec3(0.3, -1, 0.5), glm::dvec3(0, 1, 1),
           glm::dvec3(1, -1, 1), glm::dvec3(std::cos(0.5), 0, std::sin(0.5))}) {
         const glm::dvec3 n = glm::normalize(direction);
-        const double dominant = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
         const glm::dvec3 centre(32.2, 31.6, 32.4);
-        const FaceLevel base = facesOf(context, quadScene(n, centre, side), lightFrom({1, 2, 3}))[0];
+        const Faces base = facesOf(context, quadScene(n, centre, side), lightFrom({1, 2, 3}));
+        double area[faceCount] = {};
+        for (const auto& [entry, value] : base) {
+            const glm::dvec3 middle = glm::dvec3(voxelOf(entry)) + 0.5;
+            // The plane meets the voxel, or a rasterizer that snaps to 1/256 of a pixel finds that it does.
+            ASSERT_LE(std::abs(glm::dot(n, middle - centre)),
+                      0.5 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) + 1.0 / 128.0);
+            // The voxel stores the plane, with 8 bits for each of three numbers.
+            EXPECT_GE(glm::dot(value.normal, n), 0.9998);
+            EXPECT_NEAR(value.offset, glm::dot(n, centre - middle), 0.015);
+            area[faceOf(entry)] += value.coverage;
+        }
         for (int face = 0; face < faceCount; ++face) {
-            const double share = std::max(0.0, glm::dot(n, faceDirection(face))) / dominant;
-            double area = 0.0;
-            base.forEachVoxel([&](const glm::ivec3& voxel) {
-                const double alpha = base.at(voxel, face).a / 255.0;
-                if (!base.occupied(voxel)) return;
-                // The plane meets the voxel, or a rasterizer that snaps to 1/256 of a pixel finds that it
-                // does.
-                ASSERT_LE(std::abs(glm::dot(n, glm::dvec3(voxel) + 0.5 - centre)),
-                          0.5 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) + 1.0 / 128.0);
-                // The tolerance is that of 8 bits and of rounding in fixed point and derivatives.
-                ASSERT_NEAR(alpha, share, 0.51 / 255.0) << faceName(face);
-                area += alpha;
-            });
-            // The columns along the edges are about a per cent of the surface.
-            const double seen = side * side * share * dominant;
-            EXPECT_NEAR(area, seen, 0.01 * side * side) << "towards " << direction.x << " " << direction.y
-                                                        << " " << direction.z << ", face " << faceName(face);
+            // The columns along the edges, and coverages of 7 bits, are about a per cent of the surface.
+            const double seen = side * side * std::max(0.0, glm::dot(n, faceDirection(face)));
+            EXPECT_NEAR(area[face], seen, 0.01 * side * side)
+                << "towards " << direction.x << " " << direction.y << " " << direction.z << ", face "
+                << faceName(face);
         }
     }
 }
@@ -113,19 +116,17 @@ TEST(FaceCoverage, ASheetHasTwoSidesThatAreLitSeparately) {
             scene.materials[0].baseColor = glm::vec4(1.0F, 0.5F, 0.25F, 1.0F);
             const glm::dvec3 directionToLight = glm::normalize(glm::dvec3(1, 2 * lightY, 1));
             const DirectionalLight light = lightFrom(directionToLight);
-            FrameInspector frame = inspectorOf(context, scene, light);
-            const FaceLevel base = frame.faceLevels()[0];
-            const double range = frame.faceRange();
+            const Faces base = facesOf(context, scene, light);
             const glm::ivec3 voxel(32, 20, 32);
             for (int face = 0; face < faceCount; ++face) {
                 const double facing = faceDirection(face).y;
                 const bool covered = facing > 0.0 || (facing < 0.0 && doubleSided);
-                ASSERT_EQ(base.at(voxel, face).a, covered ? 255 : 0) << faceName(face);
+                ASSERT_EQ(faceAt(base, voxel, face).coverage, covered ? 1.0 : 0.0) << faceName(face);
                 for (int c = 0; c < 3; ++c) {
                     const double radiance =
                         covered ? std::max(0.0, facing * directionToLight.y) * scene.materials[0].baseColor[c]
                                 : 0.0;
-                    EXPECT_NEAR(base.at(voxel, face)[c], 255.0 * radiance / range, 1.0)
+                    EXPECT_NEAR(faceAt(base, voxel, face).radiance[c], radiance, 2e-3)
                         << faceName(face) << (doubleSided ? ", double-sided" : ", single-sided")
                         << ", light from y " << lightY;
                 }
@@ -143,10 +144,10 @@ TEST(FaceCoverage, AMirroredInstanceKeepsItsFrontInFront) {
         scene.instances[0].worldFromObject =
             glm::scale(glm::translate(glm::dmat4(1.0), glm::dvec3(32.3, 20.5, 32.3)), scale);
         scene = finished(std::move(scene));
-        const FaceLevel base = facesOf(context, scene, lightFrom({1, 2, 3}))[0];
+        const Faces base = facesOf(context, scene, lightFrom({1, 2, 3}));
         const glm::ivec3 voxel(32, 20, 32);
         for (int face = 0; face < faceCount; ++face)
-            EXPECT_EQ(base.at(voxel, face).a, face == (axis == 0 ? 2 : 3) ? 255 : 0)
+            EXPECT_EQ(faceAt(base, voxel, face).coverage, face == (axis == 0 ? 2 : 3) ? 1.0 : 0.0)
                 << faceName(face) << ", mirrored along axis " << axis;
     }
 }
@@ -184,21 +185,13 @@ TEST(FaceSums, ManyCoincidentTrianglesGiveTheirMean) {
     const Context context = openContext(Backend::egl);
     const Scene scene = coincidentQuads(62000, 1.0);
     const DirectionalLight light = lightFrom({0, 1, 0});
-    FrameInspector frame = inspectorOf(context, scene, light);
-    const FaceLevel base = frame.faceLevels()[0];
-    const double range = frame.faceRange();
     int covered = 0;
-    base.forEachVoxel([&](const glm::ivec3& voxel) {
-        for (int face = 0; face < faceCount; ++face) {
-            const glm::u8vec4& value = base.at(voxel, face);
-            if (value == glm::u8vec4(0)) continue;
-            ++covered;
-            ASSERT_EQ(face, 2) << faceName(face);
-            ASSERT_EQ(value.a, 255);
-            for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(value[c], 255.0 * 0.625 / range, 1.0);
-        }
-    });
+    for (const auto& [entry, value] : facesOf(context, scene, light)) {
+        ++covered;
+        ASSERT_EQ(faceOf(entry), 2);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(value.radiance[c], 0.625, 2e-3);
+    }
     EXPECT_GE(covered, 1);
 }
 
@@ -208,19 +201,6 @@ class FaceVoxelsOf : public testing::TestWithParam<const char*> {
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, FaceVoxelsOf, testing::Values("cornell", "courtyard"),
                          [](const auto& test) { return std::string(test.param); });
-
-// Faces do not reflect their irradiance in this mode.
-constexpr Output modeWithoutIrradiance = Output::ao;
-
-TEST_P(FaceVoxelsOf, MipLevelsEqualTheCpusWithinOneOf255) {
-    const Context context = openContext(Backend::egl);
-    const Scene scene = FaceVoxelsOf::scene();
-    Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
-    renderer.render({{modeWithoutIrradiance}, chooseCamera(scene, "")});
-    const std::vector<FaceLevel> levels = readFaces(renderer.directional()->voxels());
-    for (std::size_t level = 1; level < levels.size(); ++level)
-        EXPECT_LE(maxDifference(levels[level], faceMipOnCpu(levels[level - 1])), 1) << "level " << level;
-}
 
 std::set<std::uint32_t> withoutDuplicates(const std::vector<std::uint32_t>& entries) {
     const std::set<std::uint32_t> unique(entries.begin(), entries.end());
@@ -233,24 +213,20 @@ TEST_P(FaceVoxelsOf, ListsHoldEachOccupiedVoxelAndEachFaceOnce) {
     const Scene scene = FaceVoxelsOf::scene();
     Renderer renderer = makeRenderer(context, scene, chooseLight(scene), directionalSettings());
     for (int frame = 0; frame < 2; ++frame)
-        renderer.render({{modeWithoutIrradiance}, chooseCamera(scene, "")});
+        renderer.render({{Output::gi}, chooseCamera(scene, "")});
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
-    const FaceLevel base = readFaceLevel(voxels, 0);
-    std::set<std::uint32_t> expected;
-    base.forEachVoxel([&](const glm::ivec3& voxel) {
-        if (base.occupied(voxel)) expected.insert(shared::packEntry(glm::uvec3(voxel)));
-    });
-    EXPECT_GT(expected.size(), 1000U);
-    for (int level = 0; level < voxels.levels(); ++level) {
-        std::set<std::uint32_t> voxelsOfFaces, parents;
-        for (const std::uint32_t face : withoutDuplicates(voxels.readFaceList(level)))
-            voxelsOfFaces.insert(shared::packEntry(shared::unpackFaceVoxel(face)));
-        EXPECT_EQ(withoutDuplicates(voxels.index().readList(level)), expected) << "level " << level;
-        EXPECT_EQ(voxelsOfFaces, expected) << "level " << level;
-        for (const std::uint32_t entry : expected)
-            parents.insert(shared::packEntry(shared::unpackEntry(entry) / 2U));
-        expected = parents;
+    std::vector<std::uint32_t> entries;
+    for (const DirectionalVoxels::BaseFace& face : voxels.readBaseFaces())
+        entries.push_back(face.entry);
+    std::set<std::uint32_t> occupied, ofBlocks;
+    for (const std::uint32_t entry : withoutDuplicates(entries)) {
+        const glm::uvec3 voxel = shared::unpackFaceVoxel(entry);
+        occupied.insert(shared::packEntry(voxel));
+        ofBlocks.insert(shared::packFace(voxel >> unsigned{VCT_BRICK_LEVEL}, shared::unpackFace(entry)));
     }
+    EXPECT_GT(occupied.size(), 1000U);
+    EXPECT_EQ(withoutDuplicates(voxels.index().readList(0)), occupied);
+    EXPECT_EQ(withoutDuplicates(voxels.readBlockFaces()), ofBlocks);
 }
 
 }  // namespace

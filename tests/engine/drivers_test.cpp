@@ -172,7 +172,7 @@ TEST(DriverLimits, MoreFacesThanAStorageBlockHoldsAreRefused) {
     const std::string error = errorOf([&] { renderer.render({{Output::gi}, scene.cameras.front()}); });
     gl::GetIntegerv = driversOwn;
     expectMentions(error,
-                   {"voxel faces' sums and lists", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", "use a coarser grid"});
+                   {"voxel faces and lists", "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", "use a coarser grid"});
     EXPECT_NO_THROW(renderer.render({{Output::gi}, scene.cameras.front()}))
         << "and nothing is left half made";
 }

@@ -10,11 +10,11 @@ namespace {
 
 constexpr GatherSchedule::Change noChange, otherLight{.light = true};
 
-GatherSettings settingsWith(int directions, int refined, int cones) {
+GatherSettings settingsWith(int directions, int refined, int rays) {
     GatherSettings settings;
     settings.directions = directions;
     settings.refinedDirections = refined;
-    settings.cones = cones;
+    settings.rays = rays;
     return settings;
 }
 
@@ -25,7 +25,7 @@ TEST(GatherSchedule, SettlesThenRefinesThenStops) {
         EXPECT_FALSE(schedule.isConverged()) << i;
         const GatherStep step = schedule.advance(noChange);
         EXPECT_EQ(step.frame, static_cast<std::uint32_t>(i));
-        EXPECT_EQ(step.cones, 8U);
+        EXPECT_EQ(step.rays, 8U);
         EXPECT_EQ(step.roundShare, i < 8 ? 0.0F : i < 16 ? 1.0F / 8.0F : 1.0F / 32.0F) << i;
         EXPECT_EQ(step.beginsRound, i == 8 || i == 16) << i;
         EXPECT_EQ(step.minHistory > 0.0F, i == 47) << i;
@@ -38,8 +38,8 @@ TEST(GatherSchedule, RefinementVisitsEachDirectionOnce) {
     std::set<std::uint32_t> visited;
     for (int i = 0; i < 48; ++i) {
         const GatherStep step = schedule.advance(noChange);
-        for (std::uint32_t cone = 0; i >= 16 && cone < step.cones; ++cone)
-            visited.insert((step.direction + cone) % 256);
+        for (std::uint32_t ray = 0; i >= 16 && ray < step.rays; ++ray)
+            visited.insert((step.direction + ray) % 256);
     }
     EXPECT_EQ(visited.size(), 256U);
 }

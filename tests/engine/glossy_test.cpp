@@ -22,7 +22,7 @@ const glm::dvec3 copper(0.9, 0.6, 0.3);
 Settings glossyAt(glm::ivec2 size) {
     Settings settings = mobileAt(1);
     settings.size = size;
-    settings.specular = Specular::cone;
+    settings.specular = Specular::rays;
     return settings;
 }
 
@@ -103,32 +103,6 @@ TEST(Glossy, AMirrorShowsTheRadianceOfAWallTimesItsFresnelFactor) {
                 EXPECT_GE(mean[i], right[i] * (1.0 - missing));
             }
         }
-}
-
-// The volume ends where the room ends. The last sample of a cone lies before or behind the wall, which
-// differs from pixel to pixel and must not show.
-TEST(Glossy, AWallOnTheBorderOfTheVolumeIsReflectedWhole) {
-    const Context context = openContext(Backend::egl);
-    for (const float roughness : {0.2F, 0.4F}) {
-        Scene scene = emptyScene();
-        scene.materials.push_back(metal(roughness));
-        scene.materials.push_back(scene.materials[0]);
-        scene.materials[2].emissive = glm::vec3(1.0F);
-        addQuad(scene, {-1, -1, -1}, {0, 0, 2}, {2, 0, 0}, 1);
-        addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, 2);
-        scene = finished(scene);
-        const Settings settings = glossyAt({64, 64});
-        FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 1.5, 0.01}, {0, -1, 0}, 8));
-        const float right = static_cast<float>(headOnShare(copper, roughness).x);
-        float least = 1e9F, most = 0.0F;
-        for (const Image image = frame.view(Output::specularLight); const glm::vec3& pixel : image.pixels) {
-            least = std::min(least, pixel.x);
-            most = std::max(most, pixel.x);
-        }
-        EXPECT_GT(least, 0.85F * right) << roughness;
-        EXPECT_LT(most, 1.15F * right) << roughness;
-        EXPECT_LT(most, 1.1F * least) << roughness;
-    }
 }
 
 // The mirror itself is the only emitter.
@@ -257,7 +231,7 @@ TEST(Glossy, AGlossySurfaceChangesItsOwnPixelsAlone) {
     const Settings settings = glossyAt({64, 64});
     Scene scene = corner();
     scene.materials[1].roughness = 0.3F;
-    const Image with = pictureOf(context, scene, settings, Specular::cone);
+    const Image with = pictureOf(context, scene, settings, Specular::rays);
     const Image without = pictureOf(context, corner(), settings, Specular::none);
     FrameInspector frame(context, scene, noLight(), settings, lookAt({0.4, 1.5, 2.5}, {0, 0, 0}, 50));
     const std::vector<SurfacePixel>& pixels = frame.pixels();
@@ -292,8 +266,8 @@ Scene edges(float roughness) {
     return finished(scene);
 }
 
-// A roughness of 0.194 is traced in each pixel, and one of 0.202 in every second. The two differ by less than
-// a percent otherwise, also next to the edges between surfaces that reflect other things.
+// A roughness of 0.194 is traced in each pixel, and one of 0.202 in every second. The two differ only by
+// the noise of their rays, also next to the edges between surfaces that reflect other things.
 TEST(Glossy, HalfTheResolutionDoesNotBleedOverEdges) {
     const Context context = openContext(Backend::egl);
     for (const glm::ivec2 size : {glm::ivec2(96, 96), glm::ivec2(95, 93)}) {
@@ -319,13 +293,13 @@ TEST(Glossy, HalfTheResolutionDoesNotBleedOverEdges) {
                         most = std::max(most, expected.pixels[v * size.x + u].x);
                     }
                 const float value = actual.pixels[y * size.x + x].x;
-                bled += value < least - 0.05F || value > most + 0.05F ? 1 : 0;
+                bled += value < least - 0.15F || value > most + 0.15F ? 1 : 0;
                 bright += most > 0.5F ? 1 : 0;
                 dark += least < 0.1F ? 1 : 0;
             }
         EXPECT_GT(bright, 500);
         EXPECT_GT(dark, 500);
-        EXPECT_LE(bled, 5);
+        EXPECT_LE(bled, 30);
     }
 }
 
@@ -347,8 +321,8 @@ TEST(Glossy, OnlyGlossySurfacesAddDrawsAndTextures) {
         }
         return std::pair(draws, bytesOf(renderer.resources()));
     };
-    EXPECT_EQ(costs(1.0F, Specular::cone), costs(1.0F, Specular::none));
-    const auto [draws, bytes] = costs(0.5F, Specular::cone);
+    EXPECT_EQ(costs(1.0F, Specular::rays), costs(1.0F, Specular::none));
+    const auto [draws, bytes] = costs(0.5F, Specular::rays);
     const auto [fewerDraws, fewerBytes] = costs(0.5F, Specular::none);
     EXPECT_EQ(draws, fewerDraws + 3);
     // Gloss of the G-buffer and a mask, 2 bytes each; in half the resolution 8 bytes and a mask.
@@ -377,7 +351,7 @@ TEST(Glossy, AResizedPictureIsThatOfANewRenderer) {
 TEST(Specular, IsRefusedWithThePresetThesis) {
     Settings settings = presetSettings("thesis");
     EXPECT_EQ(settings.specular, Specular::none);
-    settings.specular = Specular::cone;
+    settings.specular = Specular::rays;
     EXPECT_THROW(validate(settings), Error);
     EXPECT_THROW(specularFromText("mirror"), Error);
     EXPECT_EQ(specularFromText("none"), Specular::none);

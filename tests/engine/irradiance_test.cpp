@@ -81,10 +81,10 @@ struct Emitter {
     glm::dvec3 corner, u, v;
     Deviation bound;
 };
-const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.11, 0.115}},
-                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.12, 0.125}},
-                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.01, 0.045}},
-                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.03, 0.1}}};
+const Emitter emitters[] = {{"ceiling", {-1, 1.0, -1}, {2, 0, 0}, {0, 0, 2}, {0.035, 0.055}},
+                            {"low ceiling", {-1, 0.25, -1}, {2, 0, 0}, {0, 0, 2}, {0.018, 0.033}},
+                            {"patch", {-0.2, 0.7, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}, {0.013, 0.017}},
+                            {"wall", {-1, 0, -1}, {0, 1, 0}, {0, 0, 2}, {0.01, 0.15}}};
 
 TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
     const Context context = openContext(Backend::egl);
@@ -127,13 +127,13 @@ TEST(Gather, AFloorBesideABlackWallSeesTheRestOfTheSky) {
         if (p.y > 1e-3 || p.x > -voxel) return -1.0;
         return 1.0 - formFactor({{0, 0, -1}, {0, 1, -1}, {0, 1, 1}, {0, 0, 1}}, p, {0, 1, 0});
     });
-    EXPECT_LE(std::abs(error.bias), 0.03);
-    EXPECT_LE(error.rms, 0.04);
+    EXPECT_LE(std::abs(error.bias), 0.002);
+    EXPECT_LE(error.rms, 0.02);
 }
 
 // A ball without light of its own, which touches a floor at the origin: of the sphere's hemisphere above a
-// point at the distance x the ball fills R^3 / (x^2 + R^2)^1.5. The cones of the faces around the contact
-// would start inside the ball and look out of it.
+// point at the distance x the ball fills R^3 / (x^2 + R^2)^1.5. Rays of the faces around the contact must
+// not start inside of the ball.
 TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
     const Context context = openContext(Backend::egl);
     constexpr double radius = 0.25;
@@ -155,19 +155,19 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
                 return 1.0 - std::pow(radius / std::hypot(x, radius), 3.0);
             });
         };
-        EXPECT_LE(nearContact(0.04, 0.16).rms, 0.45) << grid;
-        EXPECT_LE(nearContact(0.16, 0.3).rms, 0.15) << grid;
+        EXPECT_LE(nearContact(0.04, 0.16).rms, grid == 64 ? 0.25 : 0.075) << grid;
+        EXPECT_LE(nearContact(0.16, 0.3).rms, 0.045) << grid;
     }
 }
 
-// A closed room of rectangles under a bright sky. The face of a crease begins its cones outside if the middle
-// of its voxel is beyond the other wall.
+// A closed room of rectangles under a bright sky. The face of a crease would begin its rays outside if they
+// began at the middle of its voxel, beyond the other wall.
 TEST(Gather, NoSkyShinesIntoTheCreasesOfAClosedRoom) {
     const Context context = openContext(Backend::egl);
     Settings settings = mobileAt(pictureSide);
     settings.skyRadiance = glm::vec3(1.0F);
     FrameInspector frame(context, closedBox(0.0), noLight(), settings, lookAt({0, 0, 0}, {-1, -1, -1}, 80));
-    EXPECT_LE(frame.spreadOf(Output::indirectLight).max, 0.16);
+    EXPECT_LE(frame.spreadOf(Output::indirectLight).max, 0.0001);
 }
 
 // A wall thinner than a voxel cuts a room in two, and a lamp lights one half. Along the wall the same voxels
@@ -191,7 +191,7 @@ TEST(Gather, NoLightPassesBelowAThinWall) {
         }
         ASSERT_GT(beside.count, 200);
         ASSERT_GT(apart.count, 500);
-        EXPECT_LE(beside.mean, 1.3 * apart.mean);
+        EXPECT_LE(beside.mean, 0.0001 * apart.mean);
     }
 }
 
@@ -218,7 +218,7 @@ TEST(LookUp, ABarThatTheVoxelsMissTakesTheLightOfTheFloorBelow) {
     EXPECT_LE(bar.max, 1.5 * floor.max);
 }
 
-// A lathe's mesh shares vertices between its side and its bottom. Along such a normal a cone would start in
+// A lathe's mesh shares vertices between its side and its bottom. Along such a normal a ray would start in
 // the dark below the floor.
 TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     const Context context = openContext(Backend::egl);
@@ -237,28 +237,27 @@ TEST(Gather, AWallsFootIsLitWhereItsNormalsLeanIntoTheFloor) {
     EXPECT_GE(foot.min, 0.6);
 }
 
-// The inside of a closed box has the radiance 1, so the right answer is 1 everywhere. Slanted walls are too
-// dark from the front.
+// The inside of a closed box has the radiance 1, so the right answer is 1 everywhere.
 TEST(Gather, WhiteFurnaceIsOne) {
     const Context context = openContext(Backend::egl);
-    for (const double turnDeg : {0.0, 30.0}) {
+    for (const double turnDeg : {0.0, 20.0, 30.0, 45.0}) {
         SCOPED_TRACE(turnDeg);
         Scene scene = closedBox(turnDeg);
         scene.materials[0].emissive = glm::vec3(1.0F);
         FrameInspector frame(context, scene, noLight(), mobileAt(pictureSide),
                              lookAt({0, 0, 0}, {0.2, -0.4, -1}, 120));
         const Spread spread = frame.spreadOf(Output::indirectLight);
-        const double turnedLoss = turnDeg == 0.0 ? 0.0 : 0.1;
-        EXPECT_NEAR(spread.mean, 1.0, 0.075 + turnedLoss);
-        EXPECT_LE(spread.max, 1.02);
-        EXPECT_GE(spread.min, 0.73 - 2.0 * turnedLoss);
-        // Cones that end early or meet gaps of a wall lose some light.
-        Spread faces;
-        for (const auto& [entry, face] : frame.irradiance(false))
-            faces.add(face.light.g);
-        EXPECT_NEAR(faces.mean, 1.0, 0.075 + turnedLoss);
-        EXPECT_LE(faces.max, 1.1);
-        EXPECT_GE(faces.min, 0.6 - 2.0 * turnedLoss);
+        EXPECT_NEAR(spread.mean, 1.0, turnDeg == 0.0 ? 0.001 : 0.006);
+        EXPECT_LE(spread.max, 1.001);
+        EXPECT_GE(spread.min, turnDeg == 0.0 ? 0.999 : 0.3);
+        // Walls of a turned box that meet share faces, whose middle may lie beyond a wall.
+        double weight = 0.0, light = 0.0;
+        for (const auto& [entry, face] : frame.irradiance(false)) {
+            weight += face.coverage;
+            light += face.coverage * face.light.g;
+            EXPECT_LE(face.light.g, 1.001);
+        }
+        EXPECT_NEAR(light / weight, 1.0, turnDeg == 0.0 ? 0.001 : 0.01);
     }
 }
 
@@ -316,9 +315,9 @@ TEST(Gather, LightStaysOnItsSideOfAThinWall) {
         }
         ASSERT_GT(lit.mean, 0.15);
         ASSERT_GT(dark.count, 1000);
-        // Some light passes around the edges of the wall, where coarse voxels reach past it.
-        EXPECT_LE(dark.mean, 0.055 * lit.mean);
-        EXPECT_LE(dark.max, 0.15);
+        // A turned wall that meets others shares faces with them.
+        EXPECT_LE(dark.mean, turnDeg == 0.0 ? 0.0001 : 0.008 * lit.mean);
+        EXPECT_LE(dark.max, turnDeg == 0.0 ? 0.0001 : 0.2);
     }
 }
 
@@ -337,8 +336,7 @@ TEST(Gather, AnEmitterRightUnderACeilingSendsAllItsLight) {
         for (const auto& [entry, face] : frame.irradiance(true))
             if (shared::unpackFace(entry) == 2) light[ceiling ? 1 : 0] += face.coverage * face.light.g;
     }
-    // Cones past the edge of the emitter meet the ceiling or nothing.
-    EXPECT_NEAR(light[1] / light[0], 1.0, 0.1);
+    EXPECT_NEAR(light[1] / light[0], 1.0, 0.0001);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ const DirectionalLight slantingSun = lightFrom(glm::normalize(glm::dvec3(0.3, 1.
 
 Settings materialSettings() {
     Settings settings = mobileAt(64);
-    settings.specular = Specular::cone;
+    settings.specular = Specular::rays;
     return settings;
 }
 
@@ -249,12 +249,13 @@ TEST_P(Leaves, ShadeTheSameShareOfTheFloor) {
 TEST_P(Leaves, CoverTheSameShareOfTheirVoxels) {
     FrameInspector frame(context_, scene_, slantingSun, settingsOfLeaves(),
                          lookAt({0, 9, 0.001}, {0, 0, 0}, 12));
-    const FaceLevel level = frame.faceLevels().front();
     double covered = 0.0, ofFloor = 0.0;
-    const int upwards = 2;
-    level.forEachVoxel([&](const glm::ivec3& voxel) {
-        (voxel.y > level.side() / 2 ? covered : ofFloor) += level.at(voxel, upwards).a;
-    });
+    const unsigned upwards = 2;
+    for (const auto& [entry, face] : frame.faces())
+        if (shared::unpackFace(entry) == upwards)
+            (static_cast<int>(shared::unpackFaceVoxel(entry).y) > settingsOfLeaves().grid / 2 ? covered
+                                                                                              : ofFloor) +=
+                face.coverage;
     EXPECT_NEAR(covered / ofFloor, leafShare, 0.04);
 }
 

@@ -16,7 +16,6 @@ namespace {
 class Moving : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Voxels, Moving, everyVoxelKind(), nameOfPreset);
 
-// The grid's radiance is compared in the mode in which faces do not reflect their irradiance.
 TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
     const Context context = openContext(Backend::egl);
     const Scene scene = load(twoThatMove());
@@ -28,8 +27,6 @@ TEST_P(Moving, EveryFrameIsThatOfAFreshRendererOfItsPose) {
         PlayingScene stage(context, scene, settings);
         for (const double seconds : {0.0, 0.35, 1.0, 1.7, 2.0, 0.35})
             expectFresh(stage, context, scene, settings, seconds, mode);
-        EXPECT_EQ(gridOf(stage.renderer()).hasIrradiance,
-                  mode == Output::gi && stage.renderer().directional() != nullptr);
         // The scene goes back to rest.
         const Grid moved = gridOf(stage.renderer());
         stage.frameAt(0.0, mode);

@@ -113,7 +113,7 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
     thesis.grid = 512;
     thesis.shadowMapSize = 4096;
     gl::Capabilities enough;
-    enough.limits = {4096, 1536, 512, 3, 6};
+    enough.limits = {4096, 1024, 1024, 3, 6};
     for (const Settings& settings : {mobile, finest, thesis})
         EXPECT_NO_THROW(requireNeeds(settings, enough));
     const struct {
@@ -122,10 +122,10 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
         int least;
         const char* name;
     } needs[] = {
-        {mobile, &gl::Limits::texture3d, 192, "GL_MAX_3D_TEXTURE_SIZE >= 192"},
-        {finest, &gl::Limits::texture3d, 1536, "GL_MAX_3D_TEXTURE_SIZE >= 1536"},
+        {mobile, &gl::Limits::texture3d, 128, "GL_MAX_3D_TEXTURE_SIZE >= 128"},
+        {finest, &gl::Limits::texture3d, 1024, "GL_MAX_3D_TEXTURE_SIZE >= 1024"},
         {thesis, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
-        {mobile, &gl::Limits::framebufferWidth, 96, "GL_MAX_FRAMEBUFFER_WIDTH >= 96"},
+        {mobile, &gl::Limits::framebufferWidth, 128, "GL_MAX_FRAMEBUFFER_WIDTH >= 128"},
         {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},
         {mobile, &gl::Limits::texture2d, 2340, "GL_MAX_TEXTURE_SIZE >= 2340"},
         {thesis, &gl::Limits::texture2d, 4096, "GL_MAX_TEXTURE_SIZE >= 4096"},

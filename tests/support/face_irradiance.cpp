@@ -8,30 +8,28 @@
 
 namespace vct::test {
 
-IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of) {
+IrradianceByFace readIrradiance(const Renderer& renderer) {
     const DirectionalVoxels& voxels = renderer.directional()->voxels();
-    const Irradiance& irradiance = *renderer.directional()->irradiance(of);
+    const Irradiance& irradiance = *renderer.directional()->irradiance();
     const gl::Buffer& buffer = irradiance.faceIrradiance();
     std::vector<std::uint32_t> words(buffer.bytes() / sizeof(std::uint32_t));
     buffer.read(words.data(), buffer.bytes());
-    const FaceLevel base = readFaceLevel(voxels, 0);
+    const Faces base = readFaces(voxels);
     IrradianceByFace faces;
     // shaders/directional/face_irradiance.glsl
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
         FaceIrradiance face;
-        for (std::size_t w = 0; w < 4; ++w)
+        for (std::size_t w = 0; w < face.words.size(); ++w)
             face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.irradianceWords() * id + w);
         const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
         face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.irradianceWords() == 6) {  // the light of emitters is apart
-            const std::uint32_t* const emitters = &words.at(VCT_LIGHT_HEADER + 6 * id + 4);
+        if (irradiance.irradianceWords() == 7) {  // the light of emitters is apart
+            const std::uint32_t* const emitters = &words.at(VCT_LIGHT_HEADER + 7 * id + 5);
             face.light += glm::dvec3(glm::unpackHalf2x16(emitters[0]), glm::unpackHalf2x16(emitters[1]).x);
         }
         face.steps = bSteps.y;
-        face.coverage =
-            base.at(glm::ivec3(shared::unpackFaceVoxel(entry)), static_cast<int>(shared::unpackFace(entry)))
-                .a /
-            255.0;
+        face.ambientVisibility = glm::unpackHalf2x16(face.words[4]).x;
+        face.coverage = base.at(entry).coverage;
         faces[entry] = face;
     }
     return faces;

@@ -12,17 +12,18 @@
 namespace vct::test {
 
 struct FaceIrradiance {
-    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi; or ambientVisibility
+    glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi
+    double ambientVisibility = 0.0;
     double steps = 0.0;     // length of the history
     double coverage = 0.0;  // of the face
-    std::array<std::uint32_t, 4> words{};
+    std::array<std::uint32_t, 5> words{};
 
     bool operator==(const FaceIrradiance& other) const { return words == other.words; }
 };
 
 // The key is shared::packFace(voxel, face), so the order of the list does not matter.
 using IrradianceByFace = std::map<std::uint32_t, FaceIrradiance>;
-IrradianceByFace readIrradiance(const Renderer& renderer, GatherPurpose of = GatherPurpose::light);
+IrradianceByFace readIrradiance(const Renderer& renderer);
 
 // The green channel over the faces of both, weighted by coverage as pixels see them. `mean` is that of b.
 struct IrradianceDifference {

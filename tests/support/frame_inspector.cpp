@@ -41,16 +41,6 @@ std::vector<Number> readRgba(const gl::Texture& texture, GLenum format, GLenum t
     return numbers;
 }
 
-// Cigolle et al. 2014: the octahedron unfolded into a square with two coordinates of 0..steps.
-glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY, double steps) {
-    const double x = codeX / steps * 2.0 - 1.0;
-    const double y = codeY / steps * 2.0 - 1.0;
-    const double z = 1.0 - std::abs(x) - std::abs(y);
-    if (z >= 0.0) return glm::normalize(glm::dvec3(x, y, z));
-    return glm::normalize(
-        glm::dvec3(std::copysign(1.0 - std::abs(y), x), std::copysign(1.0 - std::abs(x), y), z));
-}
-
 std::vector<SurfacePixel> readSurface(Renderer& renderer, const shared::FrameUniforms& frame) {
     const GBuffer::Targets targets = renderer.surface();
     const Image depth = readDepth(renderer.shaders(), *targets.depth);
@@ -82,6 +72,15 @@ std::vector<SurfacePixel> readSurface(Renderer& renderer, const shared::FrameUni
 }
 
 }  // namespace
+
+glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY, double steps) {
+    const double x = codeX / steps * 2.0 - 1.0;
+    const double y = codeY / steps * 2.0 - 1.0;
+    const double z = 1.0 - std::abs(x) - std::abs(y);
+    if (z >= 0.0) return glm::normalize(glm::dvec3(x, y, z));
+    return glm::normalize(
+        glm::dvec3(std::copysign(1.0 - std::abs(y), x), std::copysign(1.0 - std::abs(x), y), z));
+}
 
 void Spread::add(double value) {
     mean = (mean * count + value) / (count + 1);
@@ -171,12 +170,6 @@ Spread FrameInspector::spreadOf(Output output) {
     return spread;
 }
 
-double FrameInspector::faceRange() const {
-    shared::FaceRange range{};
-    renderer_.directional()->voxels().range().read(&range, sizeof range);
-    return range.radiance;
-}
-
 Words FrameInspector::packedVoxels() {
     view(Output::gi);
     return readVoxels(renderer_.occupancy().texture(), 0);
@@ -194,8 +187,8 @@ void FrameInspector::replacePackedVoxels(Words base) {
     }
 }
 
-std::vector<FaceLevel> FrameInspector::faceLevels() {
-    view(Output::sunVisibility);
+Faces FrameInspector::faces() {
+    renderer_.render({{Output::indirectLight}, camera_, LightSteps::one, nullptr, false});
     return readFaces(renderer_.directional()->voxels());
 }
 

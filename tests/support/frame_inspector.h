@@ -12,6 +12,9 @@
 
 namespace vct::test {
 
+// Cigolle et al. 2014: the octahedron unfolded into a square with two coordinates of 0..steps.
+glm::dvec3 normalFromCode(std::uint32_t codeX, std::uint32_t codeY, double steps);
+
 // The G-buffer at one pixel.
 struct SurfacePixel {
     bool surface = false;  // false: sky, and nothing else is set
@@ -62,10 +65,8 @@ class FrameInspector {
     // The CPU computes the other levels.
     void replacePackedVoxels(Words base);
 
-    // The radiance that faces store as 1 in the last frame, relative to E/pi.
-    double faceRange() const;
-    // The faces of directional voxels. They reflect their irradiance only after irradiance() was called.
-    std::vector<FaceLevel> faceLevels();
+    // The faces of directional voxels, which emit and reflect direct light alone.
+    Faces faces();
     // Converged irradiance of each face, with all bounces or with one.
     IrradianceByFace irradiance(bool allBounces);
 

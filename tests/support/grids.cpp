@@ -21,27 +21,18 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> sumsOf(const DirectionalVoxe
         const shared::LevelCommands& base = commands.lists[list];
         for (std::uint32_t i = 0; i < base.faceCount; ++i) {
             const std::uint32_t entry = words.at(base.firstFace + i) & ~VCT_MERGED_FACE;
-            const std::uint32_t* const face = &words.at(std::size_t{base.firstId + i} * voxels.faceWords());
+            const std::uint32_t* const face =
+                &words.at(voxels.firstFaceWord() + std::size_t{base.firstId + i} * voxels.faceWords());
             std::vector<std::uint32_t>& sum = sums[entry];
-            sum.resize(voxels.faceWords() - 1);  // the surface is found when light is injected
-            sum[0] = std::max(sum[0], face[1]);  // the plane of the surface that covers most
-            for (std::uint32_t word = 1; word < sum.size(); ++word)
-                sum[word] += face[word + 1];
+            // shaders/directional/face_data.glsl: two planes, then sums. The words before depend on them.
+            constexpr std::uint32_t firstPlane = 4, firstSum = 6, lastSum = 19;
+            sum.resize(std::min(voxels.faceWords(), lastSum) - firstPlane);
+            for (std::uint32_t word = 0; word < sum.size(); ++word)
+                sum[word] = firstPlane + word < firstSum ? std::max(sum[word], face[firstPlane + word])
+                                                         : sum[word] + face[firstPlane + word];
         }
     }
     return sums;
-}
-
-// The coverage of listed faces; the others must be empty.
-std::vector<FaceLevel> coverageOf(const Grid& grid) {
-    std::vector<FaceLevel> faces = grid.faces;
-    for (std::size_t level = 0; level < faces.size(); ++level)
-        for (const std::uint32_t entry : grid.faceLists[level]) {
-            glm::u8vec4& face = faces[level].at(glm::ivec3(shared::unpackFaceVoxel(entry)),
-                                                static_cast<int>(shared::unpackFace(entry)));
-            face = {0, 0, 0, face.a};
-        }
-    return faces;
 }
 
 }  // namespace
@@ -58,12 +49,9 @@ Grid gridOf(Renderer& renderer) {
     if (renderer.directional() != nullptr) {
         const DirectionalVoxels& voxels = renderer.directional()->voxels();
         grid.faces = readFaces(voxels);
-        for (int level = 0; level < voxels.levels(); ++level) {
-            grid.faceLists.push_back(voxels.readFaceList(level));
-            std::sort(grid.faceLists.back().begin(), grid.faceLists.back().end());
-        }
+        grid.blockFaces = voxels.readBlockFaces();
+        std::sort(grid.blockFaces.begin(), grid.blockFaces.end());
         grid.sums = sumsOf(voxels);
-        grid.hasIrradiance = renderer.directional()->irradiance(GatherPurpose::light) != nullptr;
     }
     return grid;
 }
@@ -72,16 +60,17 @@ void expectSameGrid(const Grid& a, const Grid& b, const std::string& what) {
     EXPECT_EQ(a.lists[0].size(), b.lists[0].size()) << what;
     EXPECT_TRUE(a.lists == b.lists) << what << ": other voxels are occupied";
     EXPECT_TRUE(a.words == b.words) << what << ": words differ";
-    for (std::size_t level = 0; level < std::min(a.faceLists.size(), b.faceLists.size()); ++level)
-        EXPECT_TRUE(a.faceLists[level] == b.faceLists[level])
-            << what << ": other faces are listed at level " << level << ", " << a.faceLists[level].size()
-            << " against " << b.faceLists[level].size();
+    EXPECT_TRUE(a.blockFaces == b.blockFaces) << what << ": other faces of blocks are listed";
     EXPECT_TRUE(a.sums == b.sums) << what << ": coverage, albedo, emission or plane differ";
-    EXPECT_TRUE(coverageOf(a) == coverageOf(b)) << what << ": what faces cover differs";
-    if (a.hasIrradiance || b.hasIrradiance) return;
-    // Sums of static and of dynamic geometry are rounded before they are added.
-    for (std::size_t level = 0; level < std::min(a.faces.size(), b.faces.size()); ++level)
-        EXPECT_LE(maxDifference(a.faces[level], b.faces[level]), 1) << what << ": radiance, level " << level;
+    const auto same = [](const Faces& one, const Faces& other) {
+        return std::equal(
+            one.begin(), one.end(), other.begin(), other.end(), [](const auto& x, const auto& y) {
+                return x.first == y.first && x.second.coverage == y.second.coverage &&
+                       x.second.opacity == y.second.opacity && x.second.normal == y.second.normal &&
+                       x.second.offset == y.second.offset && x.second.albedo == y.second.albedo;
+            });
+    };
+    EXPECT_TRUE(same(a.faces, b.faces)) << what << ": surfaces differ";
 }
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what) {

@@ -12,17 +12,16 @@ namespace vct::test {
 
 // Slots are not compared, as the GPU assigns them in any order.
 struct Grid {
-    std::vector<std::vector<std::uint32_t>> lists;      // of each level, sorted
-    std::vector<std::vector<std::uint32_t>> words;      // of each level of packed voxels
-    std::vector<FaceLevel> faces;                       // of each level of directional voxels
-    std::vector<std::vector<std::uint32_t>> faceLists;  // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> lists;  // of each level, sorted
+    std::vector<std::vector<std::uint32_t>> words;  // of each level of packed voxels
+    Faces faces;                                    // of directional voxels
+    std::vector<std::uint32_t> blockFaces;          // sorted
     // The sums of voxelization for each face of the base level.
     std::map<std::uint32_t, std::vector<std::uint32_t>> sums;
-    bool hasIrradiance = false;  // the faces also reflect their irradiance, which no frame alone determines
 };
 Grid gridOf(Renderer& renderer);
 
-// Lists and sums are equal to the bit, radiance to a step of 8 bits. EXPECT_EQ would print millions of words.
+// Lists, sums and surfaces are equal to the bit. EXPECT_EQ would print millions of words.
 void expectSameGrid(const Grid& a, const Grid& b, const std::string& what);
 
 void expectSamePicture(const Image& a, const Image& b, const std::string& what);

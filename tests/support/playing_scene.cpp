@@ -37,8 +37,7 @@ void expectFresh(PlayingScene& stage, const Context& context, const Scene& scene
     fresh.frame(mode);
     expectSameGrid(gridOf(stage.renderer()), gridOf(fresh.renderer()), what);
     const DirectionalVolume* directional = stage.renderer().directional();
-    if (directional == nullptr || (directional->irradiance(GatherPurpose::light) == nullptr &&
-                                   directional->irradiance(GatherPurpose::occlusion) == nullptr))
+    if (directional == nullptr || directional->irradiance() == nullptr)
         expectSamePicture(stage.renderer().radiance(), fresh.renderer().radiance(), what);
 }
 
@@ -49,9 +48,7 @@ void expectFreshLight(PlayingScene& stage, const Context& context, const Scene& 
     const Scene frozen = frozenAt(scene, seconds);
     PlayingScene fresh(context, frozen, settings);
     fresh.convergedAt(0.0, mode);
-    const GatherPurpose of = mode == Output::ao ? GatherPurpose::occlusion : GatherPurpose::light;
-    const IrradianceByFace now = readIrradiance(stage.renderer(), of),
-                           right = readIrradiance(fresh.renderer(), of);
+    const IrradianceByFace now = readIrradiance(stage.renderer()), right = readIrradiance(fresh.renderer());
     ASSERT_EQ(now.size(), right.size()) << what;
     const IrradianceDifference d = differenceOf(now, right);
     EXPECT_EQ(d.common, right.size()) << what;

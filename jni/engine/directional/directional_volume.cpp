@@ -38,10 +38,7 @@ DirectionalVolume::DirectionalVolume(const gl::ShaderLibrary& shaders, const Gpu
               sources.emission),
       voxelizer_(shaders, scene, settings.grid, settings.cascades, sources.emission),
       counts_("counts of listed faces", sizeof(shared::CommandLists)),
-      injector_(shaders, sources),
-      mipmapper_(shaders) {
-    if (hasCascades_) settings_.gather.bounceGain = 1.0F;
-}
+      injector_(shaders, sources) {}
 
 // Allocates all buffers before the frame, so that no frame waits for the GPU.
 void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades) {
@@ -69,17 +66,18 @@ void DirectionalVolume::voxelizeStatic(const GpuScene& scene, const Cascades& ca
     const shared::CommandLists found = voxels_.index().readCommands();
     voxels_.index().activeCounts(found);  // throws if the active-voxel list overflowed
     FaceCapacities capacities{};
-    for (int list = 0; list < voxels_.levels(); ++list)
-        capacities[static_cast<std::size_t>(list)] = found.lists[list].faceCount;
+    for (const std::size_t list : {0U, unsigned{VCT_BRICK_LEVEL}})
+        capacities[list] = found.lists[list].faceCount;
     voxels_.reset(capacities);
     voxelizer_.listFaces(scene, ScenePart::staticOnly, 0, voxels_, cascades);
     voxelizer_.accumulate(scene, ScenePart::staticOnly, 0, voxels_, cascades);
     voxels_.markStatic();
+    voxels_.resolve();
 }
 
 void DirectionalVolume::voxelize(const GpuScene& scene, const Cascades& cascades, std::uint32_t moved) {
     if (moved != 0) {
-        voxels_.beginStatic(moved);
+        voxels_.beginStatic();
         const std::uint32_t list = voxels_.staticList();
         voxelizer_.listFaces(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
         voxelizer_.accumulate(scene, ScenePart::staticOnly, list, voxels_, cascades, moved);
@@ -87,10 +85,12 @@ void DirectionalVolume::voxelize(const GpuScene& scene, const Cascades& cascades
     } else {
         voxels_.beginPose();
     }
-    if (!hasDynamic_) return;
-    const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
-    voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_, cascades);
-    voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_, cascades);
+    if (hasDynamic_) {
+        const ScenePart part = voxelizesAll_ ? ScenePart::all : ScenePart::dynamicOnly;
+        voxelizer_.listFaces(scene, part, voxels_.dynamicList(), voxels_, cascades);
+        voxelizer_.accumulate(scene, part, voxels_.dynamicList(), voxels_, cascades);
+    }
+    voxels_.resolve();
 }
 
 bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
@@ -99,8 +99,8 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
     const shared::LevelCommands& still = found.lists[found.staticList];
     bool grows = dynamic.faceCount > capacities[VCT_LIST_DYNAMIC];
     if (hasCascades_) grows |= still.faceCount > capacities[VCT_LIST_STATIC];
-    for (int level = 1; level < voxels_.levels(); ++level)
-        grows |= found.lists[level].faceCount > capacities[static_cast<std::size_t>(level)];
+    const shared::LevelCommands& blocks = found.lists[VCT_BRICK_LEVEL];
+    grows |= blocks.faceCount > capacities[VCT_BRICK_LEVEL];
     if (grows) {
         const auto reserve = [&](std::size_t list, std::uint32_t staticCount, std::uint32_t count) {
             capacities[list] = std::max(capacities[list], staticCount + capacityFor(count));
@@ -109,11 +109,8 @@ bool DirectionalVolume::growIfNeeded(const shared::CommandLists& found) {
             if (hasDynamic_) reserve(VCT_LIST_DYNAMIC + pose, 0, dynamic.faceCount);
             if (hasCascades_) reserve(VCT_LIST_STATIC + pose, 0, still.faceCount);
         }
-        for (int level = 1; level < voxels_.levels(); ++level) {
-            const shared::LevelCommands& above = found.lists[level];
-            const std::uint32_t fixed = hasCascades_ ? 0 : above.staticFaces;
-            reserve(static_cast<std::size_t>(level), fixed, above.faceCount - fixed);
-        }
+        const std::uint32_t fixed = hasCascades_ ? 0 : blocks.staticFaces;
+        reserve(VCT_BRICK_LEVEL, fixed, blocks.faceCount - fixed);
         voxels_.grow(capacities);
         // All is voxelized again. With cascades, faces that were there keep their light.
         if (hasCascades_)
@@ -154,63 +151,35 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
             }
             counts_.start(voxels_.index().commands());
         });
-    if (voxelizes || inputs.forceRebuild || before != inputs.now) {
-        isInjected_ = false;
-        for (std::optional<Irradiance>* irradiance : {&light_, &occlusion_})
-            if (*irradiance)
-                (*irradiance)->onVoxelsChanged({voxelizes, moved, before != inputs.now, isMoved});
-    }
+    if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
+        light_->onVoxelsChanged({voxelizes, moved, before != inputs.now, isMoved});
     cachedFor_ = inputs.now;
 
-    const auto inject = [&](const Irradiance* irradiance) {
-        const std::uint32_t frameIndex = irradiance != nullptr ? irradiance->frameIndex() : 0;
-        timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, irradiance, frameIndex); });
-        timer.time(Step::mipmap, [&] { mipmapper_.run(voxels_, frameIndex); });
-        isInjected_ = true;
-    };
     VoxelLight light;
-    light.faces = &voxels_.faces();
-    light.faceRange = &voxels_.range();
-    const bool occlusion = reads(inputs.output).ambientVisibility;
-    if (!occlusion && !reads(inputs.output).indirectLight) {
-        if (!isInjected_) inject(nullptr);
-        return light;
+    light.directional = &voxels_;
+    if (!reads(inputs.output).gathered()) return light;
+    if (!light_)
+        light_.emplace(shaders_, settings_.gather, settings_.lightFrames, hasDynamic_ || hasCascades_,
+                       sources_);
+    if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();
+    for (int i = 0; i < inputs.lightSteps && !light_->isConverged(); ++i) {
+        timer.time(Step::irradiance, [&] { light_->beginStep(voxels_, inputs.surface, inputs.allBounces); });
+        timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
+        timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
     }
-    Irradiance& irradiance = irradianceFor(occlusion ? GatherPurpose::occlusion : GatherPurpose::light);
-    if (!occlusion && std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces)
-        irradiance.invalidate();
-    if (occlusion && !isInjected_) inject(nullptr);
-    for (int i = 0; i < inputs.lightSteps && !irradiance.isConverged(); ++i) {
-        timer.time(Step::irradiance,
-                   [&] { irradiance.beginStep(voxels_, inputs.surface, inputs.allBounces); });
-        if (!occlusion) inject(&irradiance);
-        timer.time(Step::irradiance, [&] { irradiance.gather(voxels_); });
-    }
-    light.irradiance = irradiance.irradiance();
-    light.bricks = irradiance.bricks();
-    light.walls = irradiance.walls();
+    if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))
+        timer.time(Step::irradiance, [&] { light_->fillBricks(voxels_, visibility); });
+    light.irradiance = light_->irradiance();
+    light.bricks = light_->bricks();
+    light.walls = light_->walls();
     return light;
-}
-
-Irradiance& DirectionalVolume::irradianceFor(GatherPurpose of) {
-    std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
-    if (!pass)
-        pass.emplace(shaders_, of == GatherPurpose::occlusion ? settings_.occlusion : settings_.gather, of,
-                     settings_.lightFrames, hasDynamic_ || hasCascades_, featuresFor(of, sources_));
-    return *pass;
-}
-
-const Irradiance* DirectionalVolume::irradiance(GatherPurpose of) const {
-    const std::optional<Irradiance>& pass = of == GatherPurpose::occlusion ? occlusion_ : light_;
-    return pass ? &*pass : nullptr;
 }
 
 Resources DirectionalVolume::resources() const {
     Resources resources = voxels_.resources();
-    for (const std::optional<Irradiance>* pass : {&light_, &occlusion_}) {
-        if (!*pass) continue;
-        add(resources, (*pass)->faceIrradiance());
-        for (const gl::Texture* texture : (*pass)->textures())
+    if (light_) {
+        add(resources, light_->faceIrradiance());
+        for (const gl::Texture* texture : light_->textures())
             add(resources, *texture);
     }
     return resources;

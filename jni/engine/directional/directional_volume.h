@@ -5,7 +5,6 @@
 
 #include <optional>
 
-#include "engine/directional/directional_mipmapper.h"
 #include "engine/directional/directional_voxelizer.h"
 #include "engine/directional/irradiance.h"
 #include "engine/directional/light_injector.h"
@@ -26,8 +25,7 @@ class DirectionalVolume final : public VoxelVolume {
         isPrepared_ = false;
     }
     void dropUnread(Output output) override {
-        if (!reads(output).indirectLight) light_.reset();
-        if (!reads(output).ambientVisibility) occlusion_.reset();
+        if (!reads(output).gathered()) light_.reset();
     }
 
     const VoxelPyramid& occupancy() const override { return voxels_.index(); }
@@ -35,7 +33,7 @@ class DirectionalVolume final : public VoxelVolume {
 
     const DirectionalVoxels& voxels() const { return voxels_; }
     // Null if no output has needed it yet.
-    const Irradiance* irradiance(GatherPurpose of) const;
+    const Irradiance* irradiance() const { return light_ ? &*light_ : nullptr; }
 
   private:
     void voxelizeStatic(const GpuScene& scene, const Cascades& cascades);
@@ -46,7 +44,6 @@ class DirectionalVolume final : public VoxelVolume {
     // again, in all cascades. Throws vct::Error if a list of voxels overflowed, because its capacity is
     // fixed.
     bool growIfNeeded(const shared::CommandLists& found);
-    Irradiance& irradianceFor(GatherPurpose of);
 
     gl::ShaderLibrary shaders_;
     Settings settings_;
@@ -58,11 +55,9 @@ class DirectionalVolume final : public VoxelVolume {
     DirectionalVoxelizer voxelizer_;
     gl::AsyncRead counts_;  // list counts after the last voxelization of dynamic objects
     LightInjector injector_;
-    DirectionalMipmapper mipmapper_;
-    std::optional<Irradiance> light_, occlusion_;  // created when an output needs them
-    std::optional<Cascades> cascades_;             // their places in the last voxelization, if it is valid
+    std::optional<Irradiance> light_;   // created when an output needs it
+    std::optional<Cascades> cascades_;  // their places in the last voxelization, if it is valid
     bool isPrepared_ = false;
-    bool isInjected_ = false;              // the faces hold the light of the present state
     bool allBounces_ = true;               // light_ has all bounces
     std::optional<SceneState> cachedFor_;  // the state that the voxels were made for, if they are valid
 };

@@ -8,11 +8,9 @@ namespace vct {
 
 namespace {
 
-// `side`: pixels of the projected volume. Software rasterizers work on tiles of 64 x 64 pixels in parallel. A
-// projection of 64 x 64 is shifted onto the corner of four tiles, so that four cores can work on it.
-glm::ivec4 viewportFor(int side) {
-    const int offset = side <= 64 ? 32 : 0;
-    return {offset, offset, side, side};
+// Two pixels per voxel and axis, so that the coverage of a face has steps of a quarter.
+glm::ivec4 viewportFor(int grid) {
+    return {0, 0, 2 * grid, 2 * grid};
 }
 
 }  // namespace
@@ -122,7 +120,6 @@ void DirectionalVoxelizer::accumulate(const GpuScene& scene, ScenePart part, std
         voxels.index().dispatchOverFaces(0);
     }
     voxels.indexOf(list).bind(VCT_TEX_VOXELS);
-    accumulate_.setUniform(VCT_UNIFORM_LIST, list);
     drawIntoCascades(scene, accumulate_, part, cascades, moved);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

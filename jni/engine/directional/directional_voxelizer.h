@@ -1,6 +1,6 @@
 // Voxelizes parts of the scene into the sums of the base level's faces, in three passes: the triangles mark
-// the faces that they cover, a pass over the occupied voxels lists these faces and their parents at all
-// levels, and the triangles add to the sums of the listed faces.
+// the faces that they cover, a pass over the occupied voxels lists these faces and those of the blocks, and
+// the triangles add to the sums of the listed faces.
 #pragma once
 
 #include "engine/cascades.h"
@@ -15,7 +15,7 @@ gl::ProgramDescription keepVoxelsProgram();
 gl::ProgramDescription keepSumsProgram(bool emission);
 gl::ProgramDescription accumulateProgram(unsigned features, bool emission);
 
-// The viewport that the volume is projected to along an axis, one pixel per voxel. The framebuffer has no
+// The viewport that the volume is projected to along an axis, four pixels per voxel. The framebuffer has no
 // attachments, because the fragments write to buffers and images.
 class FaceProjection {
   public:

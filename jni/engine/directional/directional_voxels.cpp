@@ -13,8 +13,16 @@ gl::ProgramDescription clearDynamicProgram(bool emission) {
     return {"directional/clear_dynamic", {"directional/clear_dynamic.comp"}, emissionDefines(emission)};
 }
 
-gl::ProgramDescription clearLevelProgram() {
-    return {"directional/clear", {"directional/clear.comp"}, {}};
+gl::ProgramDescription clearBlocksProgram() {
+    return {"directional/clear_blocks", {"directional/clear_blocks.comp"}, {}};
+}
+
+gl::ProgramDescription fillBlocksProgram(bool emission) {
+    return {"directional/fill_blocks", {"directional/fill_blocks.comp"}, emissionDefines(emission)};
+}
+
+gl::ProgramDescription resolveProgram(bool emission) {
+    return {"directional/resolve", {"directional/resolve.comp"}, emissionDefines(emission)};
 }
 
 gl::ProgramDescription resetListsProgram() {
@@ -26,6 +34,8 @@ gl::ProgramDescription markStaticProgram() {
 }
 
 namespace {
+
+constexpr int octants = 8;  // of directions, each with bits of its own in the texture of blocks
 
 // The position of a listed face's voxel in an array of side^2 voxels per layer.
 std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
@@ -47,14 +57,13 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       index_(shaders, grid, listCapacity,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
              cascades),
-      faces_(gl::Texture::make3d("voxel faces", GL_RGBA8, blocksX * grid, blocksY * grid, cascades * grid,
-                                 index_.levels())) {
-    faces_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
-    const shared::FaceRange unknown{};
-    range_ = gl::Buffer("range of voxel faces", GL_UNIFORM_BUFFER, sizeof unknown, &unknown, GL_DYNAMIC_COPY);
+      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, octants * grid / VCT_BRICK_SIDE,
+                                  grid / VCT_BRICK_SIDE, cascades * grid / VCT_BRICK_SIDE, 1)),
+      fillBlocks_(shaders, fillBlocksProgram(emission)),
+      resolve_(shaders, resolveProgram(emission)) {
     if (!dynamicObjects && cascades == 1) return;
     clearDynamic_ = gl::Program(shaders, clearDynamicProgram(emission));
-    clearLevel_ = gl::Program(shaders, clearLevelProgram());
+    clearBlocks_ = gl::Program(shaders, clearBlocksProgram());
     resetLists_ = gl::Program(shaders, resetListsProgram());
     if (cascades > 1) {
         markStatic_ = gl::Program(shaders, markStaticProgram());
@@ -66,15 +75,19 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
 }
 
 std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
+    const int blocks = grid / VCT_BRICK_SIDE;
     return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces, cascades) +
-           gl::textureBytes(GL_RGBA8, blocksX * grid, blocksY * grid, cascades * grid, 1) * 8 / 7;
+           gl::textureBytes(GL_RGBA16UI, octants * blocks, blocks, cascades * blocks, 1);
+}
+
+int DirectionalVoxels::widestTexture(int grid, int cascades) {
+    return std::max(octants / VCT_BRICK_SIDE, cascades) * grid;
 }
 
 Resources DirectionalVoxels::resources() const {
     Resources resources = index_.resources();
-    add(resources, faces_);
+    add(resources, blocks_);
     add(resources, faceData_);
-    add(resources, range_);
     for (const gl::Texture& texture : dynamicIndices_)
         add(resources, texture);
     if (otherStaticIndex_) add(resources, *otherStaticIndex_);
@@ -88,10 +101,15 @@ const gl::Texture& DirectionalVoxels::indexOf(std::uint32_t list) const {
     return dynamicIndices_[list - VCT_LIST_DYNAMIC];
 }
 
-// Sets the positions of the lists and of the levels' bits in faceData(), in words
+std::uint32_t DirectionalVoxels::firstFaceWord() const {
+    const auto side = static_cast<std::uint32_t>(grid() / VCT_BRICK_SIDE);
+    return VCT_BLOCK_WORDS * side * side * side * static_cast<std::uint32_t>(cascades_);
+}
+
+// Sets the positions of the lists and of the blocks' bits in faceData(), in words
 // (shaders/directional/face_lists.glsl).
 void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
-    std::uint32_t next = idCapacity() * faceWords(), firstId = 0;
+    std::uint32_t next = firstFaceWord() + idCapacity() * faceWords(), firstId = 0;
     for (const std::uint32_t list : baseLists) {
         shared::LevelCommands& base = commands.lists[list];
         base.firstFace = next + firstId;
@@ -99,28 +117,21 @@ void DirectionalVoxels::placeLists(shared::CommandLists& commands) const {
         base.faceCapacity = capacities_[list];
         firstId += capacities_[list];
     }
-    next += firstId;
-    for (int level = 1; level < levels(); ++level) {
-        shared::LevelCommands& above = commands.lists[level];
-        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> level;
-        above.firstFace = next;
-        above.faceCapacity = capacities_[static_cast<std::size_t>(level)];
-        above.firstMask = next + above.faceCapacity;
-        next = above.firstMask + (side * side * side * static_cast<std::uint32_t>(cascades_) + 3) / 4;
-    }
+    shared::LevelCommands& blocks = commands.lists[VCT_BRICK_LEVEL];
+    blocks.firstFace = next + firstId;
+    blocks.faceCapacity = capacities_[VCT_BRICK_LEVEL];
+    blocks.firstMask = blocks.firstFace + blocks.faceCapacity;
 }
 
 std::size_t DirectionalVoxels::words() const {
     shared::CommandLists commands{};
     placeLists(commands);
-    const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> (levels() - 1);
-    return commands.lists[levels() - 1].firstMask +
-           (side * side * side * static_cast<std::size_t>(cascades_) + 3) / 4;
+    const std::size_t blocks = firstFaceWord() / VCT_BLOCK_WORDS;
+    return commands.lists[VCT_BRICK_LEVEL].firstMask + (blocks + 3) / 4;
 }
 
 void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     const gl::DebugGroup group("clear voxels");
-    gl::clearTexture3d(faces_, cascades_ * grid());
     index_.clearTexture();
     for (const gl::Texture& texture : dynamicIndices_)
         gl::clearTexture3d(texture, cascades_ * grid());
@@ -130,8 +141,8 @@ void DirectionalVoxels::reset(const FaceCapacities& capacities) {
     capacities_ = capacities;
     pose_ = staticPose_ = 0;
     const std::vector<std::uint32_t> zeros(words());
-    faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
-                           zeros.size() * sizeof zeros[0], zeros.data(), GL_DYNAMIC_COPY);
+    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, zeros.size() * sizeof zeros[0],
+                           zeros.data(), GL_DYNAMIC_COPY);
     shared::CommandLists commands = index_.initialCommands();
     placeLists(commands);
     index_.setCommands(commands);
@@ -158,38 +169,41 @@ void DirectionalVoxels::grow(const FaceCapacities& capacities) {
         std::copy_n(before.begin() + static_cast<std::ptrdiff_t>(from), count,
                     after.begin() + static_cast<std::ptrdiff_t>(to));
     };
-    for (std::uint32_t list = 0; list < VCT_LISTS; ++list) {
-        const bool isBase = list == 0 || list >= VCT_LIST_DYNAMIC;
+    copy(0, 0, firstFaceWord());
+    for (const std::uint32_t list : baseLists) {
         const bool isOlder = list >= VCT_LIST_DYNAMIC && list != staticList() && list != dynamicList();
         shared::LevelCommands& now = commands.lists[list];
         const shared::LevelCommands& was = old.lists[list];
         const std::uint32_t count = isOlder ? 0 : std::min(was.faceCount, was.faceCapacity);
         copy(was.firstFace, now.firstFace, count);
-        if (isBase)
-            copy(std::size_t{was.firstId} * faceWords(), std::size_t{now.firstId} * faceWords(),
-                 std::size_t{count} * faceWords());
-        if (list == 0) continue;  // its groups cover all lists of the base level
+        copy(firstFaceWord() + std::size_t{was.firstId} * faceWords(),
+             firstFaceWord() + std::size_t{now.firstId} * faceWords(), std::size_t{count} * faceWords());
+        if (list == 0) continue;  // its groups cover all lists of the base level, and its ids stay
         now.faceCount = count;
         now.staticFaces = std::min(now.staticFaces, count);
-        // The index and the bits also mark faces that did not fit into the lists, so they are rebuilt.
+        // The index also marks faces that did not fit into the lists, and has their ids, so it is rebuilt.
         const auto first = after.begin() + static_cast<std::ptrdiff_t>(now.firstFace);
-        const std::vector<std::uint32_t> entries(first, first + count);
-        if (isBase && now.faceCapacity > 0) writeIndex(list, entries);
-        const std::uint32_t side = static_cast<std::uint32_t>(grid()) >> list;
-        for (std::size_t i = 0; !isBase && i < entries.size(); ++i) {
-            const std::size_t place = placeIn(side, entries[i]);
-            after[now.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entries[i]));
-        }
+        if (now.faceCapacity > 0) writeIndex(list, now.firstId, {first, first + count});
+    }
+    shared::LevelCommands& now = commands.lists[VCT_BRICK_LEVEL];
+    now.faceCount = std::min(now.faceCount, old.lists[VCT_BRICK_LEVEL].faceCapacity);
+    now.staticFaces = std::min(now.staticFaces, now.faceCount);
+    copy(old.lists[VCT_BRICK_LEVEL].firstFace, now.firstFace, now.faceCount);
+    for (std::uint32_t i = 0; i < now.faceCount; ++i) {
+        const std::uint32_t entry = after[now.firstFace + i];
+        const std::size_t place = placeIn(static_cast<std::uint32_t>(grid() / VCT_BRICK_SIDE), entry);
+        after[now.firstMask + place / 4] |= 1U << (8 * (place & 3U) + shared::unpackFace(entry));
     }
     faceData_ = {};
-    faceData_ = gl::Buffer("voxel faces' sums and lists", GL_SHADER_STORAGE_BUFFER,
-                           after.size() * sizeof after[0], after.data(), GL_DYNAMIC_COPY);
+    faceData_ = gl::Buffer("voxel faces and lists", GL_SHADER_STORAGE_BUFFER, after.size() * sizeof after[0],
+                           after.data(), GL_DYNAMIC_COPY);
     index_.setCommands(commands);
 }
 
-// Writes the index of the faces in a list: packCell() of shaders/directional/face_lists.glsl. The entries of
+// Writes the index of the faces in a list: packCell() of shaders/directional/face_data.glsl. The entries of
 // a voxel follow each other.
-void DirectionalVoxels::writeIndex(std::uint32_t list, const std::vector<std::uint32_t>& entries) const {
+void DirectionalVoxels::writeIndex(std::uint32_t list, std::uint32_t firstId,
+                                   const std::vector<std::uint32_t>& entries) const {
     const gl::Texture& index = indexOf(list);
     if (entries.empty()) {
         gl::clearTexture3d(index, cascades_ * grid());
@@ -199,7 +213,7 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, const std::vector<std::ui
     std::vector<std::uint32_t> cells(std::size_t{side} * side * side * static_cast<std::uint32_t>(cascades_));
     for (std::uint32_t i = 0; i < entries.size(); ++i) {
         std::uint32_t& cell = cells[placeIn(side, entries[i])];
-        if (cell == 0) cell = (i + 1) << VCT_FACE_MASK_BITS;
+        if (cell == 0) cell = (firstId + i + 1) << VCT_FACE_MASK_BITS;
         cell |= 1U << shared::unpackFace(entries[i]);
     }
     index.bind(VCT_TEX_VOXELS);
@@ -208,17 +222,16 @@ void DirectionalVoxels::writeIndex(std::uint32_t list, const std::vector<std::ui
 }
 
 // `list`: the list of the last pose.
-void DirectionalVoxels::clearLast(std::uint32_t list, std::uint32_t moved) const {
+void DirectionalVoxels::clearLast(std::uint32_t list) const {
     gl::Uniform1ui(VCT_UNIFORM_LIST, list);
-    gl::Uniform1ui(VCT_UNIFORM_CASCADES, moved);
     indexOf(list ^ 1U).bindImage(VCT_IMAGE_VOXELS, 0, GL_WRITE_ONLY);
     index_.dispatchOverFaces(0);
 }
 
-void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
+void DirectionalVoxels::begin(bool withStatic) {
     const gl::DebugGroup group(withStatic ? "remove geometry" : "remove dynamic objects");
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     bindLists();
     if (withStatic) {
         markStatic_.use();
@@ -227,16 +240,10 @@ void DirectionalVoxels::begin(bool withStatic, std::uint32_t moved) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     clearDynamic_.use();
-    faces_.bind(VCT_TEX_FACES);
-    bindLevel(VCT_IMAGE_FACES, 0);
-    if (hasDynamicObjects()) clearLast(dynamicList(), allCascades);
-    if (withStatic) clearLast(staticList(), moved);
-    clearLevel_.use();
-    for (int level = 1; level < levels(); ++level) {
-        bindLevel(VCT_IMAGE_FACES, level);
-        gl::Uniform1ui(VCT_UNIFORM_LEVEL, static_cast<GLuint>(level));
-        index_.dispatchOverFaces(level);
-    }
+    if (hasDynamicObjects()) clearLast(dynamicList());
+    if (withStatic) clearLast(staticList());
+    clearBlocks_.use();
+    index_.dispatchOverFaces(VCT_BRICK_LEVEL);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     pose_ = 1 - pose_;
     if (withStatic) staticPose_ = 1 - staticPose_;
@@ -269,27 +276,37 @@ std::vector<DirectionalVoxels::BaseFace> DirectionalVoxels::readBaseFaces() cons
     return faces;
 }
 
-std::vector<std::uint32_t> DirectionalVoxels::readFaceList(int level) const {
-    std::vector<std::uint32_t> faces;
-    if (level == 0) {
-        for (const BaseFace& face : readBaseFaces())
-            faces.push_back(face.entry);
-        return faces;
-    }
-    const shared::LevelCommands list = index_.readCommands().lists[level];
-    faces.resize(std::min(list.faceCount, list.faceCapacity));
+std::vector<std::uint32_t> DirectionalVoxels::readBlockFaces() const {
+    const shared::LevelCommands list = index_.readCommands().lists[VCT_BRICK_LEVEL];
+    std::vector<std::uint32_t> faces(std::min(list.faceCount, list.faceCapacity));
     faceData_.read(faces.data(), faces.size() * sizeof faces[0], list.firstFace * sizeof faces[0]);
     return faces;
+}
+
+void DirectionalVoxels::resolve() const {
+    const gl::DebugGroup group("resolve faces");
+    bindLists();
+    resolve_.use();
+    staticIndex().bind(VCT_TEX_VOXELS);
+    dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    index_.dispatchOverFaces(0);
+    fillBlocks_.use();
+    blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
+    const auto groups = static_cast<GLuint>((grid() / VCT_BRICK_SIDE + 3) / 4);
+    gl::DispatchCompute(groups, groups, groups * static_cast<GLuint>(cascades_));
+    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void DirectionalVoxels::bindLists() const {
     index_.bindLists();
     faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
-    range_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
 }
 
-void DirectionalVoxels::bindLevel(int unit, int level) const {
-    faces_.bindImage(unit, level, GL_WRITE_ONLY);
+void DirectionalVoxels::bindForRays() const {
+    faceData_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACES);
+    staticIndex().bind(VCT_TEX_VOXELS);
+    dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    blocks_.bind(VCT_TEX_BLOCKS);
 }
 
 }  // namespace vct

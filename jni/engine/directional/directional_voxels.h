@@ -1,7 +1,8 @@
-// The textures and buffers of directional voxels: six one-sided faces per voxel in a filterable texture with
-// mip levels, the face lists, and the sums of voxelization. Static geometry and dynamic objects have separate
-// sums, which the injection of light combines. The layouts are described in shaders/directional: voxels.glsl,
-// face_lists.glsl and face_sums.glsl.
+// The textures and buffers of directional voxels: the index of occupied voxels, each with up to six one-sided
+// faces; the faces' surfaces, materials and radiance by their ids; the face lists, and the sums of
+// voxelization. Static geometry and dynamic objects have separate sums, which are combined after a pose has
+// been voxelized. The layouts are described in shaders/directional: face_data.glsl, face_lists.glsl and
+// face_sums.glsl.
 #pragma once
 
 #include <array>
@@ -17,7 +18,9 @@ namespace vct {
 float faceSumUnits(std::size_t triangles);
 
 gl::ProgramDescription clearDynamicProgram(bool emission);
-gl::ProgramDescription clearLevelProgram();
+gl::ProgramDescription clearBlocksProgram();
+gl::ProgramDescription fillBlocksProgram(bool emission);
+gl::ProgramDescription resolveProgram(bool emission);
 gl::ProgramDescription resetListsProgram();
 gl::ProgramDescription markStaticProgram();
 
@@ -34,25 +37,24 @@ class DirectionalVoxels {
 
     Resources resources() const;
     static std::size_t bytesFor(int grid, int cascades, std::uint32_t listCapacity);
-    // The texture of faces holds six blocks of grid^3 texels per cascade: three along x and two along y.
-    // Cascades follow each other along z.
-    static constexpr int blocksX = 3, blocksY = 2;
+    // The largest side of its 3D textures, in texels.
+    static int widestTexture(int grid, int cascades);
+    // A texture of the faces of blocks holds the six directions beside each other: three along x and two
+    // along y. Cascades follow each other along z.
+    static constexpr int directionsX = 3, directionsY = 2;
 
     int grid() const { return index_.grid(); }
     int cascades() const { return cascades_; }
-    int levels() const { return faces_.levels(); }
 
-    // Radiance and coverage of the faces: RGBA8, 3 x 2 blocks of grid^3 texels per cascade, premultiplied by
-    // coverage. The radiance that 8 bits store as 1 is in range().
-    const gl::Texture& faces() const { return faces_; }
-    // A shared::FaceRange that shaders write and read (shaders/directional/face_range.glsl).
-    const gl::Buffer& range() const { return range_; }
     // The index of the static geometry's occupied voxels, and all active-voxel lists.
     const VoxelPyramid& index() const { return index_; }
-    // The sums of all faces, and the face lists.
+    // The occupied voxels of blocks, for rays: shaders/directional/fill_blocks.comp.
+    const gl::Texture& blocks() const { return blocks_; }
+    // The data of all faces, and the face lists: shaders/directional/face_data.glsl.
     const gl::Buffer& faceData() const { return faceData_; }
-    // Words per face in faceData().
+    // Words per face in faceData(), and the position of the first face's.
     std::uint32_t faceWords() const { return emission_ ? VCT_EMISSIVE_FACE_WORDS : VCT_FACE_WORDS; }
+    std::uint32_t firstFaceWord() const;
     const FaceCapacities& capacities() const { return capacities_; }
     // The lists of the base level in the order of their ids.
     static constexpr std::array<std::uint32_t, 5> baseLists{0, VCT_LIST_DYNAMIC, VCT_LIST_DYNAMIC + 1,
@@ -79,15 +81,16 @@ class DirectionalVoxels {
     // Grows the lists to these capacities. What the present lists hold keeps its place in them, so that the
     // next voxelization finds it; faces that did not fit are missing until then. Waits for the GPU.
     void grow(const FaceCapacities& capacities);
-    // Removes the dynamic objects of the last pose. Faces that they shared with static geometry keep their
-    // radiance until the next injection of light.
-    void beginPose() { begin(false, allCascades); }
-    // With cascades: removes the static geometry as well, but for the radiance of the faces of cascades that
-    // have not moved. `moved`: a bit per cascade.
-    void beginStatic(std::uint32_t moved) { begin(true, moved); }
+    // Removes the dynamic objects of the last pose.
+    void beginPose() { begin(false); }
+    // With cascades: removes the static geometry as well.
+    void beginStatic() { begin(true); }
     static constexpr std::uint32_t allCascades = 0xFFFFFFFFU;
     // Ends beginStatic(): what is listed now is static.
     void endStatic() const;
+    // Writes the occupied voxels of blocks, and the surface and the material of each face, after static
+    // geometry and pose have been voxelized.
+    void resolve() const;
 
     // Entries (shared::packFace()) and ids of the base level's faces in the present pose, without merged
     // faces. Waits for the GPU.
@@ -95,31 +98,34 @@ class DirectionalVoxels {
         std::uint32_t entry, id;
     };
     std::vector<BaseFace> readBaseFaces() const;
-    // Entries of a level's face list. Waits for the GPU.
-    std::vector<std::uint32_t> readFaceList(int level) const;
+    // Entries of the faces of blocks. Waits for the GPU.
+    std::vector<std::uint32_t> readBlockFaces() const;
 
-    void bindLevel(int unit, int level) const;
-    // Binds the lists of voxels and faces, the faces' sums and their range for shaders.
+    // Binds the lists of voxels and faces, and the faces' data for shaders.
     void bindLists() const;
+    // Binds the faces' data and the indices for rays (shaders/directional/ray.glsl).
+    void bindForRays() const;
 
   private:
-    void begin(bool withStatic, std::uint32_t moved);
-    void clearLast(std::uint32_t list, std::uint32_t moved) const;
+    void begin(bool withStatic);
+    void clearLast(std::uint32_t list) const;
     void placeLists(shared::CommandLists& commands) const;
-    void writeIndex(std::uint32_t list, const std::vector<std::uint32_t>& entries) const;
+    void writeIndex(std::uint32_t list, std::uint32_t firstId,
+                    const std::vector<std::uint32_t>& entries) const;
     std::size_t words() const;
 
     int cascades_;
     bool emission_;
     VoxelPyramid index_;
-    gl::Texture faces_;
     std::vector<gl::Texture> dynamicIndices_;      // two, alternately of the present pose and the last one
     std::optional<gl::Texture> otherStaticIndex_;  // with cascades; the first one is index_'s
-    gl::Buffer faceData_, range_;
+    gl::Buffer faceData_;
     FaceCapacities capacities_{};
     std::uint32_t pose_ = 0, staticPose_ = 0;
-    gl::Program clearDynamic_, clearLevel_, resetLists_;  // only with dynamic objects or cascades
-    gl::Program markStatic_;                              // only with cascades
+    gl::Texture blocks_;  // shaders/directional/fill_blocks.comp
+    gl::Program fillBlocks_, resolve_;
+    gl::Program clearDynamic_, clearBlocks_, resetLists_;  // only with dynamic objects or cascades
+    gl::Program markStatic_;                               // only with cascades
 };
 
 }  // namespace vct

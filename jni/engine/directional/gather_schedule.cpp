@@ -11,34 +11,34 @@ namespace {
 // Maximum history length in steps while light or surfaces change. A shorter history is noisy, a longer one
 // lags behind the change (docs/design-decisions.md).
 constexpr float maxHistoryWhileChanging = 15.0F;
-// The same in the first step after the changes. Steps have more cones then, so outdated light can be replaced
+// The same in the first step after the changes. Steps have more rays then, so outdated light can be replaced
 // sooner.
 constexpr float maxHistoryAfterChange = 9.0F;
-// Minimum number of cones in the first step of a face without a history.
-constexpr std::uint32_t initialCones = 8;
-// Maximum history length in steps. A few more cones hardly change such a long mean.
+// Minimum number of rays in the first step of a face without a history.
+constexpr std::uint32_t initialRays = 8;
+// Maximum history length in steps. A few more rays hardly change such a long mean.
 constexpr float maxHistory = 192.0F;
 // Decrease of the block's weight in a face's irradiance per step after the changes.
 constexpr float smoothingDecay = 0.25F;
 
 // Steps after cascades have moved in which only the faces that are new to their cascade gather, with a budget
-// of cones, so that a walk costs the same in every frame. The light of all others has not changed.
+// of rays, so that a walk costs the same in every frame. The light of all others has not changed.
 constexpr int stepsAfterMove = 24;
-// Faces with a history of this length are no longer new to their cascade: 128 cones.
+// Faces with a history of this length are no longer new to their cascade: 128 rays.
 constexpr float longEnoughAfterMove = 24.0F;
-// Cones per turn of a face.
-constexpr std::uint32_t conesAfterMove = 8;
+// Rays per turn of a face.
+constexpr std::uint32_t raysAfterMove = 8;
 // The step in which cascades move has a smaller budget, because its frame also voxelizes.
 constexpr std::uint32_t movingBudgetDivisor = 4;
 
 }  // namespace
 
 GatherSchedule::GatherSchedule(const GatherSettings& settings, int lightFrames)
-    : cones_(settings.cones),
-      coneBudget_(settings.coneBudget),
+    : rays_(settings.rays),
+      rayBudget_(settings.rayBudget),
       lightFrames_(lightFrames),
-      convergenceRound_(settings.directions / settings.cones),
-      refinementSteps_(lightFrames >= 2 * convergenceRound_ ? settings.refinedDirections / settings.cones
+      convergenceRound_(settings.directions / settings.rays),
+      refinementSteps_(lightFrames >= 2 * convergenceRound_ ? settings.refinedDirections / settings.rays
                                                             : 0) {
     invalidate();
 }
@@ -84,13 +84,13 @@ GatherStep GatherSchedule::advance(const Change& change) {
     GatherStep step;
     step.frame = frame_;
     step.direction = direction_;
-    step.cones = hasBudget ? 1U : static_cast<std::uint32_t>(cones_);
-    step.coneBudget = hasBudget ? static_cast<std::uint32_t>(coneBudget_) : 0U;
-    step.initialCones = std::max(initialCones, step.cones);
+    step.rays = hasBudget ? 1U : static_cast<std::uint32_t>(rays_);
+    step.rayBudget = hasBudget ? static_cast<std::uint32_t>(rayBudget_) : 0U;
+    step.initialRays = std::max(initialRays, step.rays);
     if (moved) {
-        step.cones = conesAfterMove;
-        step.coneBudget /= conesAfterMove;  // of faces, in this case
-        if (change.cascades) step.coneBudget /= movingBudgetDivisor;
+        step.rays = raysAfterMove;
+        step.rayBudget /= raysAfterMove;  // of faces, in this case
+        if (change.cascades) step.rayBudget /= movingBudgetDivisor;
         step.longEnough = longEnoughAfterMove;
     }
     step.beginsRound = inRound.length > 0 && inRound.place == 0;
@@ -104,10 +104,10 @@ GatherStep GatherSchedule::advance(const Change& change) {
 
     lastShare_ = moved ? 0.0F : share;
     history_ = history_ == 0.0F ? float{VCT_INITIAL_HISTORY} : std::min(history_ + 1.0F, maxHistory);
-    if (!hasBudget) direction_ += static_cast<std::uint32_t>(cones_);
+    if (!hasBudget) direction_ += static_cast<std::uint32_t>(rays_);
     ++frame_;
     if (!hasBudget || changed) stepsLeft_ = std::max(stepsLeft_ - 1, 0);
-    // If only the lists change after convergence, a few cones should change the light little.
+    // If only the lists change after convergence, a few rays should change the light little.
     if (stepsLeft_ == 0) history_ = maxHistory;
     return step;
 }

@@ -1,4 +1,4 @@
-// Decides how each light step gathers: the number of cones, the length of the histories, and whether the
+// Decides how each light step gathers: the number of rays, the length of the histories, and whether the
 // light has converged. It uses no GL, so that unit tests can run it alone.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace vct {
 struct GatherStep {
     std::uint32_t frame = 0;          // number of the step
     std::uint32_t direction = 0;      // index of the first direction, if the step has no budget
-    std::uint32_t cones = 0;          // per face
-    std::uint32_t initialCones = 0;   // per face without a history
-    std::uint32_t coneBudget = 0;     // cones of the whole step, for which faces take turns; 0: no limit
+    std::uint32_t rays = 0;           // per face
+    std::uint32_t initialRays = 0;    // per face without a history
+    std::uint32_t rayBudget = 0;      // rays of the whole step, for which faces take turns; 0: no limit
     bool beginsRound = false;         // the step is the first of a round
     float roundShare = 0.0F;          // weight of the step in its round; 0 outside of rounds
     float history = 0.0F;             // maximum history length, in steps
@@ -57,7 +57,7 @@ class GatherSchedule {
     };
     Round round(bool changed) const;
 
-    int cones_, coneBudget_, lightFrames_, convergenceRound_, refinementSteps_;
+    int rays_, rayBudget_, lightFrames_, convergenceRound_, refinementSteps_;
     int stepsLeft_ = 0;
     bool lastStepUnchanged_ = true;  // nothing changed before the last step
     float history_ = 0.0F;           // length of the histories, in steps

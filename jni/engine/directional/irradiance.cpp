@@ -24,7 +24,7 @@ namespace {
 // The size of a texture with one texel per face of each block.
 glm::ivec3 blocksSize(const DirectionalVoxels& voxels) {
     return voxels.grid() / VCT_BRICK_SIDE *
-           glm::ivec3(DirectionalVoxels::blocksX, DirectionalVoxels::blocksY, voxels.cascades());
+           glm::ivec3(DirectionalVoxels::directionsX, DirectionalVoxels::directionsY, voxels.cascades());
 }
 
 // Dispatches one invocation per texel, in groups of 4^3.
@@ -45,35 +45,20 @@ gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures
     return {name, {"directional/" + name + ".comp"}, defines};
 }
 
-LightFeatures featuresFor(GatherPurpose purpose, const LightFeatures& sources) {
-    if (purpose == GatherPurpose::light) return sources;
-    LightFeatures emission;
-    emission.emission = sources.emission;  // affects the number of words per face
-    return emission;
+gl::ProgramDescription emittersProgram(const LightFeatures& sources) {
+    return {"emitters", {"directional/emitters.comp"}, lightProgram("emitters", sources).defines};
 }
 
-gl::ProgramDescription emittersProgram(const GatherSettings& settings, const LightFeatures& sources) {
-    std::vector<std::string> defines = gatherDefines(settings);
-    defines.emplace_back("VCT_EMITTERS");
-    append(defines, emissionDefines(sources.emission));
-    return {"emitters", {"directional/emitters.comp"}, defines};
-}
-
-gl::ProgramDescription gatherProgram(const GatherSettings& settings, GatherPurpose purpose,
-                                     const LightFeatures& sources) {
+gl::ProgramDescription gatherProgram(const GatherSettings& settings, const LightFeatures& sources) {
     std::vector<std::string> defines = gatherDefines(settings);
     defines.push_back("VCT_RECENT_STEP_WEIGHT " + number(recentStepWeight));
-    defines.emplace_back(purpose == GatherPurpose::occlusion ? "VCT_GATHER_OCCLUSION true"
-                                                             : "VCT_GATHER_OCCLUSION false");
     append(defines, lightDefines(sources));
     append(defines, emissionDefines(sources.emission));
-    return {purpose == GatherPurpose::occlusion ? "gather, occlusion" : "gather",
-            {"directional/gather.comp"},
-            defines};
+    return {"gather", {"directional/gather.comp"}, defines};
 }
 
-Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings,
-                       GatherPurpose purpose, int lightFrames, bool listsChange, const LightFeatures& sources)
+Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& settings, int lightFrames,
+                       bool listsChange, const LightFeatures& sources)
     : settings_(settings),
       schedule_(settings, lightFrames),
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
@@ -81,15 +66,12 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       markWalls_(shaders, lightProgram("mark_walls", sources)),
       markLookups_(shaders, lightProgram("mark_lookups", sources)),
       chooseFaces_(shaders, lightProgram("choose_faces", sources)),
-      gather_(shaders, gatherProgram(settings, purpose, sources)),
+      gather_(shaders, gatherProgram(settings, sources)),
       lightBlocks_(shaders, lightProgram("light_blocks", sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
       uniforms_("light step", GL_UNIFORM_BUFFER, sizeof(shared::LightStep), nullptr, GL_DYNAMIC_DRAW) {
     if (listsChange) carryOver_.emplace(shaders, lightProgram("carry_over", sources));
-    if (sources.emitters) emitters_.emplace(shaders, emittersProgram(settings, sources));
-    const shared::FaceRange one{1.0F, 1.0F, 0.0F, 0.0F};
-    if (purpose == GatherPurpose::occlusion)
-        visibilityRange_.emplace("range of visibility", GL_UNIFORM_BUFFER, sizeof one, &one, GL_STATIC_DRAW);
+    if (sources.emitters) emitters_.emplace(shaders, emittersProgram(sources));
 }
 
 void Irradiance::onVoxelsChanged(const GatherSchedule::Change& change) {
@@ -115,7 +97,8 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const GBuffer::Targe
     const bool wasSmoothed = step_.smoothing > 0.0F;
     step_ = schedule_.advance(change);
     // While only cascades move, most faces do not gather, and their texels stay as they are.
-    fillsAll_ = visitsAll() || placesBricks_ || wasSmoothed;
+    outdated_ =
+        std::max(outdated_, visitsAll() || placesBricks_ || wasSmoothed ? Outdated::all : Outdated::active);
     reserveFaces(voxels);
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(allBounces);
@@ -136,13 +119,12 @@ void Irradiance::dispatchOverFaces(const DirectionalVoxels& voxels, bool all) co
     if (all)
         voxels.index().dispatchOverFaces(0);
     else
-        gl::DispatchCompute(static_cast<GLuint>((settings_.coneBudget + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP),
+        gl::DispatchCompute(static_cast<GLuint>((settings_.rayBudget + VCT_LIST_GROUP - 1) / VCT_LIST_GROUP),
                             1, 1);
 }
 
 void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t list) const {
     carryOver_->use();
-    voxels.bindLevel(VCT_IMAGE_FACES, 0);
     gl::Uniform1ui(VCT_UNIFORM_LIST, list);
     voxels.staticIndex().bind(VCT_TEX_VOXELS);
     voxels.indexOf(list ^ 1U).bind(VCT_TEX_PREVIOUS_VOXELS);
@@ -153,8 +135,7 @@ void Irradiance::carryOver(const DirectionalVoxels& voxels, std::uint32_t list) 
 void Irradiance::gather(const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("gather");
     bind(voxels);
-    voxels.staticIndex().bind(VCT_TEX_VOXELS);
-    voxels.dynamicIndex().bind(VCT_TEX_DYNAMIC_VOXELS);
+    voxels.bindForRays();
     if (emitters_ && std::max(emitterSteps_, newEmitterSteps_) > 0) {
         emitters_->use();
         const bool all = emitterSteps_ > 0 || visitsAll();
@@ -165,15 +146,24 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
         gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     gather_.use();
-    dispatchOverFaces(voxels, step_.coneBudget == 0);
+    dispatchOverFaces(voxels, step_.rayBudget == 0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     lightBlocks_.use();
     blockLight_->bindImage(VCT_IMAGE_BLOCK_LIGHT, 0, GL_WRITE_ONLY);
     dispatchOver(blocksSize(voxels));
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Irradiance::fillBricks(const DirectionalVoxels& voxels, bool visibility) {
+    if (std::exchange(showsVisibility_, visibility) != visibility) outdated_ = Outdated::all;
+    const Outdated outdated = std::exchange(outdated_, Outdated::none);
+    const gl::DebugGroup group("fill bricks");
+    bind(voxels);
     fillBricks_.use();
+    gl::Uniform1ui(VCT_UNIFORM_SHOWS_VISIBILITY, visibility ? 1 : 0);
+    gl::Uniform1ui(VCT_UNIFORM_FILLS_ALL, outdated == Outdated::all ? 1 : 0);
     irradiance_->bindImage(VCT_IMAGE_IRRADIANCE, 0, GL_WRITE_ONLY);
-    dispatchOverFaces(voxels, fillsAll_);
+    dispatchOverFaces(voxels, outdated == Outdated::all);
     // The last pass of the frame fetches the bricks.
     gl::MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -257,8 +247,8 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     shared::LightStep values{};
     values.frame = step_.frame;
     values.direction = step_.direction;
-    values.cones = step_.cones;
-    values.initialCones = step_.initialCones;
+    values.rays = step_.rays;
+    values.initialRays = step_.initialRays;
     values.beginsRound = step_.beginsRound ? 1 : 0;
     values.roundShare = step_.roundShare;
     values.bricksAlong = bricksAlong_;
@@ -267,12 +257,11 @@ void Irradiance::uploadUniforms(bool allBounces) const {
     values.maxHistory = std::max(step_.history, 1.0F);
     values.maxInheritedHistory = step_.history;
     values.minHistory = step_.minHistory;
-    values.bounceGain = allBounces ? settings_.bounceGain : 0.0F;
+    values.bounces = allBounces ? 1.0F : 0.0F;
     values.previousStepWeight = step_.previousStepWeight;
     values.energyCorrection = step_.energyCorrection;
-    values.coneBudget = step_.coneBudget;
+    values.rayBudget = step_.rayBudget;
     values.longEnough = step_.longEnough;
-    values.fillsAll = fillsAll_ ? 1 : 0;
     values.chosenFaces = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_ + 4 * brickCapacity_;
     values.lastActiveFace = values.chosenFaces + idCapacity_ - 1;
     values.blockSums = VCT_LIGHT_HEADER + irradianceWords() * idCapacity_;
@@ -286,10 +275,8 @@ void Irradiance::uploadUniforms(bool allBounces) const {
 
 void Irradiance::bind(const DirectionalVoxels& voxels) const {
     voxels.bindLists();
-    if (visibilityRange_) visibilityRange_->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
     faceIrradiance_.bindBase(GL_SHADER_STORAGE_BUFFER, VCT_SSBO_FACE_IRRADIANCE);
     uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_LIGHT);
-    voxels.faces().bind(VCT_TEX_FACES);
     bricks_->bind(VCT_TEX_BRICKS);
     walls_->bind(VCT_TEX_WALLS);
     irradiance_->bind(VCT_TEX_IRRADIANCE);

@@ -8,7 +8,7 @@ namespace vct {
 
 ExtraTargets extraTargets(const SceneFeatures& features, Specular specular) {
     return {features.has(featureEmissive) || features.has(featureUnlit),
-            specular == Specular::cone && features.glossy, features.has(featureNormalMap)};
+            specular == Specular::rays && features.glossy, features.has(featureNormalMap)};
 }
 
 gl::ProgramDescription gBufferProgram(unsigned features, ExtraTargets targets) {

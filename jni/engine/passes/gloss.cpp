@@ -1,5 +1,6 @@
 #include "engine/passes/gloss.h"
 
+#include "engine/directional/directional_voxels.h"
 #include "gl/debug.h"
 #include "gl/render_pass.h"
 
@@ -8,10 +9,11 @@ namespace vct {
 namespace {
 
 gl::ProgramDescription program(const char* name, const char* shader, bool mappedNormals,
-                               const LightFeatures& lights, const Settings& settings) {
-    std::vector<std::string> defines = lightDefines({false, lights.environment, lights.emitters});
+                               const LightFeatures& lights) {
+    std::vector<std::string> defines = lightDefines(lights);
     if (mappedNormals) defines.emplace_back("VCT_MAPPED_NORMALS");
-    for (const std::string& define : gatherDefines(settings.gather))
+    if (lights.punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
+    for (const std::string& define : emissionDefines(lights.emission))
         defines.push_back(define);
     return {name, {"passes/full_screen.vert", shader}, defines};
 }
@@ -21,8 +23,10 @@ void bind(const GBuffer::Targets& surface, const VoxelLight& light) {
     surface.normal->bind(VCT_TEX_G_NORMAL);
     surface.depth->bind(VCT_TEX_G_DEPTH);
     surface.gloss->bind(VCT_TEX_G_GLOSS);
-    light.faces->bind(VCT_TEX_FACES);
-    light.faceRange->bindBase(GL_UNIFORM_BUFFER, VCT_UBO_FACE_RANGE);
+    light.directional->bindForRays();
+    light.irradiance->bind(VCT_TEX_IRRADIANCE);
+    light.bricks->bind(VCT_TEX_BRICKS);
+    light.walls->bind(VCT_TEX_WALLS);
 }
 
 // Draws the pixels whose depth is above 0.5, that of the triangle.
@@ -38,19 +42,16 @@ gl::ProgramDescription markGlossProgram() {
     return {"gloss, mark", {"passes/full_screen.vert", "passes/gloss_mark.frag"}, {}};
 }
 
-gl::ProgramDescription glossProgram(bool mappedNormals, const LightFeatures& lights,
-                                    const Settings& settings) {
-    return program("gloss", "passes/gloss.frag", mappedNormals, lights, settings);
+gl::ProgramDescription glossProgram(bool mappedNormals, const LightFeatures& lights) {
+    return program("gloss", "passes/gloss.frag", mappedNormals, lights);
 }
 
-gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures& lights,
-                                        const Settings& settings) {
-    return program("gloss, half", "passes/gloss_half.frag", mappedNormals, lights, settings);
+gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures& lights) {
+    return program("gloss, half", "passes/gloss_half.frag", mappedNormals, lights);
 }
 
-Gloss::Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings,
-             const gl::Texture& picture)
-    : shaders_(std::move(shaders)), lights_(lights), settings_(settings) {
+Gloss::Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const gl::Texture& picture)
+    : shaders_(std::move(shaders)), lights_(lights) {
     resize(picture);
 }
 
@@ -67,13 +68,12 @@ void Gloss::resize(const gl::Texture& picture) {
 const Gloss::Programs& Gloss::programs(bool mappedNormals) {
     auto found = programs_.find(mappedNormals);
     if (found == programs_.end())
-        found =
-            programs_
-                .emplace(mappedNormals,
-                         Programs{gl::Program(shaders_, markGlossProgram()),
-                                  gl::Program(shaders_, halfGlossProgram(mappedNormals, lights_, settings_)),
-                                  gl::Program(shaders_, glossProgram(mappedNormals, lights_, settings_))})
-                .first;
+        found = programs_
+                    .emplace(mappedNormals,
+                             Programs{gl::Program(shaders_, markGlossProgram()),
+                                      gl::Program(shaders_, halfGlossProgram(mappedNormals, lights_)),
+                                      gl::Program(shaders_, glossProgram(mappedNormals, lights_))})
+                    .first;
     return found->second;
 }
 

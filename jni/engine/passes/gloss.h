@@ -1,5 +1,5 @@
-// Reflections of glossy surfaces by cones: a part of the last pass. Rough surfaces have wide lobes, so their
-// cones are traced in half the resolution first; a second draw traces those of smooth surfaces and adds both
+// Reflections of glossy surfaces by rays: a part of the last pass. Rough surfaces have wide lobes, so their
+// rays are traced in half the resolution first; a second draw traces those of smooth surfaces and adds both
 // to the picture. Both take scenes with glossy materials only.
 #pragma once
 
@@ -12,20 +12,17 @@
 
 namespace vct {
 
-gl::ProgramDescription glossProgram(bool mappedNormals, const LightFeatures& lights,
-                                    const Settings& settings);
+gl::ProgramDescription glossProgram(bool mappedNormals, const LightFeatures& lights);
 gl::ProgramDescription markGlossProgram();
-gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures& lights,
-                                        const Settings& settings);
+gl::ProgramDescription halfGlossProgram(bool mappedNormals, const LightFeatures& lights);
 
 class Gloss {
   public:
-    Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const Settings& settings,
-          const gl::Texture& picture);
+    Gloss(gl::ShaderLibrary shaders, const LightFeatures& lights, const gl::Texture& picture);
 
-    // Traces the cones of rough surfaces. `surface` has gloss.
+    // Traces the rays of rough surfaces. `surface` has gloss.
     void traceRough(const GBuffer::Targets& surface, const VoxelLight& light);
-    // The picture, and a depth target that the caller sets above 0.5 in pixels that have a cone. It is lost
+    // The picture, and a depth target that the caller sets above 0.5 in pixels that have a ray. It is lost
     // after the render pass.
     const gl::Framebuffer& framebuffer() const { return pictureAndMask_; }
     // Adds all reflections to the picture. Call it in a render pass into framebuffer(), with the inputs of
@@ -44,10 +41,9 @@ class Gloss {
 
     gl::ShaderLibrary shaders_;
     LightFeatures lights_;
-    Settings settings_;
     std::map<bool, Programs> programs_;  // by mapped normals; compiled on first use
     gl::Texture half_;                   // RGBA16F, see gloss_half.frag
-    gl::Texture halfMask_, mask_;        // depth targets, above 0.5 in pixels that have a cone
+    gl::Texture halfMask_, mask_;        // depth targets, above 0.5 in pixels that have a ray
     gl::Framebuffer halfFramebuffer_, pictureAndMask_;
     gl::VertexArray noVertices_;
 };

@@ -65,7 +65,7 @@ const gl::Texture& Shade::draw(Output output, const GBuffer::Targets& surface, c
                                const VoxelLight& indirect) {
     const gl::DebugGroup group("cone trace");
     const bool reflects = surface.gloss != nullptr && reads(output).reflections;
-    if (reflects && !gloss_) gloss_.emplace(shaders_, lights_, settings_, radiance_);
+    if (reflects && !gloss_) gloss_.emplace(shaders_, lights_, radiance_);
     if (reflects) gloss_->traceRough(surface, indirect);
     program(output, surface).use();
     const gl::RenderPass pass(reflects ? gloss_->framebuffer() : framebuffer_, gl::Load::invalidate,

@@ -1,0 +1,114 @@
+// Writes the surface and the material of each base-level face from the sums of static and dynamic geometry
+// together, after a pose has been voxelized.
+#include "directional/face_sums.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
+layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
+
+// Points of a plane in the voxel, on a grid of 4 x 4 across the face; a bit for each.
+const int side = 4;
+vec2 pointAcross(int i) {
+    return (vec2(i % side, i / side) + 0.5) / float(side) - 0.5;
+}
+
+// Coverage and middle of a set of points.
+struct Part {
+    float coverage;
+    vec2 place;
+};
+Part partOf(uint points) {
+    vec2 sum = vec2(0.0);
+    for (uint left = points; left != 0u; left &= left - 1u)
+        sum += pointAcross(findLSB(left));
+    float count = float(bitCount(points));
+    return Part(count / float(side * side), sum / max(count, 1.0));
+}
+
+// The points of a plane that are inside of the voxel.
+uint pointsInside(SurfacePlane plane, int axis) {
+    uint points = 0u;
+    for (int i = 0; i < side * side; ++i) {
+        vec2 place = pointAcross(i);
+        float along = (plane.offset - dot(acrossFaces(plane.normal, axis), place)) / plane.normal[axis];
+        if (abs(along) <= 0.5) points |= 1u << uint(i);
+    }
+    return points;
+}
+// The points of a set that are in front of another plane.
+uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other) {
+    uint inFront = 0u;
+    for (uint left = points; left != 0u; left &= left - 1u) {
+        int i = findLSB(left);
+        if (dot(pointOnPlane(plane, axis, pointAcross(i)), other.normal) > other.offset)
+            inFront |= 1u << uint(i);
+    }
+    return inFront;
+}
+
+void main() {
+    COUNT(VCT_COUNTER_RESOLVE);
+    uint count = baseFaceCount();
+    bool hasDynamic = faceCount(dynamicList) > 0u;
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_RESOLVE_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        int axis = listed.face >> 1;
+        uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
+        uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
+        FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
+        uint visible = visiblePlane(sums, listed.face);
+        SurfacePlane plane = unpackPlane(visible);
+        float coverage = min(sums.coverage, 1.0), weight = max(sums.coverage, 1e-4);
+        vec2 place = sums.place / weight - 0.5;
+        vec3 middle = pointOnPlane(plane, axis, place);
+        // Coverage has steps of a quarter. They are exact where the surface looks along the axis.
+        float step = abs(plane.normal[axis]) > 0.99 ? 0.1 : 0.3;
+        uint points = pointsInside(plane, axis);
+        Part part = partOf(points);
+        FaceExtent extent = FaceExtent(coverage, isCurved(visible), place, 0u, 0u);
+        if (coverage < part.coverage - min(step, 0.2)) {
+            // The surface ends in the voxel: at other surfaces, or else as its middle tells.
+            for (uint left = (staticCell | dynamicCell) & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
+                COUNT(VCT_COUNTER_RESOLVE_OTHER);
+                int face = findLSB(left);
+                if (face == listed.face) continue;
+                FaceSums otherSums = combinedSums(staticCell, dynamicCell, face);
+                SurfacePlane other = unpackPlane(visiblePlane(otherSums, face));
+                if (abs(dot(plane.normal, other.normal)) > 0.9) continue;
+                uint inFront = pointsInFront(plane, axis, points, other);
+                bool isInFront = dot(middle, other.normal) > other.offset;
+                uint rest = isInFront ? inFront : points & ~inFront;
+                if (rest == points) continue;
+                if (isInFront)
+                    extent.inFront |= 1u << uint(face);
+                else
+                    extent.behind |= 1u << uint(face);
+                points = rest;
+            }
+            part = partOf(points);
+        }
+        bool ends = (extent.inFront | extent.behind) != 0u;
+        if (ends) step = 0.3;
+        float opacity = 1.0;
+        if (coverage < part.coverage - step) {
+            float covered = ends
+                                ? part.coverage
+                                : min(part.coverage, (1.0 - 2.0 * abs(place.x)) * (1.0 - 2.0 * abs(place.y)));
+            opacity = coverage >= covered - step ? 0.996 : coverage / max(covered, 0.05);
+        }
+        uint at = faceAt(id);
+        faceData[at + VCT_FACE_SURFACE] = packSurface(visible, min(opacity, ends ? 1.0 : opacity));
+        faceData[at + VCT_FACE_EXTENT] = packExtent(extent);
+        faceData[at + VCT_FACE_REFLECTANCE] = packRgb9e5(sums.albedo / weight);
+#ifdef VCT_EMISSION
+        // Emissions of several layers are added, because a lamp directly below a ceiling hides the ceiling
+        // and must not be darkened by its layer.
+        float layer = hasLayers(sums) ? coverage : weight;
+        faceData[at + VCT_FACE_EMITTED] = packRgb9e5(sums.emission / layer);
+#endif
+    }
+}
