@@ -27,8 +27,9 @@ vec3 lightOfEmitters(vec3 start, int cascade, vec3 normal, vec3 other) {
     return sum;
 }
 
-// True if a face is to be updated: a new face, or one in the share of the blocks that have their turn. The turn must
-// not depend on the order of the list, because light that is negligible in one step may not be so in another.
+// True if a face is to be updated: a new face, or one in the share of the blocks that have their turn. The
+// turn must not depend on the order of the list, because light that is negligible in one step may not be so
+// in another.
 bool isDue(uint id, ivec3 voxel) {
     float history = historyLength(id);
     if (!visitsAll) return history < lightStep.longEnough;
