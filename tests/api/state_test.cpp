@@ -1,4 +1,6 @@
 // The library leaves GL's state as it found it, whatever that was.
+#include <cstdlib>
+
 #include "api/described_scene.h"
 #include "api/gl_state.h"
 #include "support/errors.h"
@@ -207,7 +209,12 @@ TEST_F(State, IsTheSameAfterEachCallWhateverItWas) {
     for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
         gl::PixelStorei(name, 0);
     gl::BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    EXPECT_EQ(halves(radiance), clean);
+    // Atomics decide the places of bricks, whose texel coordinates round differently: the last bits may
+    // differ.
+    const auto found = halves(radiance);
+    ASSERT_EQ(found.size(), clean.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        ASSERT_LE(std::abs(static_cast<int>(found[i]) - static_cast<int>(clean[i])), 8) << i;
 }
 
 TEST_F(State, APictureThatIsBoundMayBeReplaced) {
