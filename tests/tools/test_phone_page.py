@@ -94,7 +94,9 @@ def test_a_wrong_picture_is_seen(root, sent, tmp_path):
         text = page(root, sent, tmp_path / "page").stdout
     finally:
         path.write_bytes(right)
-    assert "| thesis-gi | 255/255 | 12.50 % |" in text
+    [row] = [line for line in text.splitlines() if line.startswith("| thesis-gi |")]
+    largest, share = (float(cell.strip(" %").removesuffix("/255")) for cell in row.split("|")[2:4])
+    assert largest > 100 and share > 10, row
     assert "| thesis-ao | 0/255 | 0.00 % |" in text
 
 

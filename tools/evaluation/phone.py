@@ -124,7 +124,7 @@ class Desktop:
         program.run("render", ROOT / "assets" / Path(phone["scene"]).name, "--preset", preset, "--mode", "all", "--grid", settings["grid"],
                     "--size", f"{settings['width']}x{settings['height']}", "--shadow-map", settings["shadow_map"], "--cone-angle",
                     settings["cone_angle_deg"], "--revoxelize", "--tone-map", "none", "--exposure", "1", "--out", out, "--timings",
-                    out / "timings.json", timeout_s=1800)
+                    out / "timings.json")
         return out, json.loads((out / "timings.json").read_text())
 
     def screen(self, scene: str, size: tuple[int, int]) -> Path:
