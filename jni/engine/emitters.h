@@ -1,7 +1,7 @@
-// Compact emitters: small surfaces that emit light, such as lamps. The few cones that a face gathers with hit
-// or miss them at random, which is noise. So they are divided into parts, and each face traces one cone
-// towards each part (shaders/directional/emitters.comp). Large emitters need no such cones, because the
-// cones of the gather hit them often enough.
+// Compact emitters: small surfaces that emit light, such as lamps. The few rays that a face gathers with hit
+// or miss them at random, which is noise. So they are divided into parts, and each face traces rays
+// towards each part (shaders/directional/emitters.comp). Large emitters need no such rays, because the
+// rays of the gather hit them often enough.
 #pragma once
 
 #include <optional>

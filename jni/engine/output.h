@@ -14,7 +14,7 @@ enum class Output {
     // The five modes are the thesis's (5.1.2). Each adds to the one before, up to `gi`.
     phong = VCT_MODE_PHONG,                  // Phong shading, diffuse and specular, no shadow
     shadowMap = VCT_MODE_SHADOW_MAP,         // adds the shadow map
-    ao = VCT_MODE_AO,                        // adds ambient occlusion by cones
+    ao = VCT_MODE_AO,                        // adds ambient occlusion
     gi = VCT_MODE_GI,                        // adds a bounce of diffuse light
     giConeShadow = VCT_MODE_GI_CONE_SHADOW,  // `gi` with a soft shadow in place of the shadow map's
     // Parts of the light, each alone.

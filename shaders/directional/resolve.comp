@@ -98,6 +98,7 @@ void main() {
             float covered = ends
                                 ? part.coverage
                                 : min(part.coverage, (1.0 - 2.0 * abs(place.x)) * (1.0 - 2.0 * abs(place.y)));
+            // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
             opacity = coverage >= covered - step ? 0.996 : coverage / max(covered, 0.05);
         }
         uint at = faceAt(id);
