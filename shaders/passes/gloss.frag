@@ -15,8 +15,9 @@ layout(binding = VCT_TEX_HALF_GLOSS) uniform mediump sampler2D halfGloss;
 layout(early_fragment_tests) in;
 layout(location = 0) out mediump vec4 outRadiance;  // is added; relative to E/pi
 
-// The mean of the samples of the 2 x 2 blocks around a pixel that belong to its surface; a: their number.
-// Together the four have an even set of directions (turnOfPixel()).
+// The samples of the 2 x 2 blocks around a pixel that belong to its surface, weighted so that their sum fits
+// into half floats; a: the sum of the weights. Together the four have an even set of directions
+// (turnOfPixel()).
 mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float roughness) {
     // The plane of the surface in window coordinates, scaled so that it gives pixels: samples may be as far
     // from the plane as a pixel is wide.
@@ -35,7 +36,7 @@ mediump vec4 interpolated(ivec2 pixel, vec3 position, vec3 normal, mediump float
         float away = dot(plane, vec4(vec2(of) + 0.5, surfaceDepth(of), 1.0));
         mediump float difference = abs(texelFetch(glossTarget, of, 0).g - roughness);
         if (index >= 0 && abs(away) < 1.0 && difference < 0.1 && dot(shadingNormal(of), normal) >= minCosine)
-            sum += vec4(found.rgb, 1.0);
+            sum += 0.25 * vec4(found.rgb, 1.0);
     }
     return sum;
 }
