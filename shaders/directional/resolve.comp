@@ -12,17 +12,8 @@ vec2 pointAcross(int i) {
     return (vec2(i % side, i / side) + 0.5) / float(side) - 0.5;
 }
 
-// Coverage and middle of a set of points.
-struct Part {
-    float coverage;
-    vec2 place;
-};
-Part partOf(uint points) {
-    vec2 sum = vec2(0.0);
-    for (uint left = points; left != 0u; left &= left - 1u)
-        sum += pointAcross(findLSB(left));
-    float count = float(bitCount(points));
-    return Part(count / float(side * side), sum / max(count, 1.0));
+float coverageOf(uint points) {
+    return float(bitCount(points)) / float(side * side);
 }
 
 // The points of a plane that are inside of the voxel.
@@ -39,6 +30,7 @@ uint pointsInside(SurfacePlane plane, int axis) {
 uint pointsInFront(SurfacePlane plane, int axis, uint points, SurfacePlane other) {
     uint inFront = 0u;
     for (uint left = points; left != 0u; left &= left - 1u) {
+        COUNT(VCT_COUNTER_RESOLVE_POINT);
         int i = findLSB(left);
         if (dot(pointOnPlane(plane, axis, pointAcross(i)), other.normal) > other.offset)
             inFront |= 1u << uint(i);
@@ -68,9 +60,9 @@ void main() {
         // Coverage has steps of a quarter. They are exact where the surface looks along the axis.
         float step = abs(plane.normal[axis]) > 0.99 ? 0.1 : 0.3;
         uint points = pointsInside(plane, axis);
-        Part part = partOf(points);
+        float planeCoverage = coverageOf(points);
         FaceExtent extent = FaceExtent(coverage, isCurved(visible), place, 0u, 0u);
-        if (coverage < part.coverage - min(step, 0.2)) {
+        if (coverage < planeCoverage - min(step, 0.2)) {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
             for (uint left = (staticCell | dynamicCell) & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
                 COUNT(VCT_COUNTER_RESOLVE_OTHER);
@@ -89,20 +81,20 @@ void main() {
                     extent.behind |= 1u << uint(face);
                 points = rest;
             }
-            part = partOf(points);
+            planeCoverage = coverageOf(points);
         }
         bool ends = (extent.inFront | extent.behind) != 0u;
         if (ends) step = 0.3;
         float opacity = 1.0;
-        if (coverage < part.coverage - step) {
+        if (coverage < planeCoverage - step) {
             float covered = ends
-                                ? part.coverage
-                                : min(part.coverage, (1.0 - 2.0 * abs(place.x)) * (1.0 - 2.0 * abs(place.y)));
+                                ? planeCoverage
+                                : min(planeCoverage, (1.0 - 2.0 * abs(place.x)) * (1.0 - 2.0 * abs(place.y)));
             // Less than 1, so that rays test the rectangle (covers() in ray.glsl).
             opacity = coverage >= covered - step ? 0.996 : coverage / max(covered, 0.05);
         }
         uint at = faceAt(id);
-        faceData[at + VCT_FACE_SURFACE] = packSurface(visible, min(opacity, ends ? 1.0 : opacity));
+        faceData[at + VCT_FACE_SURFACE] = packSurface(visible, opacity);
         faceData[at + VCT_FACE_EXTENT] = packExtent(extent);
         faceData[at + VCT_FACE_REFLECTANCE] = packRgb9e5(sums.albedo / weight);
 #ifdef VCT_EMISSION

@@ -32,6 +32,11 @@ TEST(Shaders, AreWrittenAndCountedForEveryPreset) {
                 EXPECT_EQ(text.rfind("#version 310 es\n", 0), 0U) << stage.at("file");
                 EXPECT_EQ(text.find("#define mediump"), std::string::npos) << stage.at("file");
                 EXPECT_EQ(text.find("#include \""), std::string::npos) << stage.at("file");
+                // `eval.py mali` needs the count of each fragment and compute shader that a mode runs.
+                const std::string shader = stage.at("shader");
+                if (stage.at("stage") == "vertex" || stage.at("stage") == "geometry") continue;
+                for (const std::string mode : entry.at("modes"))
+                    EXPECT_TRUE(preset.at("counts").at(mode).contains(shader)) << mode << ": " << shader;
             }
             const auto& modes = entry.at("modes");
             traced |= entry.at("pass") == "trace" &&
