@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/number_text.h"
-#include "engine/directional/gather_schedule.h"
+#include "engine/directional/light_schedule.h"
 #include "engine/environment.h"
 #include "engine/frame_uniforms.h"
 #include "engine/radiance_unit.h"
@@ -348,7 +348,7 @@ void render(RenderOptions options) {
     if (settings.voxels == Voxels::directional)
         say("indirect light converges over " + std::to_string(settings.lightFrames) +
             " frames (--light-frames) and " +
-            std::to_string(GatherSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
+            std::to_string(LightSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
                            settings.lightFrames) +
             " frames of refinement before the first picture");
     TimingsReport report;

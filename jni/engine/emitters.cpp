@@ -323,6 +323,7 @@ void Emitters::upload() const {
         const glm::dvec3 facing = cofactors * part.facing / (volume_.side * volume_.side);
         const double area = part.area * larger * larger / (volume_.side * volume_.side);
         const double halfDepth = part.halfDepth * larger / volume_.side;
+        if (placed.node >= 0) block.count.y |= 1 << block.count.x;
         shared::EmitterPartUniforms& to = block.part[block.count.x++];
         to.position = glm::vec4(glm::dvec3(volume_.volumeFromWorld() * moved * glm::dvec4(part.centre, 1.0)),
                                 part.radius * larger / volume_.side);

@@ -109,11 +109,6 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     const auto relative = [&](const glm::vec3& radiance) { return glm::vec4(radiance / radianceUnit, 0.0F); };
     frame.skyRadiance = relative(settings.skyRadiance);
     frame.background = relative(settings.background.value_or(settings.skyRadiance));
-    const float sky =
-        settings.environment
-            ? settings.environment->largestIrradiance()
-            : std::max({settings.skyRadiance.r, settings.skyRadiance.g, settings.skyRadiance.b});
-    frame.largestSky = sky / radianceUnit;
     const double halfAngleRad = 0.5 * settings.shadowConeAngleDeg * pi / 180.0;
     const glm::dvec2 radius = coneRadius(shadowFromVolume, halfAngleRad);
     frame.shadowConeRadius = glm::vec2(radius);

@@ -291,6 +291,43 @@ Bounds GpuScene::boundsWith(const Bounds& boundsWorld) const {
     return bounds;
 }
 
+std::vector<glm::vec4> GpuScene::movingSpheres(std::size_t largest) const {
+    std::vector<std::vector<Bounds>> groups(1);
+    for (const Moving& moving : moving_)
+        if (moving.isVisible) groups[0].push_back(moving.boundsWorld);
+    if (groups[0].empty()) return {};
+    const auto around = [](const std::vector<Bounds>& boxes) {
+        return std::accumulate(boxes.begin() + 1, boxes.end(), boxes[0], united);
+    };
+    // Halve the largest group until there are enough.
+    while (groups.size() < largest) {
+        const auto size = [&](const std::vector<Bounds>& boxes) {
+            const Bounds box = around(boxes);
+            return boxes.size() > 1 ? glm::length(box.max - box.min) : 0.0;
+        };
+        const auto widest = std::max_element(groups.begin(), groups.end(),
+                                             [&](const auto& a, const auto& b) { return size(a) < size(b); });
+        if (widest->size() < 2) break;
+        std::vector<Bounds> boxes = std::move(*widest);
+        const glm::dvec3 extent = around(boxes).max - around(boxes).min;
+        const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        std::sort(boxes.begin(), boxes.end(), [&](const Bounds& a, const Bounds& b) {
+            return a.min[axis] + a.max[axis] < b.min[axis] + b.max[axis];
+        });
+        const auto middle = boxes.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2);
+        *widest = {boxes.begin(), middle};
+        groups.emplace_back(middle, boxes.end());
+    }
+    std::vector<glm::vec4> spheres;
+    const double scale = glm::length(glm::dvec3(volumeFromWorld_[0]));
+    for (const std::vector<Bounds>& boxes : groups) {
+        const Bounds box = around(boxes);
+        const glm::dvec3 middle(volumeFromWorld_ * glm::dvec4(0.5 * (box.min + box.max), 1.0));
+        spheres.emplace_back(glm::vec3(middle), 0.5 * scale * glm::length(box.max - box.min));
+    }
+    return spheres;
+}
+
 void GpuScene::sortVisibleDraws() {
     std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](std::size_t i, std::size_t j) {
         const Draw& a = draws_[i];

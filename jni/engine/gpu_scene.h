@@ -44,6 +44,9 @@ class GpuScene {
     std::vector<Placement> placements() const;
     // Bounds of `boundsWorld` and the dynamic objects in the present pose.
     Bounds boundsWith(const Bounds& boundsWorld) const;
+    // Spheres around the visible dynamic objects in the present pose, at most `largest`; volume space, the
+    // radius in w. Where there are more objects, neighbours share a sphere.
+    std::vector<glm::vec4> movingSpheres(std::size_t largest) const;
 
     enum class Culling { none, backFaces };
     // Draws the instances that `region` may hold a part of, each with the program for its material features.

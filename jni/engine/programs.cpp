@@ -30,7 +30,8 @@ std::string number(float value) {
 }
 
 std::vector<std::string> gatherDefines(const GatherSettings& settings) {
-    return {"VCT_GATHER_DIRECTIONS " + std::to_string(settings.directionSet())};
+    return {"VCT_GATHER_DIRECTIONS " + std::to_string(settings.directionSet()),
+            "VCT_DIRECTIONS " + std::to_string(settings.directions)};
 }
 
 std::vector<std::string> lightDefines(const LightFeatures& sources) {

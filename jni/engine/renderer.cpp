@@ -72,7 +72,6 @@ Renderer::Renderer(const Scene& scene, const DirectionalLight& light, const Sett
       light_(light),
       boundsWorld_(scene.boundsWorld),
       triangles_(scene.triangleCount()),
-      largestBounceShare_(largestBounceShare(scene)),
       radianceUnit_(radianceUnit(scene, light, settings)),
       emissionRange_(largestEmission(scene) / radianceUnit_),
       volume_(volumeAround(scene.boundsWorld, settings.grid)),
@@ -163,7 +162,6 @@ shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const 
     setCascades(values, cascades_, last, light_, boundsWorld_, volume_, settings_);
     values.faceSumUnits = faceSumUnits(triangles_);
     values.emissionRange = emissionRange_;
-    values.largestBounceShare = largestBounceShare_;
     values.hasDynamicObjects = scene_.moves() || settings_.revoxelize ? 1 : 0;
     frameUniforms_.bind(GL_UNIFORM_BUFFER);
     gl::BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof values, &values);

@@ -154,7 +154,7 @@ class Renderer {
     Bounds boundsWorld_;
     std::size_t triangles_;
     std::optional<gl::Texture> environment_;  // Settings::environment as a cube map
-    float largestBounceShare_, radianceUnit_, emissionRange_;
+    float radianceUnit_, emissionRange_;
     Volume volume_;
     Cascades cascades_;                 // their places in the last frame that read voxels
     bool softLights_;                   // a punctual light has a size of its own

@@ -40,20 +40,15 @@ enum class Voxels {
 // Settings of the gather at the faces of directional voxels. docs/design-decisions.md has the measurements
 // behind the values.
 struct GatherSettings {
-    int directions = 64;        // per face, visited over several frames after a change; a power of two
-    int refinedDirections = 0;  // per face, visited in the refinement after that; a power of two; 0: none
-    int rays = 8;               // per face and frame while nothing changes, until the light has converged
-    // Rays of a whole frame in which something changes, whatever the size of the scene. Faces take turns;
-    // faces that pixels look up have more turns than the others.
+    int directions = 64;        // cached rays per face; a power of two
+    int refinedDirections = 0;  // rays per face that refine the light at rest; a power of two; 0: none
+    int rays = 8;               // rays per face and light step, of those that are new and that refine
+    // Rays of all faces of moving objects together that are traced again in a frame in which one moves.
     int rayBudget = 16384;
 
     // The number of directions to choose from.
     int directionSet() const { return std::max(directions, refinedDirections); }
 };
-
-// Weight of new light in a history of k steps: w / (k + w), where w is this constant. 1 would give the plain
-// mean, in which the first steps, which lack the later bounces, would count as much as the others.
-constexpr float recentStepWeight = 6.0F;
 
 // The coarsest and the finest grid that chooseGrid() may choose (grid_choice.h).
 struct GridRange {

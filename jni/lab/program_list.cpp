@@ -21,8 +21,8 @@ namespace vct {
 
 namespace {
 
-constexpr std::array lightPrograms{"carry_over",   "clear_bricks", "place_bricks", "mark_walls",
-                                   "mark_lookups", "choose_faces", "light_blocks", "fill_bricks"};
+constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
+constexpr std::array rayPrograms{"carry_hits", "trace", "block", "gather", "refine", "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -62,7 +62,6 @@ std::vector<gl::ProgramDescription> everyProgram() {
         variants.push_back(variants[i]);
         variants.back().environment = sky;
     }
-    programs.push_back(chooseRangeProgram());
     programs.push_back(markGlossProgram());
     // A scene with compact emitters also has emission, so the fourth combination does not exist.
     constexpr std::array<std::pair<bool, bool>, 3> emissionAndEmitters{
@@ -99,7 +98,8 @@ std::vector<gl::ProgramDescription> everyProgram() {
                     programs.push_back(halfGlossProgram(mapped, all));
                     programs.push_back(glossProgram(mapped, all));
                 }
-            programs.push_back(gatherProgram(settings.gather, lights));
+            for (const char* name : rayPrograms)
+                programs.push_back(raysProgram(name, settings.gather, lights));
             if (emitters) programs.push_back(emittersProgram(lights));
         }
     }
@@ -159,9 +159,11 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
             for (const char* name : lightPrograms)
                 add(Step::irradiance, lightProgram(name, lights));
             if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
-            add(Step::inject, chooseRangeProgram());
             add(Step::inject, injectProgram(lights));
-            add(Step::irradiance, gatherProgram(settings.gather, lights));
+            // A frame that rebuilds everything has no static face that a moving object hides, and no
+            // refinement.
+            for (const char* name : {"carry_hits", "trace", "gather", "smooth"})
+                add(Step::irradiance, raysProgram(name, settings.gather, lights));
         }
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());

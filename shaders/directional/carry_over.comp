@@ -1,35 +1,15 @@
-// Gives the faces of dynamic objects in a new pose a history: that of the same face in the last pose, or else
-// the mean of a neighbouring voxel's faces, dynamic in the last pose or static. If cascades have moved with
-// the camera, static faces come first, and a face that the same cascade did not hold takes over the history
-// of a coarser one. A face that it did hold also keeps its radiance.
+// Gives the faces of dynamic objects in a new pose the light and the hits of the last pose: those of the same
+// face, or else of a neighbouring one, dynamic in the last pose or static. If cascades have moved with the
+// camera, static faces come first, and a face that the same cascade did not hold takes over the light of a
+// coarser one, without its hits. carry_hits.comp follows.
 #include "directional/cascades.glsl"
-#include "directional/face_sums.glsl"
-#include "directional/voxels.glsl"
+#include "directional/face_lists.glsl"
 #include "directional/face_irradiance.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_PREVIOUS_VOXELS) uniform highp usampler3D previousIndex;
 layout(location = VCT_UNIFORM_LIST) uniform uint list;
-
-struct History {
-    FaceIrradiance mean;
-    vec3 emitterLight;
-    float weight;
-};
-
-void add(inout History history, uint cell, int face) {
-    if (!hasFace(cell, face)) return;
-    uint id = faceId(cell, face);
-    FaceIrradiance mean = faceIrradianceAt(id);
-    if (mean.steps == 0.0) return;
-    history.mean.light += mean.light;
-    history.mean.roundStart += mean.roundStart;
-    history.mean.nearness += mean.nearness;
-    history.mean.steps += min(mean.steps, lightStep.maxInheritedHistory);
-    history.emitterLight += emitterIrradiance(id);
-    history.weight += 1.0;
-}
 
 // The voxel's place before the cascades moved, in its own cascade or in a coarser one.
 struct LastPlace {
@@ -48,16 +28,14 @@ LastPlace lastPlaceOf(ivec3 voxel) {
     return LastPlace(clamp(last, first, first + frame.gridSide - 1), cascade == own);
 }
 
-// Gives a static face of a cascade that has moved in this frame the radiance that it had at its last place.
-// The injection skips it then.
-void restoreRadiance(ListedFace listed, uint id, LastPlace last, uint lastCell) {
-    if (list != staticList || !last.isSame || !hasFace(lastCell, listed.face)) return;
-    faceData[faceAt(id) + VCT_FACE_RADIANCE] =
-        faceData[faceAt(faceId(lastCell, listed.face)) + VCT_FACE_RADIANCE];
+// The id of a cell's face, counted from 1, or 0 if it has none that has been lit.
+uint litFace(uint cell, int face) {
+    if (!hasFace(cell, face)) return 0u;
+    uint id = faceId(cell, face);
+    bool isLit = faceIrradianceData[hitAt(id, 0u)] != VCT_HIT_UNKNOWN ||
+                 faceIrradianceData[irradianceAt(id) + VCT_MEAN_SHOWN] != 0u;
+    return isLit ? id + 1u : 0u;
 }
-
-// The history of a coarser cascade's face has the wrong detail, so new light soon replaces it.
-const float maxStepsFromCoarser = 8.0;
 
 void main() {
     COUNT(VCT_COUNTER_CARRY_OVER);
@@ -66,24 +44,38 @@ void main() {
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_CARRY_OVER_FACE);
         ListedFace listed = listedFace(list, i);
-        History history = History(FaceIrradiance(vec4(0.0), 0.0, vec4(0.0), 0.0), vec3(0.0), 0.0);
+        uint id = commands[list].firstId + i;
         LastPlace last = lastPlaceOf(listed.voxel);
-        uint lastCell = texelFetch(previousIndex, last.voxel, 0).r;
-        add(history, lastCell, listed.face);
-        if (VCT_CASCADES > 1) restoreRadiance(listed, commands[list].firstId + i, last, lastCell);
-        for (int n = 0; n < 27 && history.weight < 1.0; ++n) {
+        uint from = litFace(texelFetch(previousIndex, last.voxel, 0).r, listed.face);
+        bool isSame = from != 0u && last.isSame;
+        for (int n = 0; n < 27 && from == 0u; ++n) {
             COUNT(VCT_COUNTER_CARRY_OVER_NEIGHBOUR);
             ivec3 beside = last.voxel + ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if (beside != clampToCascade(beside, last.voxel, frame.gridSide)) continue;
-            add(history, texelFetch(previousIndex, beside, 0).r, listed.face);
-            if (list == dynamicList) add(history, texelFetch(staticIndex, beside, 0).r, listed.face);
+            from = litFace(texelFetch(previousIndex, beside, 0).r, listed.face);
+            if (from == 0u && list == dynamicList)
+                from = litFace(texelFetch(staticIndex, beside, 0).r, listed.face);
         }
-        float share = 1.0 / max(history.weight, 1.0);
-        FaceIrradiance mean = history.mean;
-        uint id = commands[list].firstId + i;
-        float steps = min(mean.steps * share, last.isSame ? 1e4 : maxStepsFromCoarser);
-        storeFaceIrradiance(
-            id, FaceIrradiance(mean.light * share, steps, mean.roundStart * share, mean.nearness * share));
-        storeEmitterIrradiance(id, history.emitterLight * share);
+        uint to = irradianceAt(id);
+        for (uint word = 0u; word < VCT_IRRADIANCE_WORDS; ++word)
+            faceIrradianceData[to + word] = 0u;
+        faceIrradianceData[forwardAt(id)] = 0u;
+        if (isSame) {
+            uint old = irradianceAt(from - 1u);
+            // Direct light and the light of emitters of a moving object change.
+            uint words = list == dynamicList ? VCT_FACE_DIRECT : VCT_IRRADIANCE_WORDS;
+            for (uint word = 0u; word < words; ++word)
+                faceIrradianceData[to + word] = faceIrradianceData[old + word];
+            faceIrradianceData[forwardAt(from - 1u)] = id + 1u;
+            faceData[faceAt(id) + VCT_FACE_RADIANCE] = faceData[faceAt(from - 1u) + VCT_FACE_RADIANCE];
+        } else if (from != 0u) {
+            storeFaceMean(id, VCT_MEAN_NOW, faceMean(from - 1u, VCT_MEAN_NOW));
+            storeFaceMean(id, VCT_MEAN_SHOWN, faceMean(from - 1u, VCT_MEAN_SHOWN));
+            storeFaceMean(id, VCT_MEAN_SKY, faceMean(from - 1u, VCT_MEAN_SKY));
+            faceIrradianceData[to + VCT_FACE_SIGHT] =
+                faceIrradianceData[irradianceAt(from - 1u) + VCT_FACE_SIGHT];
+        }
+        // carry_hits.comp finds the face whose hits it copies in place of the first hit.
+        faceIrradianceData[hitAt(id, 0u)] = isSame || list == dynamicList ? from : 0u;
     }
 }

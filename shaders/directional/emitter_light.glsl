@@ -47,8 +47,8 @@ vec3 pointOfPart(EmitterPartUniforms part, SeenPart seen, vec2 u, float voxel) {
            normal * (part.radiance.w + inFront * voxel);
 }
 
-// The part's light at a point: `start`, in voxels of a cascade.
-vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascade) {
+// The share of a part that a point sees through some of the geometry. `start`: in voxels of a cascade.
+float visibleShare(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascade, uint geometry) {
     // If the first rays agree, the part is visible as a whole or not at all.
     const int first = 4, all = 16;
     float voxel = 1.0 / voxelsAlongVolume(cascade), visible = 0.0;
@@ -60,9 +60,10 @@ vec3 lightOfPart(EmitterPartUniforms part, SeenPart seen, vec3 start, int cascad
         vec2 u = fract(0.5 + float(i) * vec2(0.7548777, 0.5698403));
         vec3 end = voxelsFromVolume(pointOfPart(part, seen, u, voxel), cascade), way = end - start;
         float distance = length(way);
-        if (traceRay(start, cascade, way / distance, distance, diceOf(i, ivec3(start))).id == noFace)
+        if (traceRay(start, cascade, way / distance, distance, diceOf(i, ivec3(start)), geometry).id ==
+            noFace)
             visible += 1.0;
         if (i == first - 1 && visible > 0.0 && visible < float(first)) rays = all;
     }
-    return seen.light * (visible / float(rays));
+    return visible / float(rays);
 }

@@ -1,55 +1,75 @@
-// Irradiance of the base level's faces by the compact emitters. It depends on geometry only. After something
-// has moved, a quarter of the faces is updated in each step, and new faces at once. If only cascades have
-// moved, the active faces are updated.
-#include "directional/active_faces.glsl"
+// Irradiance of the base level's faces by the compact emitters: a closed form for each part, times the share
+// of the part that the face sees. Static faces keep what they see of static parts through static geometry, so
+// that neither an emitter that fades nor a moving object far away costs a ray.
+#include "directional/face_lists.glsl"
 #define VCT_RAY_STEP VCT_COUNTER_EMITTERS_STEP
 #define VCT_RAY_FACE VCT_COUNTER_EMITTERS_VOXEL_FACE
 #define VCT_RAY_LIMIT VCT_COUNTER_EMITTERS_LIMIT
 #define VCT_EMITTER_RAY VCT_COUNTER_EMITTERS_RAY
 #include "directional/emitter_light.glsl"
+#include "directional/face_irradiance.glsl"
+#include "directional/light_step.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
-layout(location = VCT_UNIFORM_ALL) uniform bool visitsAll;  // false: only active faces are updated
 
-// Irradiance by all emitters, relative to E, at a point above a surface, in voxels. `other`: the face's
-// irradiance by other surfaces and the sky. An emitter that would add less than half a percent to it costs no
-// ray.
-vec3 lightOfEmitters(vec3 start, int cascade, vec3 normal, vec3 other) {
-    float negligible = 0.005 * max(other.r, max(other.g, other.b));
-    vec3 position = volumeFromVoxels(start, cascade), sum = vec3(0.0);
-    for (int i = 0; i < emitters.count.x; ++i) {
-        EmitterPartUniforms part = emitters.part[i];
-        SeenPart seen = seenPart(part, position, normal);
-        if (!isStorable(seen.light) || max(seen.light.r, max(seen.light.g, seen.light.b)) < negligible)
-            continue;
-        sum += lightOfPart(part, seen, start, cascade);
-    }
-    return sum;
+// A visible share in 4 bits: 0 if it is not known, else 1 to 15.
+uint packSeenPart(float share) {
+    return 1u + uint(share * 14.0 + 0.5);
+}
+float unpackSeenPart(uint bits) {
+    return float(bits - 1u) / 14.0;
 }
 
-// True if a face is to be updated: a new face, or one in the share of the blocks that have their turn. The
-// turn must not depend on the order of the list, because light that is negligible in one step may not be so
-// in another.
-bool isDue(uint id, ivec3 voxel) {
-    float history = historyLength(id);
-    if (!visitsAll) return history < lightStep.longEnough;
-    ivec3 block = voxel >> VCT_BRICK_LEVEL;
-    return history == 0.0 || (uint(block.x + block.y + block.z) + lightStep.frame) % VCT_TURN_PERIOD == 0u;
+// True if a moving object may block the light of a part. Lengths in sides of the volume.
+bool isObjectBetween(vec3 position, SeenPart seen, float radius) {
+    for (uint i = 0u; i < lightStep.objectCount; ++i) {
+        COUNT(VCT_COUNTER_EMITTERS_OBJECT);
+        vec4 object = lightStep.object[i];
+        vec3 offset = object.xyz - position;
+        float along = clamp(dot(offset, seen.towards), 0.0, seen.distance);
+        if (length(offset - along * seen.towards) < object.w + radius * along / seen.distance) return true;
+    }
+    return false;
 }
 
 void main() {
     COUNT(VCT_COUNTER_EMITTERS);
-    uint count = visitedFaceCount(visitsAll);
+    uint count = baseFaceCount(), firstDynamic = commands[dynamicList].firstId;
+    uint dynamicCount = faceCount(dynamicList);
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
-        uint id = visitedFaceId(visitsAll, i);
+        uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged || !isDue(id, listed.voxel)) continue;
+        if (listed.isMerged) continue;
         COUNT(VCT_COUNTER_EMITTERS_FACE);
         SurfacePlane plane = facePlane(id);
+        int cascade = cascadeOf(listed.voxel);
         vec3 start =
             surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)) + startHeight * plane.normal;
-        storeEmitterIrradiance(id, lightOfEmitters(start, cascadeOf(listed.voxel), plane.normal,
-                                                   faceIrradianceAt(id).light.rgb));
+        vec3 position = volumeFromVoxels(start, cascade), sum = vec3(0.0);
+        bool isDynamic = id - firstDynamic < dynamicCount;
+        for (int p = 0; p < emitters.count.x; ++p) {
+            COUNT(VCT_COUNTER_EMITTERS_PART);
+            EmitterPartUniforms part = emitters.part[p];
+            SeenPart seen = seenPart(part, position, plane.normal);
+            if (!isStorable(seen.light)) continue;
+            bool moves = (emitters.count.y >> p & 1) != 0;
+            float share;
+            if (isDynamic || moves) {
+                share = visibleShare(part, seen, start, cascade, allGeometry);
+            } else {
+                uint at = irradianceAt(id) + VCT_FACE_SEEN_PARTS + uint(p) / 8u, shift = 4u * (uint(p) % 8u);
+                uint bits = faceIrradianceData[at] >> shift & 15u;
+                if (bits == 0u) {
+                    bits = packSeenPart(visibleShare(part, seen, start, cascade, staticGeometry));
+                    faceIrradianceData[at] |= bits << shift;
+                }
+                share = unpackSeenPart(bits);
+                if (share > 0.0 && isObjectBetween(position, seen, part.position.w))
+                    share *= visibleShare(part, seen, start, cascade, dynamicGeometry);
+            }
+            sum += share * seen.light;
+        }
+        storeFaceMean(id, VCT_FACE_EMITTERS, vec4(sum, 0.0));
     }
 }

@@ -1,54 +1,71 @@
-// The irradiance of each face of level 0, by the face's id, as a running mean over its steps. It is relative
-// to E, the irradiance of a surface that faces the sun. The buffer has, in this order: sums over all faces
-// for the last three steps, the histories of the faces, the sums of the blocks, and the list of the faces
-// that gather.
+// The irradiance of each base-level face, by the face's id, relative to E, the irradiance of a surface that
+// faces the sun, and the faces that its rays hit. The buffer has, in this order: the words of the faces, a
+// word per id with the face's id in the next lists (directional/carry_over.comp), and the hits, by
+// direction and then by id.
+//
+// A face keeps what its VCT_DIRECTIONS cached rays have hit. In each step the mean of the hits' radiance is
+// its irradiance `now`. A few rays are noisy from face to face, but the noise does not change as long as the
+// hits are the same. Two means remove it: one over the neighbouring faces, whose rays have other directions
+// (directional/smooth.comp), and at rest one over many more rays, which are not kept (the refined mean).
 #include "directional/light_step.glsl"
+#include "shared/layout.h"
 
 layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
     uint faceIrradianceData[];
 };
 
-struct FaceIrradiance {
-    vec4 light;       // mean irradiance; a: ambient visibility
-    float steps;      // history length; 0: no history
-    vec4 roundStart;  // `light` at the beginning of the round (directional/gather.comp: nextMean())
-    float nearness;   // mean of 1 / distance to the surrounding surfaces, in voxels
-};
-// Words per face.
+// Words of a face. Means have two words: irradiance, and in alpha ambient visibility.
+#define VCT_MEAN_NOW 0u      // over the cached rays
+#define VCT_MEAN_SMOOTH 2u   // of `now`, over the neighbouring faces
+#define VCT_MEAN_SHOWN 4u    // what pixels see, and what the face reflects
+#define VCT_MEAN_REFINED 6u  // at the end of the last refinement
+#define VCT_MEAN_KNOWN 8u    // `smooth` at that time
+#define VCT_MEAN_GAIN 10u    // of the present refinement's rays so far, less `now` in the same steps
+#define VCT_MEAN_SKY \
+    VCT_FACE_SKY_WORD            // the sky's part of `now` without moving objects, and ambient visibility
+#define VCT_MEAN_SKY_NOW 14u     // the same with moving objects
+#define VCT_FACE_SIGHT 16u       // FaceSight
+#define VCT_FACE_DIRECT 17u      // packRgb9e5(), emission and reflected direct light
+#define VCT_FACE_BLOCKED 18u     // position of the face's blocked rays; packBlockedCounts()
+#define VCT_FACE_EMITTERS 20u    // two words: irradiance by the compact emitters
+#define VCT_FACE_SEEN_PARTS 22u  // four words: visible share of the emitters' parts, 4 bits each
 #ifdef VCT_EMITTERS
-#define VCT_IRRADIANCE_WORDS 7u
+#define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
 #else
-#define VCT_IRRADIANCE_WORDS 5u
+#define VCT_IRRADIANCE_WORDS VCT_FACE_IRRADIANCE_WORDS
 #endif
-uint irradianceIndex(uint id) {
-    return VCT_LIGHT_HEADER + VCT_IRRADIANCE_WORDS * id;
-}
-
-FaceIrradiance faceIrradianceAt(uint id) {
-    uint at = irradianceIndex(id);
-    vec2 blueAndSteps = unpackHalf2x16(faceIrradianceData[at + 1u]);
-    vec2 startBlueAndNearness = unpackHalf2x16(faceIrradianceData[at + 3u]);
-    vec2 visibility = unpackHalf2x16(faceIrradianceData[at + 4u]);
-    return FaceIrradiance(
-        vec4(unpackHalf2x16(faceIrradianceData[at]), blueAndSteps.x, visibility.x), blueAndSteps.y,
-        vec4(unpackHalf2x16(faceIrradianceData[at + 2u]), startBlueAndNearness.x, visibility.y),
-        startBlueAndNearness.y);
-}
-float historyLength(uint id) {
-    return unpackHalf2x16(faceIrradianceData[irradianceIndex(id) + 1u]).y;
+uint irradianceAt(uint id) {
+    return VCT_IRRADIANCE_WORDS * id;
 }
 
 // Upper limit of stored light. The largest half float is 65504.
 const float maxStoredLight = 6e4;
 
-void storeFaceIrradiance(uint id, FaceIrradiance value) {
-    uint at = irradianceIndex(id);
-    vec4 light = min(value.light, maxStoredLight), roundStart = min(value.roundStart, maxStoredLight);
-    faceIrradianceData[at] = packHalf2x16(light.rg);
-    faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, value.steps));
-    faceIrradianceData[at + 2u] = packHalf2x16(roundStart.rg);
-    faceIrradianceData[at + 3u] = packHalf2x16(vec2(roundStart.b, value.nearness));
-    faceIrradianceData[at + 4u] = packHalf2x16(vec2(light.a, roundStart.a));
+vec4 faceMean(uint id, uint mean) {
+    uint at = irradianceAt(id) + mean;
+    return vec4(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(faceIrradianceData[at + 1u]));
+}
+void storeFaceMean(uint id, uint mean, vec4 value) {
+    uint at = irradianceAt(id) + mean;
+    value = clamp(value, -maxStoredLight, maxStoredLight);
+    faceIrradianceData[at] = packHalf2x16(value.rg);
+    faceIrradianceData[at + 1u] = packHalf2x16(value.ba);
+}
+
+// A summary of what the cached rays of a face meet.
+struct FaceSight {
+    float nearness;  // mean of 1 / distance to the surfaces, in voxels
+    uint backs;      // number of rays that meet the back of a surface, as inside of a solid, at most 255
+    uint rays;       // number of the others, at most 255
+};
+FaceSight faceSight(uint id) {
+    uint word = faceIrradianceData[irradianceAt(id) + VCT_FACE_SIGHT];
+    return FaceSight(unpackHalf2x16(word).x, word >> 16u & 255u, word >> 24u);
+}
+void storeFaceSight(uint id, FaceSight sight) {
+    faceIrradianceData[irradianceAt(id) + VCT_FACE_SIGHT] =
+        packHalf2x16(vec2(sight.nearness, 0.0)) & 0xFFFFu | min(sight.backs, 255u) << 16u |
+        min(sight.rays, 255u) << 24u;
 }
 
 // The nearer the surrounding surfaces are, the faster irradiance varies along a surface (Ward, Rubinstein and
@@ -57,8 +74,41 @@ void storeFaceIrradiance(uint id, FaceIrradiance value) {
 float closeness(float nearness) {
     return 1.0 - clamp((1.0 / max(nearness, 1e-3) - 1.0) / 3.0, 0.0, 1.0);
 }
-bool isNearSurfaces(FaceIrradiance mean) {
-    return closeness(mean.nearness) > 0.5;
+
+uint hitAt(uint id, uint direction) {
+    return lightStep.firstHit + direction * lightStep.idCapacity + id;
+}
+uint forwardAt(uint id) {
+    return lightStep.firstForward + id;
+}
+
+// A cached ray that a moving object blocks: its direction, and what it hits in place of its cached hit.
+uint packBlocked(uint direction, uint hit) {
+    return direction << 24u | hit & 0xFFFFFFu;
+}
+
+// The number of blocked rays and of those among them that meet a back, and whether the face had the plane of
+// a moving object, as where one touches a static surface. Then its hits are of a plane that moves.
+const uint wasMerged = 0x80000000u;
+uint packBlockedCounts(uint rays, uint backs) {
+    return rays | backs << 16u;
+}
+
+// Rays that meet the back of a surface do not count in the means.
+bool countsInMean(uint hit) {
+    return (hit & ~VCT_HIT_NEAR) != VCT_HIT_BACK && hit != VCT_HIT_UNKNOWN;
+}
+// The number of cached rays that count in `now`.
+uint countedRays(uint id) {
+    uint rays = faceSight(id).rays,
+         backs = faceIrradianceData[irradianceAt(id) + VCT_FACE_BLOCKED + 1u] >> 16u & 0xFFu;
+    return rays - min(backs, rays);
+}
+// True if a face is inside of a solid, as where two boxes touch.
+bool isHidden(uint id) {
+    FaceSight sight = faceSight(id);
+    uint counted = countedRays(id), backs = sight.backs + sight.rays - counted;
+    return 3u * backs > counted;
 }
 
 // The index (0 to 15) of a face in its layer: the 4 x 4 faces of a block that have the same position along
@@ -68,35 +118,20 @@ int indexInBlock(ivec3 voxel, int axis) {
     return (across.x & 3) + 4 * (across.y & 3);
 }
 
-// Irradiance by the compact emitters (directional/emitters.comp). It needs no history, because it has no
-// noise.
+// The light of further bounces that a face reflects. In a closed room that absorbs nothing, it would grow
+// without bound, so white surfaces absorb a little.
+vec3 reflectedBounces(vec3 albedo, vec3 irradiance) {
+    const float maxAlbedo = 0.99;
+    return lightStep.bounces * min(albedo, maxAlbedo) * irradiance;
+}
+
+// Irradiance by the compact emitters (directional/emitters.comp).
 #ifdef VCT_EMITTERS
 vec3 emitterIrradiance(uint id) {
-    uint at = irradianceIndex(id) + 5u;
-    return vec3(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(faceIrradianceData[at + 1u]).x);
-}
-void storeEmitterIrradiance(uint id, vec3 light) {
-    uint at = irradianceIndex(id) + 5u;
-    light = min(light, maxStoredLight);
-    faceIrradianceData[at] = packHalf2x16(light.rg);
-    faceIrradianceData[at + 1u] = packHalf2x16(vec2(light.b, 0.0));
+    return faceMean(id, VCT_FACE_EMITTERS).rgb;
 }
 #else
 vec3 emitterIrradiance(uint id) {
     return vec3(0.0);
 }
-void storeEmitterIrradiance(uint id, vec3 light) {}
 #endif
-
-// The position of a step's sums. There are three: of the previous step (step + 2, modulo 3), of this step,
-// and of the next step (step + 1), which are being cleared.
-uint lightSums(uint step) {
-    return step % 3u * VCT_LIGHT_SUMS;
-}
-
-// The position of the sums over a brick's faces in the step: irradiance in three words, and coverage.
-uint blockSums(uint brick) {
-    uvec3 place = uvec3(unpackBrick(brick));
-    uint along = lightStep.bricksAlong;
-    return lightStep.blockSums + 4u * (place.x + along * (place.y + along * place.z));
-}

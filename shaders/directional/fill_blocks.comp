@@ -1,4 +1,5 @@
-// Writes the texture of occupied voxels that rays read, of static and dynamic geometry together. A ray meets
+// Writes the texture of occupied voxels that rays read: those of the static geometry, and behind them along z
+// those of the dynamic objects, if there are any. A ray meets
 // only faces that look against it, so each of the eight octants of directions has 64 bits per block, of the
 // voxels with such faces: bit x + 4 y of channel z. The octants are beside each other along x. Bits 0, 1 and
 // 2 of an octant's number are set if its directions point towards +x, +y and +z.
@@ -8,23 +9,21 @@
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(rgba16ui, binding = VCT_IMAGE_BLOCKS) writeonly uniform highp uimage3D blocks;
 
-uvec2 occupiedBy(ivec3 block, int face) {
-    uint still = blockWords(block, face, false), moving = blockWords(block, face, true);
-    return uvec2(faceData[still] | faceData[moving], faceData[still + 1u] | faceData[moving + 1u]);
-}
-
 void main() {
     COUNT(VCT_COUNTER_FILL_BLOCKS);
-    ivec3 block = ivec3(gl_GlobalInvocationID);
-    int side = frame.gridSide / VCT_BRICK_SIDE;
-    if (any(greaterThanEqual(block, ivec3(side, side, side * cascades)))) return;
+    ivec3 texel = ivec3(gl_GlobalInvocationID);
+    int side = frame.gridSide / VCT_BRICK_SIDE, depth = side * cascades;
+    if (any(greaterThanEqual(texel, ivec3(side, side, imageSize(blocks).z)))) return;
+    bool isDynamic = texel.z >= depth;
     uvec2 faces[6];
-    for (int face = 0; face < 6; ++face)
-        faces[face] = occupiedBy(block, face);
+    for (int face = 0; face < 6; ++face) {
+        uint at = blockWords(texel - ivec3(0, 0, isDynamic ? depth : 0), face, isDynamic);
+        faces[face] = uvec2(faceData[at], faceData[at + 1u]);
+    }
     for (int octant = 0; octant < 8; ++octant) {
         COUNT(VCT_COUNTER_FILL_BLOCKS_OCTANT);
         uvec2 bits = faces[octant & 1] | faces[2 + (octant >> 1 & 1)] | faces[4 + (octant >> 2 & 1)];
-        imageStore(blocks, block + ivec3(octant * side, 0, 0),
+        imageStore(blocks, texel + ivec3(octant * side, 0, 0),
                    uvec4(bits.x & 0xFFFFu, bits.x >> 16u, bits.y & 0xFFFFu, bits.y >> 16u));
     }
 }

@@ -1,13 +1,11 @@
 // Writes the irradiance of the faces, or their ambient visibility, into the bricks, where pixels look it up.
-#include "directional/face_sums.glsl"
+#include "directional/face_lists.glsl"
+#include "directional/face_irradiance.glsl"
 #include "directional/irradiance.glsl"
-#include "directional/active_faces.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 layout(rgba16f, binding = VCT_IMAGE_IRRADIANCE) writeonly uniform mediump image3D irradianceTexels;
-layout(binding = VCT_TEX_BLOCK_LIGHT) uniform mediump sampler3D blockLight;
 layout(location = VCT_UNIFORM_SHOWS_VISIBILITY) uniform uint showsVisibility;
-layout(location = VCT_UNIFORM_FILLS_ALL) uniform uint fillsAll;
 
 // Stores a texel in the brick of the face's block, and in the borders of neighbouring bricks.
 void storeInBricks(ListedFace listed, vec4 texel) {
@@ -30,38 +28,21 @@ void storeInBricks(ListedFace listed, vec4 texel) {
     }
 }
 
-// While something changes, a face's history holds few cones and is noisy. Far from other surfaces irradiance
-// varies little, so the face takes the mean of its block and the blocks around, which hold many cones
-// together.
-vec3 smoothed(FaceIrradiance mean, ListedFace listed, SurfacePlane plane) {
-    float weight = lightStep.smoothing * (1.0 - closeness(mean.nearness));
-    if (weight == 0.0) return mean.light.rgb;
-    int cascade = cascadeOf(listed.voxel);
-    ivec3 inCascade = listed.voxel - firstOfCascade(listed.voxel, frame.gridSide);
-    vec3 inVoxels = vec3(inCascade) + 0.5 + plane.normal * plane.offset;
-    // The filter must not read texels of faces of another direction.
-    float margin = 0.5 * float(VCT_BRICK_SIDE) / float(frame.gridSide);
-    vec3 position = clamp(inVoxels / float(frame.gridSide), margin, 1.0 - margin);
-    vec3 block =
-        (position + vec3(listed.face >> 1, listed.face & 1, cascade)) / vec3(3.0, 2.0, float(cascades));
-    vec4 around = textureLod(blockLight, block, 0.0);
-    return around.a > 0.0 ? mix(mean.light.rgb, around.rgb / around.a, weight) : mean.light.rgb;
-}
-
 void main() {
     COUNT(VCT_COUNTER_FILL_BRICKS);
-    bool everyFace = fillsAll != 0u;
-    uint count = visitedFaceCount(everyFace);
+    uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_FILL_BRICKS_FACE);
-        uint id = visitedFaceId(everyFace, i);
+        uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
         if (listed.isMerged) continue;
-        FaceIrradiance mean = faceIrradianceAt(id);
-        vec3 light = showsVisibility != 0u
-                         ? vec3(mean.light.a)
-                         : min(smoothed(mean, listed, facePlane(id)) + emitterIrradiance(id), maxStoredLight);
-        storeInBricks(listed, vec4(light, 1.0) * faceExtent(id).coverage);
+        vec4 shown = faceMean(id, VCT_MEAN_SHOWN);
+        vec3 light =
+            showsVisibility != 0u ? shown.aaa : min(shown.rgb + emitterIrradiance(id), maxStoredLight);
+        // The planes of thin round bodies may be inside of them by rounding, so these count.
+        FaceExtent extent = faceExtent(id);
+        float weight = isHidden(id) && !extent.isCurved ? 0.0 : extent.coverage;
+        storeInBricks(listed, vec4(light, 1.0) * weight);
     }
 }

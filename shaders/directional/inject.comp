@@ -1,10 +1,11 @@
 // Injects light: writes the radiance that each face of the base level emits and reflects,
 //
 //     emission + albedo * (shadowed direct light at the face's plane + face irradiance).
-#include "directional/face_sums.glsl"
-#include "directional/voxels.glsl"
-#include "directional/active_faces.glsl"
-#include "directional/light_balance.glsl"
+//
+// It runs when a light or an object has changed. Between such changes, smooth.comp adds the bounces to what
+// the face emits and reflects of direct light.
+#include "directional/face_lists.glsl"
+#include "directional/face_irradiance.glsl"
 #include "shared/orthonormal.glsl"
 #include "shared/shadow.glsl"
 #ifdef VCT_PUNCTUAL_LIGHTS
@@ -47,43 +48,34 @@ vec3 directIrradiance(SurfacePlane plane, float slackShare, vec3 middle, int cas
     return sum + max(cosTheta, 0.0) * (known.x / max(known.x + known.y, 1.0)) * frame.lightColor.rgb;
 }
 
-// While something changes, light is injected into the static faces of a cascade once in 2^cascade steps, so
-// that a step costs about twice the finest cascade. Returns this number of steps; 1 for a face that is new to
-// its cascade and has no radiance yet.
-uint injectionPeriod(uint id, uint cascade) {
-    bool isNew = faceData[faceAt(id) + VCT_FACE_RADIANCE] == 0u;
-    bool atOnce = lightStep.rayBudget == 0u || lightStep.longEnough > 0.0;
-    return cascades == 1 || isNew || atOnce ? 1u : 1u << cascade;
+// A face's emission and reflected direct light.
+vec3 ownRadiance(ListedFace listed, uint id, vec3 albedo) {
+    vec3 radiance = vec3(0.0);
+#ifdef VCT_EMISSION
+    radiance = unpackRgb9e5(faceData[faceAt(id) + VCT_FACE_EMITTED]);
+#endif
+    if (albedo == vec3(0.0)) return radiance;
+    SurfacePlane plane = facePlane(id);
+    FaceExtent extent = faceExtent(id);
+    vec3 middle = surfaceMiddle(listed.voxel, listed.face, plane, extent);
+    return radiance +
+           albedo * directIrradiance(plane, slackShareOf(extent.isCurved), middle, cascadeOf(listed.voxel));
 }
 
 void main() {
     COUNT(VCT_COUNTER_INJECT);
-    beginBalance();
-    // While only cascades move, the light of faces that are not active stays.
-    bool everyFace = cascades == 1 || lightStep.longEnough == 0.0;
-    uint count = visitedFaceCount(everyFace);
+    uint count = baseFaceCount();
     uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
     for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
         COUNT(VCT_COUNTER_INJECT_FACE);
-        uint id = visitedFaceId(everyFace, i);
+        uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
         // The sums of a merged dynamic face are added to a static face, which is injected with both.
         if (listed.isMerged) continue;
-        int cascade = cascadeOf(listed.voxel);
-        uint period = injectionPeriod(id, uint(cascade));
-        if ((i / uint(VCT_LIST_GROUP) + lightStep.frame) % period != 0u) continue;
-        SurfacePlane plane = facePlane(id);
-        FaceExtent extent = faceExtent(id);
         vec3 albedo = unpackRgb9e5(faceData[faceAt(id) + VCT_FACE_REFLECTANCE]);
-        vec3 middle = surfaceMiddle(listed.voxel, listed.face, plane, extent);
-        vec3 radiance = vec3(0.0);
-#ifdef VCT_EMISSION
-        radiance = unpackRgb9e5(faceData[faceAt(id) + VCT_FACE_EMITTED]);
-#endif
-        if (albedo != vec3(0.0))
-            radiance += albedo * directIrradiance(plane, slackShareOf(extent.isCurved), middle, cascade);
-        radiance = addBounces(id, listed.voxel, float(period), extent.coverage, radiance, albedo);
-        faceData[faceAt(id) + VCT_FACE_RADIANCE] = packRgb9e5(radiance);
+        vec3 own = ownRadiance(listed, id, albedo);
+        faceIrradianceData[irradianceAt(id) + VCT_FACE_DIRECT] = packRgb9e5(own);
+        vec3 irradiance = faceMean(id, VCT_MEAN_SHOWN).rgb + emitterIrradiance(id);
+        faceData[faceAt(id) + VCT_FACE_RADIANCE] = packRgb9e5(own + reflectedBounces(albedo, irradiance));
     }
-    endBalance();
 }

@@ -41,8 +41,8 @@ vec3 irradianceInAir(vec3 position, vec3 normal, int cascade) {
     VisibleSky sky = VisibleSky(0.0);
     for (int i = 0; i < VCT_GATHER_DIRECTIONS; ++i) {
         vec3 aroundNormal = gatherDirection(i), direction = axes * aroundNormal;
-        RayHit hit =
-            traceRay(start, cascade, direction, 2.0 * voxelsAlongVolume(cascade), diceOf(i, ivec3(start)));
+        RayHit hit = traceRay(start, cascade, direction, 2.0 * voxelsAlongVolume(cascade),
+                              diceOf(i, ivec3(start)), allGeometry);
         if (hit.id == noFace)
             sky += visibleSky(direction, gatherSolidAngle(aroundNormal.y));
         else
@@ -52,7 +52,8 @@ vec3 irradianceInAir(vec3 position, vec3 normal, int cascade) {
 #ifdef VCT_EMITTERS
     for (int i = 0; i < emitters.count.x; ++i) {
         SeenPart seen = seenPart(emitters.part[i], position, normal);
-        if (isStorable(seen.light)) light += lightOfPart(emitters.part[i], seen, start, cascade);
+        if (isStorable(seen.light))
+            light += seen.light * visibleShare(emitters.part[i], seen, start, cascade, allGeometry);
     }
 #endif
     return light;

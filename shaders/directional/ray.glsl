@@ -12,7 +12,10 @@ layout(binding = VCT_TEX_VOXELS) uniform highp usampler3D staticIndex;
 layout(binding = VCT_TEX_BLOCKS) uniform highp usampler3D blocks;  // directional/fill_blocks.comp
 layout(binding = VCT_TEX_DYNAMIC_VOXELS) uniform highp usampler3D dynamicIndex;
 
-const uint noFace = 0xFFFFFFFFu;
+const uint noFace = 0xFFFFFFFFu, backOfFace = 0xFFFFFFFEu;
+// The geometry that a ray may meet. Backs of surfaces stop rays only where that is asked for, because more
+// voxels have to be looked at.
+const uint staticGeometry = 1u, dynamicGeometry = 2u, allGeometry = 3u, backsOfFaces = 4u;
 // Height of a ray's start above its surface, because neighbouring voxels round a plane differently.
 const float startHeight = 0.1;
 
@@ -22,7 +25,7 @@ float diceOf(int ray, ivec3 voxel) {
 }
 
 struct RayHit {
-    uint id;         // of the face; noFace: the ray has met none
+    uint id;         // of the face; noFace: the ray has met none; backOfFace: the back of one
     float distance;  // to the hit, or the length of the ray
 };
 
@@ -54,46 +57,69 @@ bool covers(uint staticCell, uint dynamicCell, int axis, uint surface, uint exte
 }
 
 // The id of the first face of a voxel that a ray meets. `origin`: of the ray, from the voxel's middle.
-// `facing`: the faces that look against the ray. `reach`: limit of the distance, then that of the hit.
-uint firstFace(uint staticCell, uint dynamicCell, uint facing, vec3 origin, vec3 direction, float dice,
-               inout float reach) {
+// `faces`: a bit for each face that the ray may meet. `meetsBacks`: whether their backs count. `reach`: limit
+// of the distance, then that of the hit.
+uint firstFace(uint staticCell, uint dynamicCell, uint faces, bool meetsBacks, vec3 origin, vec3 direction,
+               float dice, inout float reach) {
     uint id = noFace;
     float best = 0.0, limit = reach;
-    for (uint left = facing; left != 0u; left &= left - 1u) {
+    for (uint left = faces; left != 0u; left &= left - 1u) {
         COUNT(VCT_RAY_FACE);
         int face = findLSB(left), axis = face >> 1;
         uint found = faceId(hasFace(staticCell, face) ? staticCell : dynamicCell, face), at = faceAt(found);
         uint surface = faceData[at + VCT_FACE_SURFACE];
         SurfacePlane plane = unpackPlane(surface);
         float cosine = dot(plane.normal, direction);
-        if (cosine > -1e-4) continue;
+        if (meetsBacks ? abs(cosine) < 1e-4 : cosine > -1e-4) continue;
         float distance = (plane.offset - dot(origin, plane.normal)) / cosine;
         vec3 point = origin + distance * direction;
         float weight = abs(plane.normal[axis]);
         float beyond = max(abs(point.x), max(abs(point.y), abs(point.z))) - 0.5;
-        if (distance < 0.0 || distance > limit || beyond > (weight > 0.99 ? acrossPlane : acrossVoxel))
-            continue;
-        // The faces of a slanted surface have the same plane.
-        bool isNearer = distance < reach - 0.01 || distance < reach + 0.01 && weight > best;
+        bool isBack = cosine > 0.0;
+        float across = isBack ? 0.0 : weight > 0.99 ? acrossPlane : acrossVoxel;
+        if (distance < 0.0 || distance > limit || beyond > across) continue;
+        // The faces of a slanted surface have the same plane, and so have the two sides of a sheet, of which
+        // the front counts.
+        float tie = isBack == (id == backOfFace) ? 0.01 : 0.05;
+        if (isBack) weight = 0.0;
+        bool isNearer = distance < reach - tie || distance < reach + tie && weight > best;
         if (!isNearer) continue;
         if (!covers(staticCell, dynamicCell, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice))
             continue;
         reach = distance;
         best = weight;
-        id = found;
+        id = isBack ? backOfFace : found;
     }
     return id;
 }
 
-// Traces a ray from `start`, in voxels of the cascade `own`, up to the distance `reach`. The direction has
-// unit length. The ray goes on in the next coarser cascade where it leaves one.
-RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice) {
+// The voxels of a block with faces that a ray may meet. `octant`: of its direction.
+uvec4 occupiedVoxels(ivec3 block, int octant, uint geometry) {
+    int side = frame.gridSide / VCT_BRICK_SIDE;
+    ivec3 still = block + ivec3(octant * side, 0, 0), moving = still + ivec3(0, 0, side * cascades);
+    ivec3 behind = ivec3((7 - 2 * octant) * side, 0, 0);
+    uvec4 bits = uvec4(0u);
+    if ((geometry & staticGeometry) != 0u) bits |= texelFetch(blocks, still, 0);
+    if ((geometry & (staticGeometry | backsOfFaces)) == (staticGeometry | backsOfFaces))
+        bits |= texelFetch(blocks, still + behind, 0);
+    if ((geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0) {
+        bits |= texelFetch(blocks, moving, 0);
+        if ((geometry & backsOfFaces) != 0u) bits |= texelFetch(blocks, moving + behind, 0);
+    }
+    return bits;
+}
+
+// Traces a ray from `start`, in voxels of the cascade `own`, up to the distance `reach`, through some of the
+// geometry. The direction has unit length. The ray goes on in the next coarser cascade where it leaves one.
+RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, uint geometry) {
     direction = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
     vec3 inverse = 1.0 / direction;
     bvec3 positive = greaterThan(direction, vec3(0.0));
     ivec3 ahead = ivec3(positive);
     uint against = (positive.x ? 2u : 1u) | (positive.y ? 8u : 4u) | (positive.z ? 32u : 16u);
-    ivec3 ofOctant = ivec3((ahead.x + 2 * ahead.y + 4 * ahead.z) * (frame.gridSide / VCT_BRICK_SIDE), 0, 0);
+    int octant = ahead.x + 2 * ahead.y + 4 * ahead.z;
+    bool meetsBacks = (geometry & backsOfFaces) != 0u;
+    if (meetsBacks) against = VCT_FACE_MASK;
     vec3 volume = volumeFromVoxels(start, own);
     float scale = 1.0, distance = 0.0;
     for (int cascade = own; cascade < cascades; ++cascade, scale *= 0.5) {
@@ -107,7 +133,7 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice) {
             bool isOccupied = false;
             do {
                 COUNT(VCT_RAY_STEP);
-                uvec4 bits = texelFetch(blocks, (voxel >> VCT_BRICK_LEVEL) + ofOctant, 0);
+                uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, octant, geometry);
                 uint place = uint((voxel.x & 3) + 4 * (voxel.y & 3));
                 uvec2 layers = (voxel.z & 2) == 0 ? bits.xy : bits.zw;
                 uint layer = (voxel.z & 1) == 0 ? layers.x : layers.y;
@@ -132,7 +158,9 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice) {
             uint staticCell = texelFetch(staticIndex, voxel, 0).r;
             uint dynamicCell = frame.hasDynamicObjects != 0 ? texelFetch(dynamicIndex, voxel, 0).r : 0u;
             float found = end;
-            uint id = firstFace(staticCell, dynamicCell, (staticCell | dynamicCell) & against,
+            uint faces = ((geometry & staticGeometry) != 0u ? staticCell : 0u) |
+                         ((geometry & dynamicGeometry) != 0u ? dynamicCell : 0u);
+            uint id = firstFace(staticCell, dynamicCell, faces & against, meetsBacks,
                                 origin - vec3(voxel) - 0.5, direction, dice, found);
             if (id != noFace) return RayHit(id, found / scale);
             isTested = true;

@@ -89,7 +89,7 @@ vec3 radianceAtHit(RayHit hit, vec3 position) {
 vec3 lightAlongRay(vec3 start, int own, vec3 direction, float tangent, float dice, bool isSharp) {
     float grid = voxelsAlongVolume(own);
     vec3 origin = volumeFromVoxels(start, own);
-    RayHit hit = traceRay(start, own, direction, 2.0 * grid, dice);
+    RayHit hit = traceRay(start, own, direction, 2.0 * grid, dice, allGeometry);
     vec3 light;
     if (hit.id == noFace)
         light = sampleSky(direction, 3.1415927 * tangent * tangent);

@@ -5,8 +5,8 @@
 layout(std430, binding = VCT_SSBO_COMMANDS) buffer CommandBlock {
     LevelCommands commands[VCT_LISTS];
     uint dynamicList;
-    uint largestLight;
-    float lightRange;
+    uint blockedRays;
+    uint mostBlockedRays;
     uint staticList;
 };
 layout(std430, binding = VCT_SSBO_ACTIVE_VOXELS) buffer ActiveVoxelBlock {

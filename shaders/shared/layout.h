@@ -107,62 +107,84 @@ using glm::vec4;
 #define VCT_COUNTER_PLACE_BRICKS_FACE 36
 #define VCT_COUNTER_GATHER 37
 #define VCT_COUNTER_GATHER_FACE 38
-#define VCT_COUNTER_GATHER_RAY 39
-#define VCT_COUNTER_FILL_BRICKS_TEXEL 40
-#define VCT_COUNTER_IRRADIANCE_NEARBY 41
-#define VCT_COUNTER_LIGHT_BLOCKS 42
-#define VCT_COUNTER_SHADOW_MOMENTS 43
-#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 44
-#define VCT_COUNTER_EMITTERS 45
-#define VCT_COUNTER_EMITTERS_FACE 46
-#define VCT_COUNTER_EMITTERS_RAY 47
-#define VCT_COUNTER_DEFORM 48
-#define VCT_COUNTER_DEFORM_VERTEX 49
-#define VCT_COUNTER_DEFORM_TARGET 50
-#define VCT_COUNTER_SORT_AXES 51
-#define VCT_COUNTER_SORT_AXES_TRIANGLE 52
-#define VCT_COUNTER_MARK_LOOKUPS 53
-#define VCT_COUNTER_CHOOSE_FACES 54
-#define VCT_COUNTER_CHOOSE_FACES_FACE 55
-#define VCT_COUNTER_FILL_BRICKS 56
-#define VCT_COUNTER_FILL_BRICKS_FACE 57
-#define VCT_COUNTER_CHOOSE_RANGE 58
-#define VCT_COUNTER_MARK_WALLS 59
-#define VCT_COUNTER_MARK_WALLS_FACE 60
-#define VCT_COUNTER_MARK_WALLS_SURFACE 61
-#define VCT_COUNTER_MARK_WALLS_CROSSED 62
-#define VCT_COUNTER_MARK_WALLS_BRICK 63
-#define VCT_COUNTER_MARK_WALLS_WORD 64
-#define VCT_COUNTER_GLOSS 65
-#define VCT_COUNTER_GLOSS_SAMPLE 66
-#define VCT_COUNTER_GLOSS_MARK 67
-#define VCT_COUNTER_GLOSS_HALF 68
-#define VCT_COUNTER_MARK_STATIC 69
-#define VCT_COUNTER_KEEP_VOXELS 70
-#define VCT_COUNTER_KEEP_VOXELS_VOXEL 71
-#define VCT_COUNTER_KEEP_SUMS 72
-#define VCT_COUNTER_KEEP_SUMS_FACE 73
-#define VCT_COUNTER_RESOLVE 74
-#define VCT_COUNTER_RESOLVE_FACE 75
-#define VCT_COUNTER_RESOLVE_OTHER 76
-#define VCT_COUNTER_GATHER_STEP 77
-#define VCT_COUNTER_GATHER_VOXEL_FACE 78
-#define VCT_COUNTER_GATHER_LIMIT 79
-#define VCT_COUNTER_EMITTERS_STEP 80
-#define VCT_COUNTER_EMITTERS_VOXEL_FACE 81
-#define VCT_COUNTER_EMITTERS_LIMIT 82
-#define VCT_COUNTER_GLOSS_STEP 83
-#define VCT_COUNTER_GLOSS_VOXEL_FACE 84
-#define VCT_COUNTER_GLOSS_LIMIT 85
-#define VCT_COUNTER_GLOSS_HALF_STEP 86
-#define VCT_COUNTER_GLOSS_HALF_VOXEL_FACE 87
-#define VCT_COUNTER_GLOSS_HALF_LIMIT 88
-#define VCT_COUNTER_GLOSS_HALF_RAY 89
-#define VCT_COUNTER_FILL_BLOCKS 90
-#define VCT_COUNTER_FILL_BLOCKS_OCTANT 91
-#define VCT_COUNTER_GLOSS_RAY 92
-#define VCT_COUNTER_RESOLVE_POINT 93
-#define VCT_COUNTER_COUNT 94
+#define VCT_COUNTER_FILL_BRICKS_TEXEL 39
+#define VCT_COUNTER_IRRADIANCE_NEARBY 40
+#define VCT_COUNTER_SHADOW_MOMENTS 41
+#define VCT_COUNTER_SHADOW_MOMENTS_NEXT 42
+#define VCT_COUNTER_EMITTERS 43
+#define VCT_COUNTER_EMITTERS_FACE 44
+#define VCT_COUNTER_EMITTERS_RAY 45
+#define VCT_COUNTER_DEFORM 46
+#define VCT_COUNTER_DEFORM_VERTEX 47
+#define VCT_COUNTER_DEFORM_TARGET 48
+#define VCT_COUNTER_SORT_AXES 49
+#define VCT_COUNTER_SORT_AXES_TRIANGLE 50
+#define VCT_COUNTER_FILL_BRICKS 51
+#define VCT_COUNTER_FILL_BRICKS_FACE 52
+#define VCT_COUNTER_MARK_WALLS 53
+#define VCT_COUNTER_MARK_WALLS_FACE 54
+#define VCT_COUNTER_MARK_WALLS_SURFACE 55
+#define VCT_COUNTER_MARK_WALLS_CROSSED 56
+#define VCT_COUNTER_MARK_WALLS_BRICK 57
+#define VCT_COUNTER_MARK_WALLS_WORD 58
+#define VCT_COUNTER_GLOSS 59
+#define VCT_COUNTER_GLOSS_SAMPLE 60
+#define VCT_COUNTER_GLOSS_MARK 61
+#define VCT_COUNTER_GLOSS_HALF 62
+#define VCT_COUNTER_MARK_STATIC 63
+#define VCT_COUNTER_KEEP_VOXELS 64
+#define VCT_COUNTER_KEEP_VOXELS_VOXEL 65
+#define VCT_COUNTER_KEEP_SUMS 66
+#define VCT_COUNTER_KEEP_SUMS_FACE 67
+#define VCT_COUNTER_RESOLVE 68
+#define VCT_COUNTER_RESOLVE_FACE 69
+#define VCT_COUNTER_RESOLVE_OTHER 70
+#define VCT_COUNTER_EMITTERS_STEP 71
+#define VCT_COUNTER_EMITTERS_VOXEL_FACE 72
+#define VCT_COUNTER_EMITTERS_LIMIT 73
+#define VCT_COUNTER_GLOSS_STEP 74
+#define VCT_COUNTER_GLOSS_VOXEL_FACE 75
+#define VCT_COUNTER_GLOSS_LIMIT 76
+#define VCT_COUNTER_GLOSS_HALF_STEP 77
+#define VCT_COUNTER_GLOSS_HALF_VOXEL_FACE 78
+#define VCT_COUNTER_GLOSS_HALF_LIMIT 79
+#define VCT_COUNTER_GLOSS_HALF_RAY 80
+#define VCT_COUNTER_FILL_BLOCKS 81
+#define VCT_COUNTER_FILL_BLOCKS_OCTANT 82
+#define VCT_COUNTER_GLOSS_RAY 83
+#define VCT_COUNTER_GATHER_HIT 84
+#define VCT_COUNTER_SMOOTH 85
+#define VCT_COUNTER_SMOOTH_FACE 86
+#define VCT_COUNTER_SMOOTH_NEIGHBOUR 87
+#define VCT_COUNTER_CARRY_HITS 88
+#define VCT_COUNTER_CARRY_HITS_FACE 89
+#define VCT_COUNTER_CARRY_HITS_HIT 90
+#define VCT_COUNTER_EMITTERS_OBJECT 91
+#define VCT_COUNTER_EMITTERS_PART 92
+#define VCT_COUNTER_GATHER_BLOCKED 93
+#define VCT_COUNTER_TRACE 94
+#define VCT_COUNTER_TRACE_FACE 95
+#define VCT_COUNTER_TRACE_RAY 96
+#define VCT_COUNTER_TRACE_STEP 97
+#define VCT_COUNTER_TRACE_VOXEL_FACE 98
+#define VCT_COUNTER_TRACE_LIMIT 99
+#define VCT_COUNTER_BLOCK 100
+#define VCT_COUNTER_BLOCK_FACE 101
+#define VCT_COUNTER_BLOCK_OBJECT 102
+#define VCT_COUNTER_BLOCK_RAY 103
+#define VCT_COUNTER_BLOCK_OBJECT_RAY 104
+#define VCT_COUNTER_BLOCK_TRACE 105
+#define VCT_COUNTER_BLOCK_STEP 106
+#define VCT_COUNTER_BLOCK_VOXEL_FACE 107
+#define VCT_COUNTER_BLOCK_LIMIT 108
+#define VCT_COUNTER_REFINE 109
+#define VCT_COUNTER_REFINE_FACE 110
+#define VCT_COUNTER_REFINE_RAY 111
+#define VCT_COUNTER_REFINE_STEP 112
+#define VCT_COUNTER_REFINE_VOXEL_FACE 113
+#define VCT_COUNTER_REFINE_LIMIT 114
+#define VCT_COUNTER_RESOLVE_POINT 115
+#define VCT_COUNTER_COUNT 116
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -178,14 +200,12 @@ using glm::vec4;
 #define VCT_TEX_NORMAL_MAP 5
 #define VCT_TEX_G_DEPTH 6
 #define VCT_TEX_G_EMISSIVE 7
-#define VCT_TEX_LAST_LOOKUPS 7    // shared with VCT_TEX_G_EMISSIVE; no pass needs both
-#define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_LAST_LOOKUPS; no pass needs both
+#define VCT_TEX_BLOCKS 7          // shared with VCT_TEX_G_EMISSIVE; no pass needs both
 #define VCT_TEX_SHADOW_DEPTH 8    // the shadow map, read without comparison
 #define VCT_TEX_DYNAMIC_VOXELS 9  // present pose
 #define VCT_TEX_IRRADIANCE 10     // the bricks of directional/irradiance.glsl, and their locations
 #define VCT_TEX_BRICKS 11
 #define VCT_TEX_G_GLOSS 12
-#define VCT_TEX_BLOCK_LIGHT 12  // shared with VCT_TEX_G_GLOSS; no pass needs both
 #define VCT_TEX_LIGHT_MAPS 13
 #define VCT_TEX_ENVIRONMENT 14
 #define VCT_TEX_SHADOW_MOMENTS 15
@@ -198,8 +218,6 @@ using glm::vec4;
 #define VCT_IMAGE_IRRADIANCE 2
 #define VCT_IMAGE_BRICKS 3
 #define VCT_IMAGE_COUNT 4
-#define VCT_IMAGE_BLOCK_LIGHT 2
-#define VCT_IMAGE_LAST_LOOKUPS 2
 #define VCT_IMAGE_BLOCKS 2
 
 // Vertex attributes.
@@ -218,8 +236,6 @@ using glm::vec4;
 #define VCT_UNIFORM_CASCADE 2           // cascade that triangles are voxelized into
 #define VCT_UNIFORM_CASCADES 2          // the cascades that have moved, a bit for each
 #define VCT_UNIFORM_KEEPS 1             // 1: what is listed is static from now on; 0: nothing is
-#define VCT_UNIFORM_ALL 2               // true: a pass visits all faces, false: the active ones
-#define VCT_UNIFORM_FILLS_ALL 1         // 1: bricks take the light of all faces; 0: only of the active faces
 #define VCT_UNIFORM_SHOWS_VISIBILITY 2  // 1: the bricks show ambient visibility; 0: light
 #define VCT_UNIFORM_SHADOW_TILE 2       // tile of the sun's shadow map that is drawn
 #define VCT_UNIFORM_AXIS 0              // axis along which the triangles of a draw call are voxelized
@@ -271,20 +287,25 @@ using glm::vec4;
 // voxel's first face in its list.
 #define VCT_FACE_MASK_BITS 6
 #define VCT_FACE_MASK 63u
-// The gather (directional/face_irradiance.glsl).
-#define VCT_LIGHT_SUMS 21u    // words of the sums over all faces in a step
-#define VCT_LIGHT_HEADER 63u  // words of the sums of three steps
+// Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without and with
+// compact emitters.
+#define VCT_FACE_IRRADIANCE_WORDS 20u
+#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 26u
+// The first of the five words that depend on what the cached rays have hit.
+#define VCT_FACE_SKY_WORD 12u
+// The hit of a cached ray: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter than the
+// distance of ambient occlusion.
+#define VCT_HIT_UNKNOWN 0u  // the ray has not been traced
+#define VCT_HIT_SKY 1u
+#define VCT_HIT_BACK 2u  // the back of a surface: the ray does not count
+#define VCT_HIT_FACE 3u  // plus the face's id
+#define VCT_HIT_NEAR 0x80000000u
+#define VCT_MAX_OBJECTS 32  // moving objects as spheres (directional/moving_objects.glsl)
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
-#define VCT_BRICK_SIDE 4         // 2^VCT_BRICK_LEVEL voxels
-#define VCT_BRICK_TEXELS 6       // the voxels and a border for the filter
-#define VCT_MIN_CREASE_RAYS 4    // minimum number of rays per step of a face near other surfaces
-#define VCT_INITIAL_HISTORY 6.0  // history length of a face after its first step
-// Steps in which all faces trace rays towards the emitters once, and after a move of the cascades, in which
-// all faces with a short history are active once.
-#define VCT_TURN_PERIOD 4u
-#define VCT_BLOCK_UNITS 33554432.0  // 2^25, fixed-point units in the sums over a block's faces, 64 at most
-#define VCT_MAX_GROUPS 65535u       // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
+#define VCT_BRICK_SIDE 4       // 2^VCT_BRICK_LEVEL voxels
+#define VCT_BRICK_TEXELS 6     // the voxels and a border for the filter
+#define VCT_MAX_GROUPS 65535u  // minimum of GL_MAX_COMPUTE_WORK_GROUP_COUNT (ES 3.1 table 20.45)
 
 // Volume space: the cube of voxels is [0, 1]^3; the axes are the world's. Radiance is relative to
 // radianceUnit() (jni/engine/radiance_unit.h), usually E/pi (E: irradiance of a surface that faces the
@@ -298,12 +319,12 @@ struct FrameUniforms {
     vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
     vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec4 background;   // rgb: as skyRadiance, for pixels without a surface
-    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates
-    float shadowConeSine;        // sine of half the cone's angle
-    float aoDistance;            // in sides of the volume; with cascades, of the finest one
-    float faceSumUnits;          // fixed-point units of a fully covered face (directional/face_sums.glsl)
-    float largestSky;            // upper bound of irradiance by the sky, relative to E
-    float largestBounceShare;    // upper bound of the share of light that a bounce reflects
+    vec2 shadowConeRadius;  // radius of the sun's cone per depth, in shadow-map coordinates
+    float shadowConeSine;   // sine of half the cone's angle
+    float aoDistance;       // in sides of the volume; with cascades, of the finest one
+    float faceSumUnits;     // fixed-point units of a fully covered face (directional/face_sums.glsl)
+    int hasDynamicObjects;  // 0: directional voxels hold static geometry only
+    int unused0;
     int gridSide;                // voxels along a side of the volume or a cascade, a power of two
     float emissionRange;         // emission that the sums store as 1, relative to E/pi
     float steepestShadowSlope;   // bound of the slopes below
@@ -317,9 +338,7 @@ struct FrameUniforms {
     // shadow map (shared/shadow.glsl).
     mat4 shadowTileFromVolume[VCT_SHADOW_TILES];
     vec4 shadowTileCone[VCT_SHADOW_TILES];
-    vec4 volumeInWorld;     // xyz: the volume's first corner, in metres; w: 1 / its side
-    int hasDynamicObjects;  // 0: directional voxels hold static geometry only
-    int unused0, unused1, unused2;
+    vec4 volumeInWorld;  // xyz: the volume's first corner, in metres; w: 1 / its side
 };
 
 // A punctual light (glTF's KHR_lights_punctual; jni/engine/passes/punctual_lights.h). Lengths in sides of the
@@ -353,33 +372,33 @@ struct EmitterPartUniforms {
     vec4 radiance;  // rgb: relative to E/pi; w: half the depth along `facing`
 };
 struct EmitterBlock {
-    ivec4 count;  // x: number of parts
+    ivec4 count;  // x: number of parts; y: a bit for each that may move
     EmitterPartUniforms part[VCT_MAX_EMITTER_PARTS];
 };
 
-// One step of the gather (jni/engine/directional/gather_schedule.h).
+// One step of the light (jni/engine/directional/light_schedule.h; directional/face_irradiance.glsl).
 struct LightStep {
-    uint frame;                 // number of the step
-    uint direction;             // index of the first direction, if the step has no budget
-    uint rays;                  // per face
-    uint initialRays;           // per face without a history
-    uint beginsRound;           // 1 if the step is the first of a round
-    uint bricksAlong;           // bricks along x and y of their texture
-    float roundShare;           // weight of the step in its round; 0 outside of rounds
-    float maxHistory;           // maximum history length, in steps
-    float maxInheritedHistory;  // maximum history length that a new face takes over from other faces
-    float energyCorrection;     // share of the global energy correction that the step applies
-    float bounces;              // 1: faces also reflect their irradiance; 0: the first bounce only
-    float previousStepWeight;   // weight that the previous step had in the histories
-    float sumUnits;             // fixed-point units of 1 in the sums over all faces
-    uint blockSums;             // word of the irradiance buffer where the blocks' sums begin
-    float smoothing;            // maximum weight of the block's mean in a face's irradiance, 0..1
-    float minHistory;           // minimum history length after the step; large once the light has converged
-    uint rayBudget;    // rays of the whole step (directional/gather_turns.glsl); 0: every face gathers
-    uint chosenFaces;  // word of the irradiance buffer where the list of gathering faces begins
-    // Faces with a history of at least this length do not gather; 0: all do. Used while only cascades move.
-    float longEnough;
-    uint lastActiveFace;  // word of the irradiance buffer with the first of the active faces; more are before
+    uint frame;            // number of the step
+    uint rays;             // cached rays of a face that are traced in the step, at most
+    uint movingRays;       // rays of all faces of moving objects together that are traced again
+    uint minMovingRays;    // and at least so many of each of these faces
+    uint firstRefining;    // number of the first direction that refines the mean
+    uint refiningRays;     // such rays per face; 0: the step does not refine
+    float refiningShare;   // weight of the step in the refinement: 1 / its steps so far
+    float refiningWeight;  // weight of the refinement in what is shown, 0..1
+    uint interrupts;       // 1: the step ends a refinement too early
+    uint endsRefinement;   // 1: the step is the last one of a refinement
+    uint updatesDirect;    // 1: direct light has changed
+    float bounces;         // 1: faces also reflect their irradiance; 0: the first bounce only
+    uint bricksAlong;      // bricks along x and y of their texture
+    uint idCapacity;       // number of ids: distance of the hits of two directions in the buffer, in words
+    uint firstForward;     // words of the buffer where the faces' next ids begin,
+    uint firstHit;         // the hits,
+    uint firstBlocked;     // and the blocked rays
+    uint blockedCapacity;  // room for so many
+    uint objectCount;      // moving objects
+    uint unusedStep0;
+    vec4 object[VCT_MAX_OBJECTS];  // xyz: middle, volume space; w: radius
 };
 
 struct DrawUniforms {
@@ -426,12 +445,9 @@ struct LevelCommands {
 struct CommandLists {
     LevelCommands lists[VCT_LISTS];
     uint dynamicList;  // list of the dynamic objects in the present pose
-    // The largest radiance or irradiance of a face in the last injection of light, as the bits of a float,
-    // because non-negative floats have the same order as their bits and atomicMax() needs integers.
-    uint largestLight;
-    float
-        lightRange;  // light that the integer sums of a light step store as 1 (directional/choose_range.comp)
-    uint staticList;  // list of the static geometry: 0, or with cascades the present one of two
+    uint blockedRays;  // cached rays that moving objects block, so far in the step (directional/block.comp)
+    uint mostBlockedRays;  // the largest number in a step, also of those that did not fit
+    uint staticList;       // list of the static geometry: 0, or with cascades the present one of two
 };
 
 // Entry of the active-voxel list (thesis 4.4): x 11 bits, y 11, z 10.

@@ -125,7 +125,6 @@ TEST(Irradiance, FollowsALightThatTurns) {
     const Scene scene = loadGltf(asset("cornell.glb"));
     const DirectionalLight light = chooseLight(scene);
     Settings settings = mobileSettings();
-    settings.gather.rayBudget = 1 << 20;  // every face gathers in every step
     const Camera camera = chooseCamera(scene, "");
     Renderer renderer = makeRenderer(context, scene, light, settings);
     renderer.render({{Output::gi}, camera, LightSteps::all});
@@ -201,18 +200,17 @@ TEST(Irradiance, StaysWhenVoxelsAreRebuiltInTheSameLight) {
         ASSERT_EQ(after.size(), before.size());
         int kept = 0;
         for (const auto& [entry, face] : after)
-            kept += face.steps > 8.0 ? 1 : 0;
+            kept += face.rays >= 64 ? 1 : 0;
         EXPECT_GT(kept, 99 * static_cast<int>(after.size()) / 100) << "of " << after.size();
-        // Dynamic faces begin with the irradiance that pixels looked up, and their block's.
         const bool moves = !scene.animation.channels.empty();
         expectAlike(after, before, moves ? 0.3 : 0.18, scene.path + " after 20 frames");
         EXPECT_NEAR(brightness(after) / brightness(before), 1.0, moves ? 0.03 : 0.025) << scene.path;
     }
 }
 
-// A box under the floor grows to twenty times its voxels. The capacity grows; static faces keep their history
+// A box under the floor grows to twenty times its voxels. The capacity grows; static faces keep their hits
 // and their light, which has not changed.
-TEST(Irradiance, KeepsItsHistoryWhenItsBuffersGrow) {
+TEST(Irradiance, KeepsItsHitsWhenItsBuffersGrow) {
     const Context context = openContext(Backend::egl);
     GltfBuilder builder = openFloor();
     addCube(builder, {0.8F, 0.8F, 0.8F}, {{"translation", {0, 1, -1.9}}, {"scale", {4, 2, 0.2}}});
@@ -234,8 +232,7 @@ TEST(Irradiance, KeepsItsHistoryWhenItsBuffersGrow) {
     int kept = 0;
     for (const auto& [entry, face] : before) {
         const auto now = after.find(entry);
-        // A face without a history begins with four.
-        kept += now != after.end() && now->second.steps > 8.0 ? 1 : 0;
+        kept += now != after.end() && now->second.rays >= 64 ? 1 : 0;
     }
     EXPECT_GT(kept, 9 * static_cast<int>(before.size()) / 10) << "of " << before.size();
     expectAlike(after, before, 0.7, "after it has grown");  // three frames' noise

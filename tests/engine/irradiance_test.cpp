@@ -96,7 +96,9 @@ TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
             addQuad(scene, e.corner, e.u, e.v, addEmitter(scene));
             const glm::dmat4 turn = turnScene(scene, turnDeg);
             scene = finished(std::move(scene));
-            const Settings settings = mobileAt(pictureSide);
+            Settings settings = mobileAt(pictureSide);
+            settings.gather.refinedDirections = 1024;
+            settings.gather.rays = 64;
             const glm::dvec3 eye(turn * glm::dvec4(0, 3, 0.001, 1));
             FrameInspector frame(context, scene, noLight(), settings, lookAt(eye, {0, 0, 0}, 36));
             const Deviation error = deviationOf(frame, [&](const glm::dvec3& positionWorld) {
@@ -145,6 +147,8 @@ TEST(Gather, AFloorUnderABallIsDarkAroundTheContact) {
     scene = finished(std::move(scene));
     for (const int grid : {64, 128}) {
         Settings settings = mobileAt(4 * pictureSide);
+        settings.gather.refinedDirections = 1024;
+        settings.gather.rays = 64;
         settings.grid = grid;
         settings.skyRadiance = glm::vec3(1.0F);
         FrameInspector frame(context, scene, noLight(), settings, lookAt({0, 0.2, 2}, {0, 0, 0}, 14));

@@ -19,16 +19,23 @@ IrradianceByFace readIrradiance(const Renderer& renderer) {
     // shaders/directional/face_irradiance.glsl
     for (const auto& [entry, id] : voxels.readBaseFaces()) {
         FaceIrradiance face;
-        for (std::size_t w = 0; w < face.words.size(); ++w)
-            face.words[w] = words.at(VCT_LIGHT_HEADER + irradiance.irradianceWords() * id + w);
-        const glm::vec2 rg = glm::unpackHalf2x16(face.words[0]), bSteps = glm::unpackHalf2x16(face.words[1]);
-        face.light = {rg.x, rg.y, bSteps.x};
-        if (irradiance.irradianceWords() == 7) {  // the light of emitters is apart
-            const std::uint32_t* const emitters = &words.at(VCT_LIGHT_HEADER + 7 * id + 5);
-            face.light += glm::dvec3(glm::unpackHalf2x16(emitters[0]), glm::unpackHalf2x16(emitters[1]).x);
-        }
-        face.steps = bSteps.y;
-        face.ambientVisibility = glm::unpackHalf2x16(face.words[4]).x;
+        const std::size_t at = std::size_t{irradiance.irradianceWords()} * id;
+        std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(at), face.words.size(), face.words.begin());
+        const auto mean = [&](std::size_t word) {
+            const glm::vec2 rg = glm::unpackHalf2x16(words.at(at + word)),
+                            ba = glm::unpackHalf2x16(words.at(at + word + 1));
+            return glm::dvec4(rg, ba);
+        };
+        const glm::dvec4 shown = mean(4);
+        face.light = glm::dvec3(shown);
+        face.ambientVisibility = shown.a;
+        const std::uint32_t sight = words.at(at + 16);
+        const auto rays = static_cast<int>(sight >> 24U), backs = static_cast<int>(sight >> 16U & 255U);
+        const auto blockedBacks = static_cast<int>(words.at(at + 19) >> 16U & 255U);
+        const int counted = std::max(rays - blockedBacks, 0);
+        face.rays = rays + backs;
+        face.isHidden = 3 * (backs + rays - counted) > counted;
+        if (irradiance.irradianceWords() > VCT_FACE_IRRADIANCE_WORDS) face.light += glm::dvec3(mean(20));
         face.coverage = base.at(entry).coverage;
         faces[entry] = face;
     }
@@ -42,6 +49,7 @@ IrradianceDifference differenceOf(const IrradianceByFace& a, const IrradianceByF
         const auto other = b.find(entry);
         if (other == b.end()) continue;
         const double difference = face.light.g - other->second.light.g;
+        if (other->second.isHidden || face.isHidden) continue;
         const double weight = other->second.coverage;
         ++result.common;
         weights += weight;

@@ -14,9 +14,10 @@ namespace vct::test {
 struct FaceIrradiance {
     glm::dvec3 light{0.0};  // mean over the hemisphere, relative to E/pi
     double ambientVisibility = 0.0;
-    double steps = 0.0;     // length of the history
+    int rays = 0;           // cached rays that have been traced
+    bool isHidden = false;  // inside of a solid, so that no pixel sees it
     double coverage = 0.0;  // of the face
-    std::array<std::uint32_t, 5> words{};
+    std::array<std::uint32_t, 6> words{};
 
     bool operator==(const FaceIrradiance& other) const { return words == other.words; }
 };
@@ -25,7 +26,8 @@ struct FaceIrradiance {
 using IrradianceByFace = std::map<std::uint32_t, FaceIrradiance>;
 IrradianceByFace readIrradiance(const Renderer& renderer);
 
-// The green channel over the faces of both, weighted by coverage as pixels see them. `mean` is that of b.
+// The green channel over the faces of both that are not hidden, weighted by coverage as pixels see them.
+// `mean` is that of b.
 struct IrradianceDifference {
     double mean = 0.0, rms = 0.0, bias = 0.0;
     double largest = 0.0;  // of a face that is covered by a tenth

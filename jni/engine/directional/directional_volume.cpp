@@ -45,7 +45,9 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
     shared::CommandLists found;
     if (isPrepared_) {
         // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
-        if (counts_.finish(&found)) growIfNeeded(found);
+        if (!counts_.finish(&found)) return;
+        growIfNeeded(found);
+        if (light_) light_->onRaysBlocked(found.mostBlockedRays);
         return;
     }
     voxelizeStatic(scene, cascades);
@@ -152,20 +154,28 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
             counts_.start(voxels_.index().commands());
         });
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
-        light_->onVoxelsChanged({voxelizes, moved, before != inputs.now, isMoved});
+        light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
+                                 !sameObjects || before->lightChanges != inputs.now.lightChanges, isMoved});
     cachedFor_ = inputs.now;
 
     VoxelLight light;
     light.directional = &voxels_;
     if (!reads(inputs.output).gathered()) return light;
     if (!light_)
-        light_.emplace(shaders_, settings_.gather, settings_.lightFrames, hasDynamic_ || hasCascades_,
-                       sources_);
+        light_.emplace(shaders_, Irradiance::fitting(settings_.gather, voxels_.idCapacity()),
+                       settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_,
+                       hasDynamic_ || hasCascades_, sources_);
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();
+    const std::vector<glm::vec4> objects =
+        voxelizesAll_ ? std::vector<glm::vec4>() : inputs.scene.movingSpheres(VCT_MAX_OBJECTS);
     for (int i = 0; i < inputs.lightSteps && !light_->isConverged(); ++i) {
-        timer.time(Step::irradiance, [&] { light_->beginStep(voxels_, inputs.surface, inputs.allBounces); });
-        timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
+        timer.time(Step::irradiance, [&] { light_->beginStep(voxels_, objects, inputs.allBounces); });
+        if (light_->isDirectOutdated())
+            timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
         timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
+        // A picture of converged light waits for the GPU, so that no ray is left out.
+        if (i == 0 && inputs.lightSteps > 1 && !objects.empty())
+            light_->onRaysBlocked(voxels_.index().readCommands().mostBlockedRays);
     }
     if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))
         timer.time(Step::irradiance, [&] { light_->fillBricks(voxels_, visibility); });

@@ -58,7 +58,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
              cascades),
       blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, octants * grid / VCT_BRICK_SIDE,
-                                  grid / VCT_BRICK_SIDE, cascades * grid / VCT_BRICK_SIDE, 1)),
+                                  grid / VCT_BRICK_SIDE,
+                                  (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
       resolve_(shaders, resolveProgram(emission)) {
     if (!dynamicObjects && cascades == 1) return;
@@ -293,7 +294,8 @@ void DirectionalVoxels::resolve() const {
     fillBlocks_.use();
     blocks_.bindImage(VCT_IMAGE_BLOCKS, 0, GL_WRITE_ONLY);
     const auto groups = static_cast<GLuint>((grid() / VCT_BRICK_SIDE + 3) / 4);
-    gl::DispatchCompute(groups, groups, groups * static_cast<GLuint>(cascades_));
+    const int depth = (hasDynamicObjects() ? 2 : 1) * cascades_ * grid() / VCT_BRICK_SIDE;
+    gl::DispatchCompute(groups, groups, static_cast<GLuint>((depth + 3) / 4));
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

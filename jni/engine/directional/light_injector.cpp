@@ -5,10 +5,6 @@
 
 namespace vct {
 
-gl::ProgramDescription chooseRangeProgram() {
-    return {"choose_range", {"directional/choose_range.comp"}, {}};
-}
-
 gl::ProgramDescription injectProgram(const LightFeatures& sources) {
     std::vector<std::string> defines = emissionDefines(sources.emission);
     if (sources.punctual) defines.emplace_back("VCT_PUNCTUAL_LIGHTS");
@@ -17,18 +13,15 @@ gl::ProgramDescription injectProgram(const LightFeatures& sources) {
 }
 
 LightInjector::LightInjector(const gl::ShaderLibrary& shaders, const LightFeatures& sources)
-    : chooseRange_(shaders, chooseRangeProgram()), inject_(shaders, injectProgram(sources)) {}
+    : inject_(shaders, injectProgram(sources)) {}
 
 void LightInjector::run(const DirectionalVoxels& voxels, const DirectLight& light,
                         const Irradiance& irradiance) const {
     const gl::DebugGroup group("inject");
     irradiance.bind(voxels);
-    chooseRange_.use();
-    gl::DispatchCompute(1, 1, 1);
-    gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     inject_.use();
     light.bind();
-    irradiance.dispatchOverFaces(voxels, irradiance.visitsAll());
+    voxels.index().dispatchOverFaces(0);
     gl::MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -9,7 +9,6 @@ namespace vct {
 
 class Irradiance;
 
-gl::ProgramDescription chooseRangeProgram();
 gl::ProgramDescription injectProgram(const LightFeatures& sources);
 
 class LightInjector {
@@ -20,7 +19,7 @@ class LightInjector {
     void run(const DirectionalVoxels& voxels, const DirectLight& light, const Irradiance& irradiance) const;
 
   private:
-    gl::Program chooseRange_, inject_;
+    gl::Program inject_;
 };
 
 }  // namespace vct

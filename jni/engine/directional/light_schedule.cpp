@@ -1,0 +1,45 @@
+#include "engine/directional/light_schedule.h"
+
+namespace vct {
+
+namespace {
+
+// With fewer steps for the bounces, the caller asks for a quick picture.
+constexpr int minFramesToRefine = 16;
+
+}  // namespace
+
+LightSchedule::LightSchedule(const GatherSettings& settings, int lightFrames)
+    : lightFrames_(lightFrames),
+      refiningSteps_(lightFrames >= minFramesToRefine ? settings.refinedDirections / settings.rays : 0),
+      tracingSteps_((settings.directions + settings.rays - 1) / settings.rays),
+      rayBudget_(settings.rayBudget),
+      rays_(settings.rays),
+      stepsLeft_(convergenceSteps()),
+      tracingStepsLeft_(tracingSteps_) {}
+
+LightPlan LightSchedule::advance(const Change& change) {
+    LightPlan plan;
+    plan.frame = frame_++;
+    const bool isFirst = plan.frame == 0;
+    plan.updatesDirect = change.light || change.lists || isFirst;
+    plan.updatesEmitters = change.emitters || change.lists || isFirst;
+    plan.refiningSteps = refiningSteps_;
+    // This step traces some rays of moving objects, and those after it trace each of them once.
+    if (change.lists) tracingStepsLeft_ = tracingSteps_ + 1;
+    plan.traces = tracingStepsLeft_ > 0;
+    // In a frame in which nothing moves, the hits of moving objects may still be those of earlier poses.
+    plan.movingRays = change.lists ? static_cast<std::uint32_t>(rayBudget_) : 0;
+    plan.minMovingRays = change.lists ? 1 : static_cast<std::uint32_t>(rays_);
+    if (tracingStepsLeft_ > 0) --tracingStepsLeft_;
+    if (change.any()) {
+        plan.interrupts = stepsLeft_ > 0 && stepsLeft_ < refiningSteps_;
+        stepsLeft_ = convergenceSteps();
+    } else if (stepsLeft_ <= refiningSteps_) {
+        plan.refiningStep = refiningSteps_ - stepsLeft_;
+    }
+    if (stepsLeft_ > 0) --stepsLeft_;
+    return plan;
+}
+
+}  // namespace vct

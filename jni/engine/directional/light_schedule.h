@@ -1,0 +1,56 @@
+// Decides what each light step does. It uses no GL, so that unit tests can run it alone.
+//
+// Each step lights all faces from the hits of their cached rays, so it adds one bounce. After a change there
+// are three states: `lightFrames` steps add bounces; then, if the settings ask for it, further rays refine
+// the means; then the light has converged, and no step runs until something changes.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/settings.h"
+
+namespace vct {
+
+// The parameters of one light step (shaders/shared/layout.h: LightStep).
+struct LightPlan {
+    std::uint32_t frame = 0;          // number of the step
+    std::uint32_t movingRays = 0;     // rays of all faces of moving objects together that are traced again
+    std::uint32_t minMovingRays = 0;  // and at least so many of each of these faces
+    int refiningStep = -1;            // number of the step in the refinement; -1: it does not refine
+    int refiningSteps = 0;            // steps of the refinement
+    bool interrupts = false;          // the step ends a refinement too early
+    bool traces = false;              // cached rays may be unknown or out of date
+    bool updatesDirect = false;       // direct light has changed
+    bool updatesEmitters = false;     // the light of compact emitters has changed
+
+    bool endsRefinement() const { return refiningStep >= 0 && refiningStep == refiningSteps - 1; }
+};
+
+class LightSchedule {
+  public:
+    LightSchedule(const GatherSettings& settings, int lightFrames);
+
+    // A change of the voxels in the time between two steps.
+    struct Change {
+        bool lists = false;           // lists of faces were rebuilt
+        std::uint32_t voxelized = 0;  // a bit for each cascade whose static geometry was voxelized
+        bool light = false;           // the light or the occluders have changed
+        bool emitters = false;        // emitters or occluders have changed
+        bool cascades = false;        // cascades have moved with the camera
+        bool any() const { return lists || light || emitters || cascades; }
+    };
+    // Returns the parameters of the next step.
+    LightPlan advance(const Change& change);
+
+    // Steps from a change to convergence.
+    int convergenceSteps() const { return lightFrames_ + refiningSteps_; }
+    // True if another step would change nothing, as long as nothing else changes.
+    bool isConverged() const { return stepsLeft_ == 0; }
+
+  private:
+    int lightFrames_, refiningSteps_, tracingSteps_, rayBudget_, rays_;
+    int stepsLeft_, tracingStepsLeft_;
+    std::uint32_t frame_ = 0;
+};
+
+}  // namespace vct

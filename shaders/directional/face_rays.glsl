@@ -1,0 +1,64 @@
+// The rays of faces: where they begin, their directions, and what they hit. The including shader defines the
+// counters of directional/ray.glsl.
+#include "directional/face_lists.glsl"
+#include "directional/ray.glsl"
+#include "directional/face_irradiance.glsl"
+#include "directional/gather_directions.glsl"
+#include "directional/sky_light.glsl"
+
+// A face as the origin of rays.
+struct FaceRays {
+    vec3 start;  // in voxels of the cascade
+    int cascade;
+    mat3 axes;  // the second one is the surface's normal
+    ivec3 voxel;
+    int place;          // of the face in its layer of the block, 0..15
+    float reach, near;  // voxels: length of rays, and distance of ambient occlusion
+};
+FaceRays raysOf(ListedFace listed, uint id) {
+    SurfacePlane plane = facePlane(id);
+    int axis = listed.face >> 1, cascade = cascadeOf(listed.voxel);
+    vec3 start = surfaceMiddle(listed.voxel, listed.face, plane, faceExtent(id)) + startHeight * plane.normal;
+    float side = voxelsAlongVolume(cascade);
+    return FaceRays(start, cascade, frameAround(plane.normal), listed.voxel, indexInBlock(listed.voxel, axis),
+                    2.0 * side, frame.aoDistance * side);
+}
+
+// The number of a direction in the set. From one direction to the next the azimuth turns by about the golden
+// angle, so that any few consecutive ones are spread over the hemisphere.
+int directionNumber(int i) {
+    // Odd, so that its multiples modulo the number of directions, a power of two, reach every direction.
+    const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
+    return i * golden & (VCT_GATHER_DIRECTIONS - 1);
+}
+// The number of cached direction `d`. A block has 4^3 voxels, and one layer of it 4 x 4 faces. Their cached
+// directions are different runs of the set, which together have all of its directions.
+int cachedDirection(FaceRays rays, uint d) {
+    return directionNumber(rays.place * VCT_DIRECTIONS + int(d));
+}
+// The number of refining direction `i`. Neighbouring faces begin at different ones.
+int refiningDirection(FaceRays rays, uint i) {
+    return directionNumber(rays.place + int(i));
+}
+
+uint traceFrom(FaceRays rays, vec3 direction, float reach, int number, uint geometry, out float distance) {
+    RayHit hit = traceRay(rays.start, rays.cascade, direction, reach, diceOf(number, rays.voxel), geometry);
+    distance = hit.distance;
+    uint code = hit.id == noFace ? VCT_HIT_SKY : hit.id == backOfFace ? VCT_HIT_BACK : VCT_HIT_FACE + hit.id;
+    return code | (hit.distance < rays.near ? VCT_HIT_NEAR : 0u);
+}
+
+// The part of a face's mean that a direction adds besides the radiance of faces: the sky's light, and in
+// alpha ambient visibility.
+vec4 skyOf(uint hit, vec3 direction, vec3 aroundNormal) {
+    vec3 sky = vec3(0.0);
+    if ((hit & ~VCT_HIT_NEAR) == VCT_HIT_SKY)
+        sky = skyLight(visibleSky(direction, gatherSolidAngle(aroundNormal.y)));
+    return vec4(sky, (hit & VCT_HIT_NEAR) == 0u ? 1.0 : 0.0);
+}
+
+// The radiance of the face that a ray has hit; 0 if it has hit none.
+vec3 radianceOf(uint hit) {
+    uint code = hit & ~VCT_HIT_NEAR;
+    return code >= VCT_HIT_FACE ? faceRadiance(code - VCT_HIT_FACE) : vec3(0.0);
+}

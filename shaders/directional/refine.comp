@@ -1,0 +1,32 @@
+// At rest, traces rays that refine the mean of each face. Their hits are not kept.
+#define VCT_RAY_STEP VCT_COUNTER_REFINE_STEP
+#define VCT_RAY_FACE VCT_COUNTER_REFINE_VOXEL_FACE
+#define VCT_RAY_LIMIT VCT_COUNTER_REFINE_LIMIT
+#include "directional/face_rays.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+
+void main() {
+    COUNT(VCT_COUNTER_REFINE);
+    uint count = baseFaceCount();
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_REFINE_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        if (listed.isMerged) continue;
+        FaceRays rays = raysOf(listed, id);
+        vec4 sum = vec4(0.0);
+        for (uint r = 0u; r < lightStep.refiningRays; ++r) {
+            COUNT(VCT_COUNTER_REFINE_RAY);
+            int number = refiningDirection(rays, lightStep.firstRefining + r);
+            vec3 aroundNormal = gatherDirection(number), towards = rays.axes * aroundNormal;
+            float distance;
+            uint hit = traceFrom(rays, towards, rays.reach, number, allGeometry, distance);
+            sum += skyOf(hit, towards, aroundNormal) + vec4(radianceOf(hit), 0.0);
+        }
+        vec4 mean = sum / float(max(lightStep.refiningRays, 1u));
+        vec4 gain = mean - faceMean(id, VCT_MEAN_NOW);
+        storeFaceMean(id, VCT_MEAN_GAIN, mix(faceMean(id, VCT_MEAN_GAIN), gain, lightStep.refiningShare));
+    }
+}

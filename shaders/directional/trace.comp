@@ -1,0 +1,88 @@
+// Traces cached rays: those that have hit nothing yet, a few per face and step, and of moving objects' faces
+// some of all rays again. Rays of static faces meet static geometry, so that their hits stay
+// (directional/block.comp finds the moving objects before them).
+#define VCT_RAY_STEP VCT_COUNTER_TRACE_STEP
+#define VCT_RAY_FACE VCT_COUNTER_TRACE_VOXEL_FACE
+#define VCT_RAY_LIMIT VCT_COUNTER_TRACE_LIMIT
+#include "directional/face_rays.glsl"
+
+layout(local_size_x = VCT_LIST_GROUP) in;
+
+// The next ray of a face that has not been traced, from `d` on.
+uint nextUnknown(uint id, uint d) {
+    while (d < uint(VCT_DIRECTIONS) && faceIrradianceData[hitAt(id, d)] != VCT_HIT_UNKNOWN)
+        ++d;
+    return d;
+}
+
+// Replaces what a ray has hit before in the means over the rays.
+void replaceRay(uint id, uint before, uint hit, vec4 skyBefore, vec4 skyNow, float distance) {
+    FaceSight sight = faceSight(id);
+    bool countedBefore = countsInMean(before), countsNow = countsInMean(hit);
+    float old = float(sight.rays);
+    if (before != VCT_HIT_UNKNOWN && !countedBefore) --sight.backs;
+    if (!countsNow) ++sight.backs;
+    sight.rays += uint(countsNow) - uint(countedBefore);
+    vec4 sum = faceMean(id, VCT_MEAN_SKY) * old + (countsNow ? skyNow : vec4(0.0)) -
+               (countedBefore ? skyBefore : vec4(0.0));
+    vec4 sky = max(sum, 0.0) / max(float(sight.rays), 1.0);
+    storeFaceMean(id, VCT_MEAN_SKY, sky);
+    storeFaceMean(id, VCT_MEAN_SKY_NOW, sky);
+    if (countsNow) {
+        float nearness = (hit & ~VCT_HIT_NEAR) >= VCT_HIT_FACE ? 1.0 / max(distance, 0.5) : 0.0;
+        sight.nearness = mix(sight.nearness, nearness, 1.0 / float(sight.rays));
+    }
+    storeFaceSight(id, sight);
+}
+
+// Makes all rays of a face unknown.
+void invalidateRays(uint id) {
+    for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d)
+        faceIrradianceData[hitAt(id, d)] = VCT_HIT_UNKNOWN;
+    storeFaceSight(id, FaceSight(0.0, 0u, 0u));
+    storeFaceMean(id, VCT_MEAN_SKY, vec4(0.0));
+}
+
+// True if a static face has the plane of a moving object as well.
+bool isMergedNow(ListedFace listed) {
+    return frame.hasDynamicObjects != 0 && hasFace(texelFetch(dynamicIndex, listed.voxel, 0).r, listed.face);
+}
+
+void main() {
+    COUNT(VCT_COUNTER_TRACE);
+    uint count = baseFaceCount(), firstDynamic = commands[dynamicList].firstId;
+    uint dynamicCount = faceCount(dynamicList);
+    uint again =
+        clamp(lightStep.movingRays / max(dynamicCount, 1u), lightStep.minMovingRays, uint(VCT_DIRECTIONS));
+    uint stride = gl_NumWorkGroups.x * uint(VCT_LIST_GROUP);
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += stride) {
+        COUNT(VCT_COUNTER_TRACE_FACE);
+        uint id = baseFaceId(i);
+        ListedFace listed = baseFace(id);
+        bool isDynamic = id - firstDynamic < dynamicCount;
+        uint blocked = irradianceAt(id) + VCT_FACE_BLOCKED + 1u;
+        bool merged = !isDynamic && isMergedNow(listed);
+        if (!isDynamic && merged != ((faceIrradianceData[blocked] & wasMerged) != 0u)) {
+            invalidateRays(id);
+            faceIrradianceData[blocked] = merged ? wasMerged : 0u;
+        }
+        isDynamic = isDynamic || merged;
+        uint number = listed.isMerged ? 0u : isDynamic ? again : lightStep.rays;
+        uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
+        FaceRays rays = raysOf(listed, id);
+        uint d = isDynamic ? lightStep.frame * again : 0u;
+        for (uint r = 0u; r < number; ++r, ++d) {
+            d = isDynamic ? d % uint(VCT_DIRECTIONS) : nextUnknown(id, d);
+            if (d >= uint(VCT_DIRECTIONS)) break;
+            COUNT(VCT_COUNTER_TRACE_RAY);
+            int direction = cachedDirection(rays, d);
+            vec3 aroundNormal = gatherDirection(direction), towards = rays.axes * aroundNormal;
+            float distance;
+            uint at = hitAt(id, d), before = faceIrradianceData[at];
+            uint hit = traceFrom(rays, towards, rays.reach, direction, geometry, distance);
+            faceIrradianceData[at] = hit;
+            vec4 skyBefore = before == VCT_HIT_UNKNOWN ? vec4(0.0) : skyOf(before, towards, aroundNormal);
+            replaceRay(id, before, hit, skyBefore, skyOf(hit, towards, aroundNormal), distance);
+        }
+    }
+}

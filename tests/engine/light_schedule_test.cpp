@@ -1,0 +1,73 @@
+// The schedule of light steps from a change to convergence, without GL.
+#include <gtest/gtest.h>
+
+#include "engine/directional/light_schedule.h"
+
+namespace vct::test {
+namespace {
+
+constexpr LightSchedule::Change noChange, otherLight{.light = true}, otherPose{.lists = true, .light = true};
+
+GatherSettings settingsWith(int directions, int refined, int rays) {
+    GatherSettings settings;
+    settings.directions = directions;
+    settings.refinedDirections = refined;
+    settings.rays = rays;
+    return settings;
+}
+
+TEST(LightSchedule, SettlesThenRefinesThenStops) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    EXPECT_EQ(schedule.convergenceSteps(), 16 + 32);
+    for (int i = 0; i < schedule.convergenceSteps(); ++i) {
+        EXPECT_FALSE(schedule.isConverged()) << i;
+        const LightPlan plan = schedule.advance(noChange);
+        EXPECT_EQ(plan.frame, static_cast<std::uint32_t>(i));
+        EXPECT_EQ(plan.traces, i < 8) << i;
+        EXPECT_EQ(plan.updatesDirect, i == 0) << i;
+        EXPECT_EQ(plan.refiningStep, i < 16 ? -1 : i - 16) << i;
+        EXPECT_EQ(plan.endsRefinement(), i == 47) << i;
+        EXPECT_FALSE(plan.interrupts) << i;
+    }
+    EXPECT_TRUE(schedule.isConverged());
+}
+
+TEST(LightSchedule, AQuickPictureIsNotRefined) {
+    EXPECT_EQ(LightSchedule(settingsWith(64, 1024, 8), 8).convergenceSteps(), 8);
+}
+
+TEST(LightSchedule, OtherLightTracesNoRayAndInterruptsARefinement) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    for (int i = 0; i < 20; ++i)
+        schedule.advance(noChange);
+    const LightPlan plan = schedule.advance(otherLight);
+    EXPECT_TRUE(plan.interrupts);
+    EXPECT_TRUE(plan.updatesDirect);
+    EXPECT_FALSE(plan.traces);
+    EXPECT_EQ(plan.refiningStep, -1);
+    // The next change finds no refinement.
+    EXPECT_FALSE(schedule.advance(otherLight).interrupts);
+    for (int i = 0; i < 47; ++i) {
+        EXPECT_FALSE(schedule.isConverged()) << i;
+        schedule.advance(noChange);
+    }
+    EXPECT_TRUE(schedule.isConverged());
+}
+
+TEST(LightSchedule, OtherPosesTraceWithinABudgetAndThenTheRest) {
+    LightSchedule schedule(settingsWith(64, 256, 8), 16);
+    while (!schedule.isConverged())
+        schedule.advance(noChange);
+    const LightPlan moving = schedule.advance(otherPose);
+    EXPECT_TRUE(moving.traces);
+    EXPECT_GT(moving.movingRays, 0U);
+    EXPECT_EQ(moving.minMovingRays, 1U);
+    // At rest each ray of the moving objects is traced once more.
+    int rays = 0;
+    for (LightPlan plan = schedule.advance(noChange); plan.traces; plan = schedule.advance(noChange))
+        rays += static_cast<int>(plan.minMovingRays);
+    EXPECT_GE(rays + 8, 64);
+}
+
+}  // namespace
+}  // namespace vct::test
