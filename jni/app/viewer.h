@@ -54,6 +54,10 @@ struct ViewerHost {
     std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
 };
 
+// The result of a self-test that passed in this process. A driver stays the same while a process runs, so
+// neither a lost context nor another activity repeats the test.
+std::optional<SelfTestResult>& passedSelfTest();
+
 class Viewer {
   public:
     Viewer(ViewerHost host, const ShowRequest& request);

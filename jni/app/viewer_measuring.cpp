@@ -9,9 +9,19 @@
 
 namespace vct::app {
 
+std::optional<SelfTestResult>& passedSelfTest() {
+    static std::optional<SelfTestResult> result;
+    return result;
+}
+
 // Runs a part of the self-test in each frame, after the first frame was shown, until there is a result.
 void Viewer::testDriver() {
     if (testResult_ || shownFrames_ == 0) return;
+    if (passedSelfTest()) {
+        testResult_ = passedSelfTest();
+        log(LogLevel::detail, "self-test passed earlier in this process");
+        return;
+    }
     if (!selfTest_)
         selfTest_ = std::make_unique<SelfTest>(gl_->capabilities(), host_.shaders, gl_->programs());
     if (selfTest_->advance()) return;
@@ -19,10 +29,12 @@ void Viewer::testDriver() {
     selfTest_.reset();
     const std::string text =
         (testResult_->passed ? "self-test passed: " : "self-test FAILED: ") + testResult_->text;
-    if (testResult_->passed)
+    if (testResult_->passed) {
+        passedSelfTest() = testResult_;
         log(LogLevel::detail, text);
-    else
+    } else {
         fail(text);
+    }
 }
 
 void Viewer::startMeasuring(const std::string& command) {

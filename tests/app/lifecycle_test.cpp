@@ -1,6 +1,7 @@
 // The lifecycle of the app: when it draws, which objects it keeps and which it rebuilds.
 #include <gtest/gtest.h>
 
+#include "app/viewer.h"
 #include "stand_in/stand_in.h"
 #include "support/element_buffers.h"
 #include "support/temporary_folder.h"
@@ -24,13 +25,24 @@ class Small : public StandIn {
 
 TEST(Lifecycle, StartsTestsTheDriverShowsASceneAndEnds) {
     Small android;
+    android.testsDriver = true;
     android.startUntilSceneShown(width, height);
     android.run();
     EXPECT_GT(android.shown, 2);
     EXPECT_EQ(android.contextsMade, 1);
-    EXPECT_TRUE(android.logged("self-test passed")) << android.errors();
+    EXPECT_TRUE(android.logged("self-test passed: ")) << android.errors();
+    EXPECT_TRUE(app::passedSelfTest().has_value()) << "another activity of this process would repeat it";
     EXPECT_TRUE(android.logged("GL_OES_shader_image_atomic")) << "what `vct info` prints belongs in the log";
     EXPECT_TRUE(android.logged("the app ends"));
+    expectClean(android);
+}
+
+TEST(Lifecycle, ADriverThatPassedIsNotTestedAgain) {
+    Small android;
+    android.startUntilSceneShown(width, height);
+    android.run();
+    EXPECT_TRUE(android.logged("self-test passed earlier in this process"));
+    EXPECT_FALSE(android.logged("self-test passed: "));
     expectClean(android);
 }
 
@@ -109,6 +121,7 @@ TEST(Lifecycle, AContextLostInTheMiddleOfAFrameIsReplaced) {
     }
     for (const int call : {1, 9, 25}) {
         Small android;
+        android.testsDriver = true;
         android.command(APP_CMD_START);
         android.command(APP_CMD_RESUME);
         android.window(width, height);
@@ -156,6 +169,7 @@ TEST(Lifecycle, LowMemoryInTheBackgroundDropsTheRendererUntilTheAppResumes) {
 // The self-test leaves the programs of all presets.
 TEST(Lifecycle, LowMemoryDropsWhatThePictureDoesNotNeed) {
     Small android;
+    android.testsDriver = true;
     android.startUntilSceneShown(width, height);
     int before = 0;
     android.then([&] {

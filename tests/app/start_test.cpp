@@ -42,6 +42,7 @@ struct Frames {
 
 TEST(Start, NoFrameLinksOrFirstUsesTwoPrograms) {
     StandIn android;
+    android.testsDriver = true;
     android.intentExtra = "show scene=night.glb grid=64 pixels=4";
     android.start(96, 64);
     std::unique_ptr<Frames> frames;

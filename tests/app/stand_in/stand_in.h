@@ -74,6 +74,7 @@ class StandIn {
     std::string shadersFrom, shadersTo;  // text of the shaders, replaced
     int density = 160;
     bool restored = false;
+    bool testsDriver = false;  // otherwise the self-test counts as passed before, as it takes seconds
     app::WindowInsets insets;
     std::optional<float> headroom;        // thermal headroom; empty: the device does not tell it
     std::int64_t refreshNs = 16'666'667;  // of the display
