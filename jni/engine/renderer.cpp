@@ -142,13 +142,13 @@ void Renderer::setSunlight(const glm::vec3& color, float illuminance) {
 
 void Renderer::setSky(const glm::vec3& radiance) {
     settings_.skyRadiance = radiance;
-    ++lightChanges_;
+    ++skyChanges_;
 }
 
 void Renderer::setSky(std::shared_ptr<const Environment> environment) {
     environment_ = environment->texture(radianceUnit_);
     settings_.environment = std::move(environment);
-    ++lightChanges_;
+    ++skyChanges_;
 }
 
 shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {
@@ -185,7 +185,8 @@ void Renderer::applyPose(const Pose& pose) {
 
 SceneState Renderer::state() const {
     return {scene_.placements(), light_.directionToLight,
-            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>(), lightChanges_};
+            punctualLights_ ? punctualLights_->states() : std::vector<PunctualLightState>(), skyChanges_,
+            lightChanges_};
 }
 
 LightFeatures Renderer::lightFeatures() const {

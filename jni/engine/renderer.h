@@ -167,8 +167,8 @@ class Renderer {
     std::optional<ShadowMap> shadowMap_;
     std::optional<PunctualLights> punctualLights_;  // absent if the scene has none
     std::unique_ptr<VoxelVolume> voxels_;
-    std::vector<Shade> shades_;       // one per output of a frame
-    std::uint64_t lightChanges_ = 0;  // see SceneState
+    std::vector<Shade> shades_;                        // one per output of a frame
+    std::uint64_t skyChanges_ = 0, lightChanges_ = 0;  // see SceneState
     StepTimer timer_;
     bool lastFrameFailed_ = false;
 };

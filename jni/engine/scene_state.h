@@ -22,6 +22,7 @@ struct SceneState {
     std::vector<Placement> placements;
     glm::dvec3 directionToLight{0.0};  // unit vector towards the sun, world space
     std::vector<PunctualLightState> lights;
+    std::uint64_t skyChanges = 0;    // number of changes of the sky
     std::uint64_t lightChanges = 0;  // number of changes of the lights' colours, intensities and the like
 
     bool operator==(const SceneState& other) const {
@@ -30,7 +31,7 @@ struct SceneState {
     bool operator!=(const SceneState& other) const { return !(*this == other); }
     bool sameLight(const SceneState& other) const {
         return directionToLight == other.directionToLight && lights == other.lights &&
-               lightChanges == other.lightChanges;
+               skyChanges == other.skyChanges && lightChanges == other.lightChanges;
     }
 };
 

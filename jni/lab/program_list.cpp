@@ -22,7 +22,7 @@ namespace vct {
 namespace {
 
 constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_hits", "trace", "block", "gather", "refine", "smooth"};
+constexpr std::array rayPrograms{"carry_hits", "sky", "trace", "block", "gather", "refine", "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);

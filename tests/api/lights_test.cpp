@@ -24,9 +24,7 @@ class Lights : public Embedded {
         moon_.direction = {0.5, -1, 0.2};
         moon_.intensity = 0.4F;
     }
-    Image picture(GlobalIllumination& light) const {
-        return imageOf(light.render(described_.view(), GlobalIllumination::Light::converged).radiance);
-    }
+    Image picture(GlobalIllumination& light) const { return imageOf(afterBounces(light).radiance); }
     void expectAsFresh(GlobalIllumination& light, const std::vector<LightDescription>& lights,
                        const char* what) {
         SceneDescription scene = described_.scene;

@@ -97,7 +97,7 @@ TEST(Gather, AFloorReceivesTheFormFactorOfAnEmitter) {
             const glm::dmat4 turn = turnScene(scene, turnDeg);
             scene = finished(std::move(scene));
             Settings settings = mobileAt(pictureSide);
-            settings.gather.refinedDirections = 1024;
+            settings.gather.refinedDirections = 256;
             settings.gather.rays = 64;
             const glm::dvec3 eye(turn * glm::dvec4(0, 3, 0.001, 1));
             FrameInspector frame(context, scene, noLight(), settings, lookAt(eye, {0, 0, 0}, 36));

@@ -153,7 +153,7 @@ def test_the_printed_command_renders_the_view(view, program, root, tmp_path):
     assert options["--camera"] != start["--camera"]
     assert difference(first, turned) > 5
     again = rendered(program, words, tmp_path)
-    assert difference(turned, again) < 0.5
+    assert difference(turned, again) < 1.0  # the window has not refined its light yet
     # Compares below the panel's button; the cursor may be in the picture, and the window smooths edges.
     shown = window.screen(480, 360)[60:]
     assert np.median(np.abs(shown - turned[60:])) <= 1

@@ -155,7 +155,8 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         });
     if (light_ && (voxelizes || inputs.forceRebuild || before != inputs.now))
         light_->onVoxelsChanged({voxelizes, moved, before != inputs.now,
-                                 !sameObjects || before->lightChanges != inputs.now.lightChanges, isMoved});
+                                 !sameObjects || before->lightChanges != inputs.now.lightChanges,
+                                 before && before->skyChanges != inputs.now.skyChanges, isMoved});
     cachedFor_ = inputs.now;
 
     VoxelLight light;

@@ -49,6 +49,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       clearBricks_(shaders, lightProgram("clear_bricks", sources)),
       placeBricks_(shaders, lightProgram("place_bricks", sources)),
       markWalls_(shaders, lightProgram("mark_walls", sources)),
+      sky_(shaders, raysProgram("sky", settings, sources)),
       trace_(shaders, raysProgram("trace", settings, sources)),
       gather_(shaders, raysProgram("gather", settings, sources)),
       refine_(shaders, raysProgram("refine", settings, sources)),
@@ -82,6 +83,7 @@ void Irradiance::onVoxelsChanged(const LightSchedule::Change& change) {
     pending_.voxelized |= change.voxelized;
     pending_.light |= change.light;
     pending_.emitters |= change.emitters;
+    pending_.sky |= change.sky;
     pending_.cascades |= change.cascades;
     placesBricks_ |= change.lists;
 }
@@ -144,10 +146,9 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
     const gl::DebugGroup group("gather");
     bind(voxels);
     voxels.bindForRays();
-    if (plan_.traces) {
-        run(trace_, voxels);
-        if (block_) run(*block_, voxels);
-    }
+    if (plan_.updatesSky) run(sky_, voxels);
+    if (plan_.traces) run(trace_, voxels);
+    if (block_ && (plan_.traces || plan_.updatesSky)) run(*block_, voxels);
     run(gather_, voxels);
     if (plan_.refiningStep >= 0) run(refine_, voxels);
     run(smooth_, voxels);

@@ -15,7 +15,7 @@ namespace vct {
 // A program of a light step, except for those below. `name`: carry_over, clear_bricks, place_bricks,
 // mark_walls or fill_bricks.
 gl::ProgramDescription lightProgram(const std::string& name, const LightFeatures& sources);
-// A program that depends on the number of directions. `name`: carry_hits, trace, block, gather,
+// A program that depends on the number of directions. `name`: carry_hits, sky, trace, block, gather,
 // refine or smooth.
 gl::ProgramDescription raysProgram(const std::string& name, const GatherSettings& settings,
                                    const LightFeatures& sources);
@@ -94,7 +94,7 @@ class Irradiance {
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
-    gl::Program clearBricks_, placeBricks_, markWalls_, trace_, gather_, refine_, smooth_, fillBricks_;
+    gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smooth_, fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
     std::optional<gl::Program> block_;                  // only with moving objects
     std::optional<gl::Program> findEmitters_;           // only if the scene has compact emitters

@@ -24,6 +24,7 @@ LightPlan LightSchedule::advance(const Change& change) {
     const bool isFirst = plan.frame == 0;
     plan.updatesDirect = change.light || change.lists || isFirst;
     plan.updatesEmitters = change.emitters || change.lists || isFirst;
+    plan.updatesSky = change.sky;
     plan.refiningSteps = refiningSteps_;
     // This step traces some rays of moving objects, and those after it trace each of them once.
     if (change.lists) tracingStepsLeft_ = tracingSteps_ + 1;

@@ -21,6 +21,7 @@ struct LightPlan {
     bool interrupts = false;          // the step ends a refinement too early
     bool traces = false;              // cached rays may be unknown or out of date
     bool updatesDirect = false;       // direct light has changed
+    bool updatesSky = false;          // the sky has changed
     bool updatesEmitters = false;     // the light of compact emitters has changed
 
     bool endsRefinement() const { return refiningStep >= 0 && refiningStep == refiningSteps - 1; }
@@ -36,8 +37,9 @@ class LightSchedule {
         std::uint32_t voxelized = 0;  // a bit for each cascade whose static geometry was voxelized
         bool light = false;           // the light or the occluders have changed
         bool emitters = false;        // emitters or occluders have changed
+        bool sky = false;             // the sky has changed
         bool cascades = false;        // cascades have moved with the camera
-        bool any() const { return lists || light || emitters || cascades; }
+        bool any() const { return lists || light || emitters || sky || cascades; }
     };
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
