@@ -4,5 +4,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --build --preset desktop
-VCT_UPDATE_GOLDENS=1 build/desktop/tests/vct_tests --gtest_filter='*Golden*'
+VCT_TEST_ALL=1 VCT_UPDATE_GOLDENS=1 build/desktop/tests/vct_tests --gtest_filter='*Golden*'
 git status --short tests/golden

@@ -147,8 +147,7 @@ TEST(ConvexMirror, DoesNotReflectItself) {
     const Context context = openContext(Backend::egl);
     FrameInspector frame(context, finished(std::move(scene)), lightFrom({0, 0, 1}), settings,
                          lookAt({0, 0.3, 4.0}, {0, 0, 0}, 34.0));
-    for (const glm::dvec3& sun :
-         {glm::dvec3(0, 0, 1), glm::dvec3(1, 0.4, 0.3), glm::dvec3(-0.8, 0.6, -0.5)}) {
+    for (const glm::dvec3& sun : {glm::dvec3(1, 0.4, 0.3), glm::dvec3(-0.8, 0.6, -0.5)}) {
         frame.setLight(sun);
         const Spread seen = frame.spreadOf(Output::specularLight);
         EXPECT_GT(seen.count, 3000);
