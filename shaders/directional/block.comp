@@ -7,29 +7,36 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
+// A bit for each object.
+const int objectWords = VCT_MAX_OBJECTS / 32;
+
 // The objects that a face has to look for, a bit for each: those that fill at least about a thousandth of its
-// hemisphere. `position`: volume space.
-uint objectsBefore(vec3 position, vec3 normal) {
-    const float smallest = 0.001;
-    uint found = 0u;
+// hemisphere, or more if there are many objects. `position`: volume space.
+uint[objectWords] objectsBefore(vec3 position, vec3 normal) {
+    float smallest = 0.001 * max(1.0, float(lightStep.objectCount) / 8.0);
+    uint found[objectWords];
+    for (int w = 0; w < objectWords; ++w)
+        found[w] = 0u;
     for (uint i = 0u; i < lightStep.objectCount; ++i) {
         COUNT(VCT_COUNTER_BLOCK_OBJECT);
         vec3 offset = lightStep.object[i].xyz - position;
         float squared = dot(offset, offset), radius = lightStep.object[i].w;
-        if (dot(offset, normal) > -radius && radius * radius > smallest * squared) found |= 1u << i;
+        if (dot(offset, normal) > -radius && radius * radius > smallest * squared)
+            found[i / 32u] |= 1u << (i % 32u);
     }
     return found;
 }
 
 // True if a ray passes one of the objects.
-bool passes(uint objects, vec3 position, vec3 direction) {
-    for (uint left = objects; left != 0u; left &= left - 1u) {
-        COUNT(VCT_COUNTER_BLOCK_OBJECT_RAY);
-        vec4 object = lightStep.object[findLSB(left)];
-        vec3 offset = object.xyz - position;
-        vec3 aside = offset - max(dot(offset, direction), 0.0) * direction;
-        if (dot(aside, aside) < object.w * object.w) return true;
-    }
+bool passes(uint objects[objectWords], vec3 position, vec3 direction) {
+    for (int w = 0; w < objectWords; ++w)
+        for (uint left = objects[w]; left != 0u; left &= left - 1u) {
+            COUNT(VCT_COUNTER_BLOCK_OBJECT_RAY);
+            vec4 object = lightStep.object[32 * w + findLSB(left)];
+            vec3 offset = object.xyz - position;
+            vec3 aside = offset - max(dot(offset, direction), 0.0) * direction;
+            if (dot(aside, aside) < object.w * object.w) return true;
+        }
     return false;
 }
 
@@ -57,12 +64,15 @@ void main() {
         if ((faceIrradianceData[at + 1u] & wasMerged) != 0u) continue;
         FaceRays rays = raysOf(baseFace(id), id);
         vec3 position = volumeFromVoxels(rays.start, rays.cascade);
-        uint objects = objectsBefore(position, rays.axes[1]);
+        uint objects[objectWords] = objectsBefore(position, rays.axes[1]);
         // The rays that pass an object come first, and then their hits. A few words hold their bits.
+        bool any = false;
+        for (int w = 0; w < objectWords; ++w)
+            any = any || objects[w] != 0u;
         uint passing[(VCT_DIRECTIONS + 31) / 32], blocked = 0u;
         for (int w = 0; w < passing.length(); ++w) {
             passing[w] = 0u;
-            for (int b = 0; b < 32 && objects != 0u; ++b) {
+            for (int b = 0; b < min(32, VCT_DIRECTIONS - 32 * w) && any; ++b) {
                 COUNT(VCT_COUNTER_BLOCK_RAY);
                 vec3 towards = rays.axes * gatherDirection(cachedDirection(rays, uint(32 * w + b)));
                 if (passes(objects, position, towards)) passing[w] |= 1u << b;

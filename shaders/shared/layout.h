@@ -303,7 +303,7 @@ using glm::vec4;
 #define VCT_HIT_BACK 2u  // the back of a surface: the ray does not count
 #define VCT_HIT_FACE 3u  // plus the face's id
 #define VCT_HIT_NEAR 0x80000000u
-#define VCT_MAX_OBJECTS 32  // moving objects as spheres (directional/moving_objects.glsl)
+#define VCT_MAX_OBJECTS 128  // moving objects as spheres (directional/moving_objects.glsl)
 // Bricks of face irradiance: one per occupied face of the level whose voxels are blocks of 4^3 voxels.
 #define VCT_BRICK_LEVEL 2
 #define VCT_BRICK_SIDE 4       // 2^VCT_BRICK_LEVEL voxels

@@ -200,7 +200,7 @@ TEST(Irradiance, StaysWhenVoxelsAreRebuiltInTheSameLight) {
         ASSERT_EQ(after.size(), before.size());
         int kept = 0;
         for (const auto& [entry, face] : after)
-            kept += face.rays >= 64 ? 1 : 0;
+            kept += face.rays >= 16 ? 1 : 0;
         EXPECT_GT(kept, 99 * static_cast<int>(after.size()) / 100) << "of " << after.size();
         const bool moves = !scene.animation.channels.empty();
         expectAlike(after, before, moves ? 0.3 : 0.18, scene.path + " after 20 frames");

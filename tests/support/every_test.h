@@ -14,7 +14,7 @@ inline bool runsEveryTest() {
 }  // namespace vct::test
 
 // For the body of a test, as skipping leaves the function.
-#define VCT_ONLY_AMONG_ALL()                                                                             \
-    do {                                                                                                 \
+#define VCT_ONLY_AMONG_ALL()                                                                                 \
+    do {                                                                                                     \
         if (!vct::test::runsEveryTest()) GTEST_SKIP() << "scripts/test.sh --all runs it, or VCT_TEST_ALL=1"; \
     } while (false)

@@ -162,10 +162,13 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
     VoxelLight light;
     light.directional = &voxels_;
     if (!reads(inputs.output).gathered()) return light;
-    if (!light_)
-        light_.emplace(shaders_, Irradiance::fitting(settings_.gather, voxels_.idCapacity()),
-                       settings_.lightFrames, inputs.scene.moves() && !voxelizesAll_,
-                       hasDynamic_ || hasCascades_, sources_);
+    if (!light_) {
+        GatherSettings gather = settings_.gather;
+        // Hits are kept for a few frames only, if all surfaces are rebuilt in each.
+        if (voxelizesAll_) gather.directions = std::min(gather.directions, 16);
+        light_.emplace(shaders_, Irradiance::fitting(gather, voxels_.idCapacity()), settings_.lightFrames,
+                       inputs.scene.moves() && !voxelizesAll_, hasDynamic_ || hasCascades_, sources_);
+    }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();
     const std::vector<glm::vec4> objects =
         voxelizesAll_ ? std::vector<glm::vec4>() : inputs.scene.movingSpheres(VCT_MAX_OBJECTS);
