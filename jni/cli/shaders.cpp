@@ -64,7 +64,7 @@ std::vector<Variant> variants(const Settings& settings, const SceneFeatures& ofS
                     add(use);
             }
         for (const FrameProgram& use : framePrograms(settings, mode, ofScene, {}))
-            add(use).modes.emplace_back(outputName(mode));
+            if (use.rebuilds) add(use).modes.emplace_back(outputName(mode));
     }
     return found;
 }

@@ -118,10 +118,10 @@ std::vector<gl::ProgramDescription> everyProgram() {
 std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
                                         const gl::Capabilities& capabilities) {
     std::vector<FrameProgram> programs;
-    const auto add = [&](Step step, const gl::ProgramDescription& program) {
+    const auto add = [&](Step step, const gl::ProgramDescription& program, bool rebuilds = true) {
         for (const FrameProgram& known : programs)
             if (known.program.name == program.name && known.program.defines == program.defines) return;
-        programs.push_back({step, program});
+        programs.push_back({step, program, rebuilds});
     };
     const Voxelization voxelization = voxelizationFor(settings.voxels, capabilities);
     const ExtraTargets targets = extraTargets(features, settings.specular);
@@ -160,10 +160,14 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
                 add(Step::irradiance, lightProgram(name, lights));
             if (lights.emitters) add(Step::irradiance, emittersProgram(lights));
             add(Step::inject, injectProgram(lights));
-            // A frame that rebuilds everything has no static face that a moving object hides, and no
-            // refinement.
+            const auto addRays = [&](const char* name, bool rebuilds) {
+                add(Step::irradiance, raysProgram(name, settings.gather, lights), rebuilds);
+            };
             for (const char* name : {"carry_hits", "trace", "gather", "smooth"})
-                add(Step::irradiance, raysProgram(name, settings.gather, lights));
+                addRays(name, true);
+            addRays("sky", false);
+            addRays("refine", false);
+            if (features.movingObjects) addRays("block", false);
         }
     } else if (read.voxels) {
         add(Step::voxelize, packedClearProgram());

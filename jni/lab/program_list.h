@@ -16,16 +16,17 @@ std::vector<unsigned> allFeatures();
 
 std::vector<gl::ProgramDescription> everyProgram();
 
-// A program, and the step that runs it. framePrograms() lists the programs of one frame of a mode in a scene
-// with these features, each once, as a driver with these capabilities runs them.
+// A program, and the step that runs it. framePrograms() lists the programs of a mode in a scene with these
+// features, each once, as a driver with these capabilities runs them.
 struct FrameProgram {
     Step step;
     gl::ProgramDescription program;
+    bool rebuilds = true;  // false: a frame that rebuilds everything does not run it
 };
 std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, const SceneFeatures& features,
                                         const gl::Capabilities& capabilities);
 
-// Links one program that such a frame needs and the library's cache lacks. Returns how many were missing; 0:
+// Links one program that such frames need and the library's cache lacks. Returns how many were missing; 0:
 // all are linked. Throws vct::Error.
 std::size_t linkNext(const gl::ShaderLibrary& library, const Settings& settings, Output mode,
                      const SceneFeatures& features, const gl::Capabilities& capabilities);

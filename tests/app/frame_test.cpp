@@ -175,6 +175,15 @@ TEST(Sky, OfASceneWithoutLightIsThatOfRender) {
     EXPECT_EQ(screenWith(" sky=dark").at(2, 2), glm::vec3(0.0F));
 }
 
+// Compares 8-bit values. Bricks in other places may change the last bit (support/pictures.h).
+long largestDifference(const Image& a, const Image& b) {
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(a.pixels[i][c] - b.pixels.at(i)[c]));
+    return std::lround(largest * 255.0F);
+}
+
 // A floor of 24 m with a box, which one cube has in voxels of 38 cm and two cascades in 19 cm.
 TEST(Frame, ALargeSceneHasCascadesUnlessTheirNumberIsGiven) {
     const TemporaryFolder scenes;
@@ -187,8 +196,8 @@ TEST(Frame, ALargeSceneHasCascadesUnlessTheirNumberIsGiven) {
                         scenes.path());
     };
     const Image screen = screenWith("");
-    EXPECT_TRUE(screen.pixels == screenWith(" cascades=2").pixels);
-    EXPECT_FALSE(screen.pixels == screenWith(" cascades=1").pixels);
+    EXPECT_LE(largestDifference(screen, screenWith(" cascades=2")), 1);
+    EXPECT_GT(largestDifference(screen, screenWith(" cascades=1")), 1);
 }
 
 TEST(Frame, TheThesissSquareIsNotStretched) {
