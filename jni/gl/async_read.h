@@ -14,14 +14,17 @@ class AsyncRead {
     AsyncRead(const AsyncRead&) = delete;
     AsyncRead& operator=(const AsyncRead&) = delete;
 
-    // Queues a copy of the buffer's first bytes. Drops an earlier copy that has not been read.
+    // Queues a copy of the buffer's first bytes. If an earlier copy has not been read, finish() queues this
+    // one: a GPU that is always a frame behind would otherwise never be heard.
     void start(const Buffer& source);
-    // If the GPU has made the copy, writes it to `destination` and returns true, once per start().
-    bool finish(void* destination);
+    // If the GPU has made a copy, writes it to `destination` and returns true, once per copy. `source`: the
+    // buffer of start(), for a copy that has waited.
+    bool finish(void* destination, const Buffer& source);
 
   private:
     Buffer copy_;
     GLsync fence_ = nullptr;
+    bool waits_ = false;  // start() was called while an earlier copy had not been read
 };
 
 }  // namespace vct::gl

@@ -7,37 +7,59 @@
 
 layout(local_size_x = VCT_LIST_GROUP) in;
 
-// A bit for each object.
-const int objectWords = VCT_MAX_OBJECTS / 32;
+// Up to four objects around a face, as its rays see them: the position of each in the frame of the surface
+// (x, y and z of all four), and the least length of that position's projection onto a ray that passes it.
+struct Objects {
+    vec4 x, y, z, least;
+    int count;
+};
 
-// The objects that a face has to look for, a bit for each: those that fill at least about a thousandth of its
-// hemisphere, or more if there are many objects. `position`: volume space.
-uint[objectWords] objectsBefore(vec3 position, vec3 normal) {
+// The next objects that a face has to look for, from `i` on: those that fill at least about a thousandth of
+// its hemisphere, or more if there are many objects. `position`: of the face, in volume space.
+Objects nextObjects(FaceRays rays, vec3 position, inout uint i) {
     float smallest = 0.001 * max(1.0, float(lightStep.objectCount) / 8.0);
-    uint found[objectWords];
-    for (int w = 0; w < objectWords; ++w)
-        found[w] = 0u;
-    for (uint i = 0u; i < lightStep.objectCount; ++i) {
+    Objects found = Objects(vec4(0.0), vec4(0.0), vec4(0.0), vec4(1e9), 0);
+    for (; i < lightStep.objectCount && found.count < 4; ++i) {
         COUNT(VCT_COUNTER_BLOCK_OBJECT);
-        vec3 offset = lightStep.object[i].xyz - position;
+        vec3 offset = (lightStep.object[i].xyz - position) * rays.axes;
         float squared = dot(offset, offset), radius = lightStep.object[i].w;
-        if (dot(offset, normal) > -radius && radius * radius > smallest * squared)
-            found[i / 32u] |= 1u << (i % 32u);
+        if (offset.y <= -radius || radius * radius <= smallest * squared) continue;
+        float outside = squared - radius * radius;
+        found.x = vec4(offset.x, found.x.xyz);
+        found.y = vec4(offset.y, found.y.xyz);
+        found.z = vec4(offset.z, found.z.xyz);
+        found.least = vec4(outside > 0.0 ? sqrt(outside) : -1e9, found.least.xyz);
+        ++found.count;
     }
     return found;
 }
 
-// True if a ray passes one of the objects.
-bool passes(uint objects[objectWords], vec3 position, vec3 direction) {
-    for (int w = 0; w < objectWords; ++w)
-        for (uint left = objects[w]; left != 0u; left &= left - 1u) {
-            COUNT(VCT_COUNTER_BLOCK_OBJECT_RAY);
-            vec4 object = lightStep.object[32 * w + findLSB(left)];
-            vec3 offset = object.xyz - position;
-            vec3 aside = offset - max(dot(offset, direction), 0.0) * direction;
-            if (dot(aside, aside) < object.w * object.w) return true;
+// A bit for each cached ray.
+const int rayWords = (VCT_DIRECTIONS + 31) / 32;
+
+// The cached rays that pass one of the objects.
+uint[rayWords] raysPastObjects(FaceRays rays) {
+    // From one cached direction to the next the azimuth turns by a constant angle.
+    const float angle = 6.2831853 / float(VCT_GATHER_DIRECTIONS) * float(goldenStep);
+    const vec2 turn = vec2(cos(angle), sin(angle));
+    uint passing[rayWords];
+    for (int w = 0; w < rayWords; ++w)
+        passing[w] = 0u;
+    vec3 position = volumeFromVoxels(rays.start, rays.cascade);
+    for (uint i = 0u; i < lightStep.objectCount;) {
+        Objects objects = nextObjects(rays, position, i);
+        if (objects.count == 0) break;
+        vec3 first = gatherDirection(cachedDirection(rays, 0u));
+        vec2 around = first.xz / max(length(first.xz), 1e-6);
+        for (uint d = 0u; d < uint(VCT_DIRECTIONS); ++d) {
+            COUNT(VCT_COUNTER_BLOCK_RAY);
+            float sine = gatherSine(cachedDirection(rays, d)), cosine = sqrt(1.0 - sine * sine);
+            vec4 along = objects.x * (around.x * sine) + objects.y * cosine + objects.z * (around.y * sine);
+            if (any(greaterThan(along, objects.least))) passing[d >> 5u] |= 1u << (d & 31u);
+            around = vec2(around.x * turn.x - around.y * turn.y, around.x * turn.y + around.y * turn.x);
         }
-    return false;
+    }
+    return passing;
 }
 
 // The distance from a ray's start to the plane of the face that it has hit; its reach if it hit none.
@@ -63,22 +85,11 @@ void main() {
         // The rays of merged faces meet moving objects as they are traced.
         if ((faceIrradianceData[at + 1u] & wasMerged) != 0u) continue;
         FaceRays rays = raysOf(baseFace(id), id);
-        vec3 position = volumeFromVoxels(rays.start, rays.cascade);
-        uint objects[objectWords] = objectsBefore(position, rays.axes[1]);
-        // The rays that pass an object come first, and then their hits. A few words hold their bits.
-        bool any = false;
-        for (int w = 0; w < objectWords; ++w)
-            any = any || objects[w] != 0u;
-        uint passing[(VCT_DIRECTIONS + 31) / 32], blocked = 0u;
-        for (int w = 0; w < passing.length(); ++w) {
-            passing[w] = 0u;
-            for (int b = 0; b < min(32, VCT_DIRECTIONS - 32 * w) && any; ++b) {
-                COUNT(VCT_COUNTER_BLOCK_RAY);
-                vec3 towards = rays.axes * gatherDirection(cachedDirection(rays, uint(32 * w + b)));
-                if (passes(objects, position, towards)) passing[w] |= 1u << b;
-            }
+        // The rays that pass an object come first, and then their hits.
+        uint passing[rayWords] = raysPastObjects(rays);
+        uint blocked = 0u;
+        for (int w = 0; w < rayWords; ++w)
             blocked += uint(bitCount(passing[w]));
-        }
         uint first = 0u, found = 0u, backs = 0u;
         if (blocked > 0u) {
             first = atomicAdd(blockedRays, blocked);
@@ -87,7 +98,7 @@ void main() {
         }
         float rayCount = float(faceSight(id).rays);
         vec4 sky = faceMean(id, VCT_MEAN_SKY) * rayCount;
-        for (int w = 0; w < passing.length() && blocked > 0u; ++w)
+        for (int w = 0; w < rayWords && blocked > 0u; ++w)
             for (uint left = passing[w]; left != 0u; left &= left - 1u) {
                 uint d = uint(32 * w + findLSB(left)), hit = faceIrradianceData[hitAt(id, d)];
                 if (!countsInMean(hit)) continue;

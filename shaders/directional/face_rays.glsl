@@ -24,12 +24,13 @@ FaceRays raysOf(ListedFace listed, uint id) {
                     2.0 * side, frame.aoDistance * side);
 }
 
+// The step is odd, so that its multiples modulo the number of directions, a power of two, reach every
+// direction.
+const int goldenStep = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
 // The number of a direction in the set. From one direction to the next the azimuth turns by about the golden
 // angle, so that any few consecutive ones are spread over the hemisphere.
 int directionNumber(int i) {
-    // Odd, so that its multiples modulo the number of directions, a power of two, reach every direction.
-    const int golden = (VCT_GATHER_DIRECTIONS * 618 / 1000) | 1;
-    return i * golden & (VCT_GATHER_DIRECTIONS - 1);
+    return i * goldenStep & (VCT_GATHER_DIRECTIONS - 1);
 }
 // The number of cached direction `d`. A block has 4^3 voxels, and one layer of it 4 x 4 faces. Their cached
 // directions are different runs of the set, which together have all of its directions.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/volume.h"
+#include "support/gl_spy.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
 #include "support/punctual_light.h"
@@ -81,6 +83,40 @@ TEST(MovingInstances, ABoxMayGrowFromNothing) {
     stage.frame();  // the box is nothing at rest
     for (const double seconds : {0.0, 0.3, 1.0, 2.0, 0.9})
         expectFresh(stage, context, scene, settings, seconds);
+}
+
+// Until it is asked for the second time, the GPU has not reached a fence.
+class GpuOneFrameBehind {
+  public:
+    GpuOneFrameBehind() : driver_(std::exchange(gl::ClientWaitSync, call)) { current = this; }
+    ~GpuOneFrameBehind() { gl::ClientWaitSync = driver_; }
+
+  private:
+    static GLenum GL_APIENTRY call(GLsync fence, GLbitfield flags, GLuint64 timeout) {
+        const bool isFirst = std::exchange(current->last_, fence) != fence;
+        return isFirst ? GL_TIMEOUT_EXPIRED : current->driver_(fence, flags, timeout);
+    }
+    static inline GpuOneFrameBehind* current = nullptr;
+    decltype(gl::ClientWaitSync) driver_;
+    GLsync last_ = nullptr;
+    const GlSpy<&gl::FenceSync> made_{[this](GLenum, GLbitfield) { last_ = nullptr; }};  // may be reused
+};
+
+TEST(MovingInstances, ABoxMayGrowWhileTheGpuIsAFrameBehind) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    const int box = addCube(builder, {0.9F, 0.6F, 0.1F}, {{"translation", {0, 1, 0}}, {"scale", {0, 0, 0}}});
+    builder.animate(box, "scale", {0, 1, 2}, {0, 0, 0, 3, 1.8F, 3, 3.1F, 1.9F, 3.1F});
+    const Scene scene = load(builder);
+    PlayingScene stage(context, scene, mobileSettings());
+    const GpuOneFrameBehind behind;
+    for (int frame = 0; frame < 12; ++frame)
+        stage.frameAt(0.2 * frame);
+    const DirectionalVoxels& voxels = stage.renderer().directional()->voxels();
+    const std::uint32_t list = voxels.dynamicList(),
+                        faces = voxels.index().readCommands().lists[list].faceCount;
+    EXPECT_GT(faces, 1000U);
+    EXPECT_LE(faces, voxels.capacities()[list]);
 }
 
 // A picture of converged light has no frame after it that could add room.

@@ -45,7 +45,7 @@ void DirectionalVolume::prepare(const GpuScene& scene, const Cascades& cascades)
     shared::CommandLists found;
     if (isPrepared_) {
         // These are the counts of an earlier frame. If a list overflowed, this frame voxelizes again.
-        if (!counts_.finish(&found)) return;
+        if (!counts_.finish(&found, voxels_.index().commands())) return;
         growIfNeeded(found);
         if (light_) light_->onRaysBlocked(found.mostBlockedRays);
         return;
