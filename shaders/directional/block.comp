@@ -1,8 +1,6 @@
 // Finds the cached rays of static faces that moving objects block, after a new pose. A ray that passes the
 // sphere around an object is traced through the dynamic voxels, up to its cached hit.
-#define VCT_RAY_STEP VCT_COUNTER_BLOCK_STEP
-#define VCT_RAY_FACE VCT_COUNTER_BLOCK_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_BLOCK_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_BLOCK_WALK
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

@@ -2,9 +2,7 @@
 // of the part that the face sees. Static faces keep what they see of static parts through static geometry, so
 // that neither an emitter that fades nor a moving object far away costs a ray.
 #include "directional/face_lists.glsl"
-#define VCT_RAY_STEP VCT_COUNTER_EMITTERS_STEP
-#define VCT_RAY_FACE VCT_COUNTER_EMITTERS_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_EMITTERS_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_EMITTERS_WALK
 #define VCT_EMITTER_RAY VCT_COUNTER_EMITTERS_RAY
 #include "directional/emitter_light.glsl"
 #include "directional/face_irradiance.glsl"

@@ -1,8 +1,8 @@
 // Rays through the directional voxels. A ray walks from voxel to voxel (Amanatides and Woo 1987), skips empty
 // blocks of voxels, and ends where it meets the plane of a face that looks against it, inside of the face's
 // voxel. So a wall blocks light however thin it is, and its two sides stay two surfaces. Lengths are in
-// voxels. The including shader defines the counters of steps, faces in an occupied voxel, and other faces
-// that limit a plane: VCT_RAY_STEP, VCT_RAY_FACE and VCT_RAY_LIMIT.
+// voxels. The including shader defines VCT_RAY_COUNTER, the first of four counters: walks to an occupied
+// voxel, their steps, faces in such a voxel, and other faces that limit a plane.
 #include "directional/face_data.glsl"
 #include "directional/voxels.glsl"
 #include "shared/counters.glsl"
@@ -40,7 +40,7 @@ bool covers(uint staticCell, uint dynamicCell, int axis, uint surface, uint exte
             float dice) {
     FaceExtent extent = unpackExtent(extentWord);
     for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
-        COUNT(VCT_RAY_LIMIT);
+        COUNT(VCT_RAY_COUNTER + 3);
         int face = findLSB(left);
         uint cell = hasFace(staticCell, face) ? staticCell : dynamicCell;
         SurfacePlane other = facePlane(faceId(cell, face));
@@ -64,7 +64,7 @@ uint firstFace(uint staticCell, uint dynamicCell, uint faces, bool meetsBacks, v
     uint id = noFace;
     float best = 0.0, limit = reach;
     for (uint left = faces; left != 0u; left &= left - 1u) {
-        COUNT(VCT_RAY_FACE);
+        COUNT(VCT_RAY_COUNTER + 2);
         int face = findLSB(left), axis = face >> 1;
         uint found = faceId(hasFace(staticCell, face) ? staticCell : dynamicCell, face), at = faceAt(found);
         uint surface = faceData[at + VCT_FACE_SURFACE];
@@ -129,10 +129,11 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
         ivec3 voxel = clamp(ivec3(floor(origin + direction * (now + 1e-4))), low, high);
         bool isInside = true, isTested = false;  // the ray has met no face in the voxel
         while (isInside && now < end) {
+            COUNT(VCT_RAY_COUNTER);
             // Walk to the next voxel with a face that looks against the ray.
             bool isOccupied = false;
             do {
-                COUNT(VCT_RAY_STEP);
+                COUNT(VCT_RAY_COUNTER + 1);
                 uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, octant, geometry);
                 uint place = uint((voxel.x & 3) + 4 * (voxel.y & 3));
                 uvec2 layers = (voxel.z & 2) == 0 ? bits.xy : bits.zw;

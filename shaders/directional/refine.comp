@@ -1,7 +1,5 @@
 // At rest, traces rays that refine the mean of each face. Their hits are not kept.
-#define VCT_RAY_STEP VCT_COUNTER_REFINE_STEP
-#define VCT_RAY_FACE VCT_COUNTER_REFINE_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_REFINE_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_REFINE_WALK
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

@@ -64,15 +64,23 @@ void main() {
         FaceExtent extent = FaceExtent(coverage, isCurved(visible), place, 0u, 0u);
         if (coverage < planeCoverage - min(step, 0.2)) {
             // The surface ends in the voxel: at other surfaces, or else as its middle tells.
-            for (uint left = (staticCell | dynamicCell) & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
+            uint cells = staticCell | dynamicCell;
+            for (uint left = cells & VCT_FACE_MASK; left != 0u; left &= left - 1u) {
                 COUNT(VCT_COUNTER_RESOLVE_OTHER);
                 int face = findLSB(left);
                 if (face == listed.face) continue;
                 FaceSums otherSums = combinedSums(staticCell, dynamicCell, face);
                 SurfacePlane other = unpackPlane(visiblePlane(otherSums, face));
                 if (abs(dot(plane.normal, other.normal)) > 0.9) continue;
-                uint inFront = pointsInFront(plane, axis, points, other);
                 bool isInFront = dot(middle, other.normal) > other.offset;
+                // A surface ends at that one of a thin wall's two planes which it makes an edge with: each is
+                // in front of the other, or each is behind it. The inside of a box does not end its outside.
+                if (hasFace(cells, face ^ 1)) {
+                    vec2 otherPlace = otherSums.place / max(otherSums.coverage, 1e-4) - 0.5;
+                    vec3 otherMiddle = pointOnPlane(other, face >> 1, otherPlace);
+                    if (isInFront != (dot(otherMiddle, plane.normal) > plane.offset)) continue;
+                }
+                uint inFront = pointsInFront(plane, axis, points, other);
                 uint rest = isInFront ? inFront : points & ~inFront;
                 if (rest == points) continue;
                 if (isInFront)

@@ -1,7 +1,5 @@
 // Computes the sky's part of each face's irradiance again from the cached hits, after the sky has changed.
-#define VCT_RAY_STEP VCT_COUNTER_SKY
-#define VCT_RAY_FACE VCT_COUNTER_SKY
-#define VCT_RAY_LIMIT VCT_COUNTER_SKY
+#define VCT_RAY_COUNTER VCT_COUNTER_REFINE_WALK  // it traces none
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

@@ -1,9 +1,7 @@
 // Traces cached rays: those that have hit nothing yet, a few per face and step, and of moving objects' faces
 // some of all rays again. Rays of static faces meet static geometry, so that their hits stay
 // (directional/block.comp finds the moving objects before them).
-#define VCT_RAY_STEP VCT_COUNTER_TRACE_STEP
-#define VCT_RAY_FACE VCT_COUNTER_TRACE_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_TRACE_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_TRACE_WALK
 #include "directional/face_rays.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;

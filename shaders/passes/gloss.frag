@@ -3,9 +3,7 @@
 // passes/gloss_half.frag, as far as they belong to the same surface, and traces its own rays if none does.
 #include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_RAY_STEP VCT_COUNTER_GLOSS_STEP
-#define VCT_RAY_FACE VCT_COUNTER_GLOSS_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_GLOSS_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_GLOSS_WALK
 #define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_RAY
 #include "passes/reflection.glsl"
 

@@ -3,9 +3,7 @@
 // neighbouring blocks. The other blocks are 0 (passes/gloss_mark.frag).
 #include "shared/counters.glsl"
 #include "passes/rough_pixel.glsl"
-#define VCT_RAY_STEP VCT_COUNTER_GLOSS_HALF_STEP
-#define VCT_RAY_FACE VCT_COUNTER_GLOSS_HALF_VOXEL_FACE
-#define VCT_RAY_LIMIT VCT_COUNTER_GLOSS_HALF_LIMIT
+#define VCT_RAY_COUNTER VCT_COUNTER_GLOSS_HALF_WALK
 #define VCT_REFLECTION_RAY VCT_COUNTER_GLOSS_HALF_RAY
 #include "passes/reflection.glsl"
 
