@@ -147,13 +147,20 @@ struct Placed {
     }
 };
 
+OnLightStep lightStepsIn(Progress& progress) {
+    return [&progress](int done, int steps) {
+        progress.setPart("light: step " + std::to_string(done) + " of " + std::to_string(steps));
+    };
+}
+
 // Returns the mean of `count` pictures that are shifted by parts of a pixel, for smooth edges. The shifts
 // cover the pixel's square evenly, beginning at its centre (R2 sequence; Roberts 2018, "The Unreasonable
 // Effectiveness of Quasirandom Sequences"). The light must have converged.
-Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count) {
+Image meanOfSamples(Renderer& renderer, Output mode, const Camera& camera, int count, Progress& progress) {
     const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
     Image sum = renderer.radiance();
     for (int i = 1; i < count; ++i) {
+        progress.setPart("sample " + std::to_string(i + 1) + " of " + std::to_string(count));
         renderer.setPictureShift(glm::vec2(glm::fract(0.5 + static_cast<double>(i) * step) - 0.5));
         renderer.render({{mode}, camera});
         const Image sample = renderer.radiance();
@@ -213,20 +220,23 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<Frame>& fr
     const std::string name = outputName(mode);
     const bool isSequence = sequenceLength(options).has_value();
     Image first;
-    const auto write = [&](const std::string& file, const Camera& camera) {
+    const auto write = [&](const std::string& file, const Camera& camera, Progress& progress) {
         report.activeVoxels = renderer.activeVoxels();  // throws if the active-voxel list overflowed
-        const Image image = meanOfSamples(renderer, mode, camera, samplesOf(options));
+        const Image image = meanOfSamples(renderer, mode, camera, samplesOf(options), progress);
         pictures.write(file, image);
         if (first.pixels.empty()) first = image;
     };
     {
         const Settings& settings = renderer.settings();
-        const Progress progress(
+        Progress progress(
             "mode " + name + ", " + std::to_string(settings.size.x) + "x" + std::to_string(settings.size.y) +
             ", " + std::to_string(settings.grid) + "^3" +
             (samplesOf(options) > 1 ? ", " + std::to_string(samplesOf(options)) + " samples per pixel" : ""));
         const Camera camera = placed.moveTo(frames.front());
-        renderer.render({{mode}, camera, LightSteps::all});
+        renderer.render({.outputs = {mode},
+                         .camera = camera,
+                         .lightSteps = LightSteps::all,
+                         .onLightStep = lightStepsIn(progress)});
         if (!options.timings.empty()) {
             for (int i = 0; i < warmUpFrames; ++i)
                 renderer.render({{mode}, camera});
@@ -235,18 +245,21 @@ Image renderMode(const Placed& placed, Output mode, const std::vector<Frame>& fr
                 renderer.render({{mode}, camera});
             if (!isSequence) report.modes.emplace_back(mode, renderer.timer().stopRecording());
         }
-        if (!isSequence) write(name, camera);
+        if (!isSequence) write(name, camera, progress);
     }
     // Each frame is written at once, because a long sequence may not fit into memory.
     for (std::size_t frame = 0; isSequence && frame < frames.size(); ++frame) {
         const Frame& shown = frames[frame];
-        const Progress progress("mode " + name + ", frame " + std::to_string(frame + 1) + " of " +
-                                std::to_string(frames.size()) +
-                                (options.turntable ? ", " + numberText(360.0 * shown.turn) + " degrees"
-                                                   : ", " + numberText(*shown.momentS) + " s"));
+        Progress progress("mode " + name + ", frame " + std::to_string(frame + 1) + " of " +
+                          std::to_string(frames.size()) +
+                          (options.turntable ? ", " + numberText(360.0 * shown.turn) + " degrees"
+                                             : ", " + numberText(*shown.momentS) + " s"));
         const Camera camera = placed.moveTo(shown);
-        renderer.render({{mode}, camera, isConverged(options) ? LightSteps::all : LightSteps::one});
-        write(frameName(mode, static_cast<int>(frame)), camera);
+        renderer.render({.outputs = {mode},
+                         .camera = camera,
+                         .lightSteps = isConverged(options) ? LightSteps::all : LightSteps::one,
+                         .onLightStep = isConverged(options) ? lightStepsIn(progress) : OnLightStep()});
+        write(frameName(mode, static_cast<int>(frame)), camera, progress);
     }
     if (!options.timings.empty() && isSequence)
         report.modes.emplace_back(mode, renderer.timer().stopRecording());
@@ -359,8 +372,11 @@ void render(RenderOptions options) {
             numberText(first.nearest) + " m for the precision of depth; it cuts nothing off");
     if (!exposure) {
         // If all modes are rendered, the last one has the most complete light.
-        const Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
-        renderer.render({{modes.back()}, first, LightSteps::all});
+        Progress progress(std::string("choosing the exposure with mode ") + outputName(modes.back()));
+        renderer.render({.outputs = {modes.back()},
+                         .camera = first,
+                         .lightSteps = LightSteps::all,
+                         .onLightStep = lightStepsIn(progress)});
         Image image = renderer.radiance();
         if (settings.background)
             image = withSky(std::move(image), *settings.background, settings.skyRadiance);

@@ -77,7 +77,8 @@ void Renderer::render(const RenderRequest& request) {
                                      .output = output,
                                      .lightSteps = tookSteps ? 0 : lightSteps,
                                      .allBounces = request.allBounces,
-                                     .forceRebuild = settings_.revoxelize},
+                                     .forceRebuild = settings_.revoxelize,
+                                     .onLightStep = request.onLightStep},
                                     timer_);
             tookSteps |= reads(output).gathered();
         }

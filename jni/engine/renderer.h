@@ -41,6 +41,7 @@ struct RenderRequest {
     LightSteps lightSteps = LightSteps::one;
     const GBuffer::Targets* surface = nullptr;  // G-buffer of Settings::size; null: the renderer draws it
     bool allBounces = true;                     // false: indirect light has the first bounce only
+    OnLightStep onLightStep = {};
 };
 
 // The inputs of shaders/directional/look_up.glsl. Those that the scene does not need are null.

@@ -1,6 +1,8 @@
 // The interface of a scene's lit voxels, packed (the thesis's) or directional.
 #pragma once
 
+#include <functional>
+
 #include "engine/cascades.h"
 #include "engine/gpu_scene.h"
 #include "engine/output.h"
@@ -25,6 +27,9 @@ struct VoxelLight {
     const DirectionalVoxels* directional = nullptr;  // for the rays of glossy surfaces
 };
 
+// Is told after each light step how many of the steps to convergence are done.
+using OnLightStep = std::function<void(int done, int steps)>;
+
 class VoxelVolume {
   public:
     virtual ~VoxelVolume() = default;
@@ -34,11 +39,12 @@ class VoxelVolume {
         DirectLight light;
         const GBuffer::Targets& surface;  // the visible surfaces
         SceneState now;
-        const Cascades& cascades;  // their places in this frame
-        Output output;             // decides which light is needed
-        int lightSteps;            // largest number of light steps to take
-        bool allBounces;           // false: the first bounce only
-        bool forceRebuild;         // rebuild the voxels even if nothing has changed
+        const Cascades& cascades;        // their places in this frame
+        Output output;                   // decides which light is needed
+        int lightSteps;                  // largest number of light steps to take
+        bool allBounces;                 // false: the first bounce only
+        bool forceRebuild;               // rebuild the voxels even if nothing has changed
+        const OnLightStep& onLightStep;  // may be empty
     };
     // Allocates the buffers that updates need, and waits for the GPU if their sizes are unknown. Call it
     // before the first pass of a frame.

@@ -1,6 +1,8 @@
 // `vct render` of an animated scene: one moment, or a sequence.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "cli/program_run.h"
 #include "image/compare.h"
 #include "image/image.h"
@@ -72,6 +74,15 @@ TEST(Sequence, ATurntableMovesTheCameraOnceAround) {
     program.expectSuccess(options + "--camera eye=6,2,0,target=0,0,0");
     expectSameInHalves(readImage(program.folder.file("out/a b/phong_0001.exr")),
                        readImage(program.folder.file("out/a b/phong.exr")));
+}
+
+TEST(Sequence, ProgressIsInStepsOfLight) {
+    ProgramRun program;
+    const std::string slow = " --size 16x16 --exposure 1 --samples 1 --light-frames 400";
+    program.expectSuccess(std::string("render ") + moving +
+                          " --mode gi --out out --time 1 --frames 1 --fps 1 --converged" + slow);
+    EXPECT_TRUE(std::regex_search(program.err, std::regex("64\\^3: light: step [0-9]+ of 528: 2 s so far")))
+        << program.err;
 }
 
 // Without a time the nodes are where the file puts them.

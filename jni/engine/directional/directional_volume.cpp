@@ -180,6 +180,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         // A picture of converged light waits for the GPU, so that no ray is left out.
         if (i == 0 && inputs.lightSteps > 1 && !objects.empty())
             light_->onRaysBlocked(voxels_.index().readCommands().mostBlockedRays);
+        if (inputs.onLightStep) inputs.onLightStep(i + 1, i + 1 + light_->stepsLeft());
     }
     if (const bool visibility = reads(inputs.output).ambientVisibility; light_->isOutdated(visibility))
         timer.time(Step::irradiance, [&] { light_->fillBricks(voxels_, visibility); });

@@ -41,6 +41,8 @@ class Irradiance {
     // Makes the next step start without light and hits.
     void invalidate();
 
+    // Steps that are left to convergence, as long as nothing changes.
+    int stepsLeft() const { return schedule_.stepsLeft(); }
     // True if another step would change nothing.
     bool isConverged() const { return schedule_.isConverged() && !pending_.any(); }
 

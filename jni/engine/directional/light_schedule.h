@@ -46,6 +46,8 @@ class LightSchedule {
 
     // Steps from a change to convergence.
     int convergenceSteps() const { return lightFrames_ + refiningSteps_; }
+    // Steps that are left to convergence, as long as nothing changes.
+    int stepsLeft() const { return stepsLeft_; }
     // True if another step would change nothing, as long as nothing else changes.
     bool isConverged() const { return stepsLeft_ == 0; }
 
