@@ -12,6 +12,8 @@ namespace {
 
 // Largest radius of a part, in voxels; a larger part is divided.
 constexpr double maxRadius = 5.0;
+// The coarsest grid of the presets.
+constexpr int coarsestGrid = 64;
 // An instance with more parts than this is no compact emitter.
 constexpr std::size_t maxPartsPerEmitter = 16;
 // Triangles are cut into pieces, about this many per instance, before the pieces are grouped into parts.
@@ -235,6 +237,34 @@ double fluxOf(const std::vector<EmitterPart>& parts) {
     return flux;
 }
 
+struct Emitter {
+    std::size_t instance;
+    std::vector<Piece> pieces;
+};
+
+struct CompactEmitters {
+    std::size_t count = 0;
+    std::vector<EmitterPart> parts;
+};
+
+// The parts of the emitters that are compact with parts of this radius at most, the brightest first.
+CompactEmitters divided(const std::vector<Emitter>& emitters, double largest) {
+    std::vector<std::vector<EmitterPart>> compact;
+    for (const Emitter& emitter : emitters) {
+        std::vector<EmitterPart> parts = partsOf(emitter.instance, emitter.pieces, largest);
+        if (!parts.empty()) compact.push_back(std::move(parts));
+    }
+    std::stable_sort(compact.begin(), compact.end(),
+                     [](const auto& a, const auto& b) { return fluxOf(a) > fluxOf(b); });
+    CompactEmitters found;
+    for (const std::vector<EmitterPart>& parts : compact) {
+        if (found.parts.size() + parts.size() > VCT_MAX_EMITTER_PARTS) continue;
+        found.parts.insert(found.parts.end(), parts.begin(), parts.end());
+        ++found.count;
+    }
+    return found;
+}
+
 }  // namespace
 
 double EmitterPart::flux() const {
@@ -255,7 +285,7 @@ static bool dependsOnExternalTexture(const Scene& scene, const Material& materia
 }
 
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) {
-    std::vector<std::vector<EmitterPart>> emitters;
+    std::vector<Emitter> emitters;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -265,17 +295,19 @@ std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume) 
         if (instance.deforms) continue;  // parts are rigid, so its emission stays in the voxels
         if (glm::determinant(glm::dmat3(instance.worldFromObject)) == 0.0) continue;
         std::vector<Piece> pieces = Pieces(scene, instance).take();
-        if (pieces.empty()) continue;
-        std::vector<EmitterPart> parts = partsOf(i, std::move(pieces), maxRadius * volume.voxelSize());
-        if (!parts.empty()) emitters.push_back(std::move(parts));
+        if (!pieces.empty()) emitters.push_back({i, std::move(pieces)});
     }
-    std::stable_sort(emitters.begin(), emitters.end(),
-                     [](const auto& a, const auto& b) { return fluxOf(a) > fluxOf(b); });
-    std::vector<EmitterPart> all;
-    for (const std::vector<EmitterPart>& parts : emitters)
-        if (all.size() + parts.size() <= VCT_MAX_EMITTER_PARTS)
-            all.insert(all.end(), parts.begin(), parts.end());
-    return all;
+    const double smallest = maxRadius * volume.voxelSize();
+    double largest =
+        std::max(smallest, maxRadius * volumeAround(scene.boundsWorld, coarsestGrid).voxelSize());
+    CompactEmitters chosen = divided(emitters, largest);
+    while (largest > smallest) {
+        largest = std::max(0.5 * largest, smallest);
+        CompactEmitters finer = divided(emitters, largest);
+        if (finer.count < chosen.count) break;
+        chosen = std::move(finer);
+    }
+    return chosen.parts;
 }
 
 std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts) {

@@ -32,7 +32,9 @@ struct EmitterPart {
 
 // The parts of a scene's compact emitters, except those whose textures are the embedding program's, in order
 // of the emitters' flux, largest first. Emitters that do not fit into VCT_MAX_EMITTER_PARTS are left out. A
-// part has a radius of at most five voxels, as far as triangles can be cut that small.
+// part has a radius of at most five voxels of a grid of 64, as far as triangles can be cut that small. With
+// smaller voxels it is five of them, or more where fewer emitters would be compact otherwise: a finer grid is
+// never noisier.
 std::vector<EmitterPart> emitterParts(const Scene& scene, const Volume& volume);
 // For each of the scene's instances: true if it is a compact emitter.
 std::vector<bool> emittingInstances(const Scene& scene, const std::vector<EmitterPart>& parts);

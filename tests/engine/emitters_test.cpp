@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/frame_inspector.h"
@@ -47,6 +48,25 @@ TEST(EmitterParts, ASmallBoxIsOnePartWithoutADirection) {
 
 TEST(EmitterParts, AnEmittingWallHasNone) {
     EXPECT_TRUE(partsAt64(roomWithEmitter(2.0)).empty());
+}
+
+// A panel, and panels that need all parts together: in a grid of 256 each would have more than a hundred.
+TEST(EmitterParts, StayCompactInAFinerGrid) {
+    const auto compact = [](const Scene& scene, int grid) {
+        const std::vector<bool> emitting =
+            emittingInstances(scene, emitterParts(scene, volumeAround(scene.boundsWorld, grid)));
+        return std::count(emitting.begin(), emitting.end(), true);
+    };
+    Scene many = closedBox(0);
+    for (int i = 0; i < 8; ++i)
+        addQuad(many, {-0.9 + 0.45 * (i % 4), 0.98, -0.5 + 0.6 * (i / 4)}, {0.4, 0, 0}, {0, 0, 0.4},
+                addEmissiveMaterial(many));
+    many = finished(std::move(many));
+    for (const auto& [scene, count] : {std::pair{roomWithEmitter(0.6), 1}, {many, 8}})
+        for (const int grid : {64, 128, 256})
+            EXPECT_EQ(compact(scene, grid), count) << grid;
+    EXPECT_GT(emitterParts(roomWithEmitter(0.2), volumeAround({glm::dvec3(-1), glm::dvec3(1)}, 128)).size(),
+              partsAt64(roomWithEmitter(0.2)).size());
 }
 
 TEST(EmitterParts, TheBrightestOfManyAreTaken) {
