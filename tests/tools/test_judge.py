@@ -16,7 +16,7 @@ from PIL import Image
 import files
 import metrics
 from conftest import ROOT, SceneMaker
-from evaluation.judge import REFERENCE
+from evaluation.judge import REFERENCE, hint, noise_notes
 from truth.exr import read_exr, write_exr
 from truth.hdr import read_sky
 
@@ -123,11 +123,31 @@ def test_errors_are_those_of_surfaces_as_they_are_shown(usual, shown):
     assert errors(out)["flip"] == pytest.approx(flip[surface].mean(), rel=0.03)
 
 
-def test_a_grid_that_is_asked_for_needs_no_other_reference(usual, room, tmp_path):
+def test_voxels_that_are_asked_for_need_no_other_reference(usual, room, tmp_path):
     out = tmp_path / "copy"
     shutil.copytree(usual[0], out)
     done = judge(room, out, "--grid", "64")
     assert "reference: path-traced: unchanged" in done.stderr and done.stderr.count("unchanged") == 1
+    assert "the scene wants" not in done.stdout
+    assert result(out)["grid"] == 64 and "unchanged" in judge(room, out, "--voxel-size", "0.02").stderr and result(out)["grid"] == 128
+
+
+def test_notes_are_about_options_that_were_given(usual):
+    assert "has no effect" not in usual[1].stdout
+
+
+def test_hints_name_options_that_exist():
+    assert hint("grid 64: voxels of 3 cm; less than") == "hint: the scene wants --grid 64: voxels of 3 cm; less than"
+    nested = "grid 64, 3 cascades: voxels of 4.24 cm around the camera to 16.9 cm far from it"
+    assert hint(nested) == f"hint: the scene wants --voxel-size 0.0428 ({nested})"
+
+
+def test_noise_of_the_reference_is_named_if_it_is_a_large_part_of_an_error():
+    one, other = ({"preset": preset, "noise": {"gi": noise}, "camera": {"errors": {"gi": {"relmse": 0.01}}}}
+                  for preset, noise in (("mobile", 0.0045), ("quality", 0.0019)))
+    assert noise_notes([other], 64) == []
+    assert noise_notes([one, other], 64) == [
+        "warning: the noise of the path-traced picture is 45 % of the relMSE of mobile; --spp 256 makes it a quarter"]
 
 
 @pytest.mark.parametrize("options", [("--camera", "eye=1.5,1.2,1.5,target=0,0.3,0,fov=60"),

@@ -32,7 +32,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_presets(parser)
     parser.add_argument("--size", type=options.size, default=(256, 256), help="WIDTHxHEIGHT (default: 256x256)")
     parser.add_argument("--spp", type=options.samples, default=512, help="samples per pixel of path tracing (default: %(default)s)")
-    parser.add_argument("--grid", help="voxels along a side, or auto (default: each preset's)")
+    voxels = parser.add_mutually_exclusive_group()
+    voxels.add_argument("--grid", help="voxels along a side, or auto (default: each preset's)")
+    voxels.add_argument("--voxel-size", type=options.length, metavar="METRES",
+                        help="largest voxels around the camera, as for vct render")
     parser.add_argument("--camera", help="eye=X,Y,Z,target=X,Y,Z,fov=DEG, or one of the scene's, by name or number")
     parser.add_argument("--light", help="direction=X,Y,Z,color=R,G,B,intensity=LUX instead of the scene's sun")
     sky = parser.add_mutually_exclusive_group()
@@ -67,13 +70,26 @@ def trace(asked: argparse.Namespace, view: dict[str, Any], folder: Path) -> Resu
     return {"noise": noise_of_halves(*(half[coverage[..., 0] > 0] for half in drawn.halves))}
 
 
+def voxel_options(asked: argparse.Namespace) -> list[str]:
+    """The options of `vct render` that were given for the voxels."""
+    return [*(["--grid", asked.grid] if asked.grid else []), *(["--voxel-size", asked.voxel_size] if asked.voxel_size else [])]
+
+
+def hint(grid: str) -> str:
+    """The option that gives all presets the voxels that `vct --grid auto` chose: "grid 64, 3 cascades: voxels of 4 cm around"."""
+    nested = re.match(r"grid \d+, \d+ cascades: voxels of (\S+) (\S+) around", grid)
+    if not nested:
+        return f"hint: the scene wants --{grid}"
+    metres = 1.01 * float(nested[1]) * {"km": 1e3, "m": 1, "cm": 1e-2, "mm": 1e-3}[nested[2]]  # it was rounded
+    return f"hint: the scene wants --voxel-size {metres:.3g} ({grid})"
+
+
 def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> list[str]:
     """Draws a quick picture, which checks the options, to learn what `vct` chooses where the scene and the options are silent.
     Returns its notes."""
     with tempfile.TemporaryDirectory() as folder:
         said = program.render(asked.scene, Path(folder), "--mode", "phong", "--size", "{}x{}".format(*asked.size),
-                              "--exposure", "1", "--grid", asked.grid or "auto", "--camera", view["option"],
-                              "--emission", asked.emission, *given)
+                              "--exposure", "1", "--camera", view["option"], *(voxel_options(asked) or ["--grid", "auto"]), *given)
     if asked.sky and re.search("[#a-df-z]", asked.sky):
         raise Failed(f"--sky {asked.sky}: the path tracer takes radiance as R,G,B or one number; write it so")
     chosen = re.search(r"as with (?:--light (\S+) )?--sky ([^\s;]+)", said)
@@ -86,8 +102,16 @@ def probe(asked: argparse.Namespace, view: dict[str, Any], given: list[str]) -> 
             asked.light = light
             given += ["--light", light]
     lines = said.splitlines()
-    return [line for line in lines if line.startswith(("note: ", "warning: "))] + [
-        f"hint: the scene wants --{line}" for line in lines if line.startswith("grid ")]
+    # The quick picture reads no voxels, unlike those of the page.
+    notes = [line for line in lines if re.match("note: (?!--grid |--voxel-size )|warning: ", line)]
+    return notes + [hint(line) for line in lines if line.startswith("grid ") and not voxel_options(asked)]
+
+
+def noise_notes(results: list[Result], spp: int) -> list[str]:
+    """Tells how much of the errors is the noise of the reference, if that is more than a fifth."""
+    noisy = [f"{100 * share:.0f} % of the relMSE of {one['preset']}" for one in results
+             if (share := min(one["noise"]["gi"] / max(one["camera"]["errors"]["gi"]["relmse"], 1e-30), 1.0)) > 0.2]
+    return [f"warning: the noise of the path-traced picture is {' and '.join(noisy)}; --spp {4 * spp} makes it a quarter"] if noisy else []
 
 
 def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], given: list[str]) -> tuple[Task, list[Task]]:
@@ -100,8 +124,7 @@ def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], give
               "light": asked.light, "sky": asked.sky, "room_light": asked.room_light, "emission": asked.emission,
               "path_tracer": path_tracer_sha256(),
               "environment": asked.environment and file_sha256(asked.environment), "kinds": ["coverage", "full"]}
-    flags = ["--camera", view["option"], "--emission", str(asked.emission), *given,
-             *(["--grid", asked.grid] if asked.grid else [])]
+    flags = ["--camera", view["option"], *voxel_options(asked), *given]
 
     def measure(preset: str, folder: Path) -> Result:
         reference = read_exr(asked.out / REFERENCE / "full.exr")
@@ -111,7 +134,7 @@ def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], give
         return result | {"reference": f"{REFERENCE}/full.exr", "exposure": exposure, "surface": float(surface.mean()),
                          "noise": {"gi": store.results_of("reference")[0]["noise"]}}
 
-    key = {**shared, "grid": asked.grid, "metrics": file_sha256(Path(metrics.__file__))}
+    key = {**shared, "grid": asked.grid, "voxel_size": asked.voxel_size, "metrics": file_sha256(Path(metrics.__file__))}
     return (Task("reference", "path-traced", shared, lambda folder: trace(asked, view, folder), uses_program=False),
             [Task("render", f"{asked.scene.stem}-{preset}", key, lambda folder, preset=preset: measure(preset, folder), preset)
              for preset in asked.presets])
@@ -119,7 +142,7 @@ def tasks_of(asked: argparse.Namespace, store: Store, view: dict[str, Any], give
 
 def run(asked: argparse.Namespace) -> int:
     from . import report
-    from .render import machine, noise_note, table
+    from .render import machine, table
     for file in (asked.scene, asked.environment):
         if file and not file.is_file():
             raise Failed(f"there is no file {file}")
@@ -128,6 +151,7 @@ def run(asked: argparse.Namespace) -> int:
     view = program.camera(asked.scene, asked.size, *(["--camera", asked.camera] if asked.camera else []))
     given = [word for name in ("light", "sky", "environment") if (value := getattr(asked, name)) is not None
              for word in (f"--{name}", str(value))]
+    given += ["--emission", str(asked.emission)] if asked.emission != 1 else []
     notes = [*probe(asked, view, given), f"camera: --camera {view['option']}"]
     try:
         asked.out.mkdir(parents=True, exist_ok=True)
@@ -141,7 +165,8 @@ def run(asked: argparse.Namespace) -> int:
         notes.append("The pictures are shown at --exposure {exposure:g}, and FLIP is taken there. The errors are means over the "
                      "{share:.0f} % of the pixels that show a surface.".format(**results[0], share=100 * results[0]["surface"]))
         print(machine(results))
-        print(table(results) + noise_note(results), end="")
+        notes += noise_notes(results, asked.spp)
+        print(table(results), end="")
         print(*notes, sep="\n")
     else:
         say(f"no page is written, because {', '.join(store.failures(renders))} failed")

@@ -32,6 +32,16 @@ def counts(text: str) -> list[int]:
     return [count(part) for part in text.split(",")]
 
 
+def length(text: str) -> str:
+    try:
+        metres = float(text)
+    except ValueError:
+        metres = 0
+    if not 0 < metres < float("inf"):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a length in metres above 0")
+    return text
+
+
 def names(known: Collection[str], kind: str) -> Callable[[str], list[str]]:
     """A list of known names with commas."""
     def parse(text: str) -> list[str]:
