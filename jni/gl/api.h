@@ -26,10 +26,10 @@ namespace vct::gl {
     X(DrawElementsInstanced) X(Enable) X(EnableVertexAttribArray) X(EndQuery) X(Finish)                    \
     X(FenceSync) X(FramebufferParameteri) X(FramebufferTexture2D) X(FramebufferTextureLayer) X(FrontFace) X(GenBuffers) \
     X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenSamplers) X(GenTextures) X(GenVertexArrays)    \
-    X(GetError) X(GetInteger64i_v) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
+    X(GetError) X(GetInteger64i_v) X(GetIntegerv) X(GetIntegeri_v) X(GetProgramBinary) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryiv)         \
     X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetStringi)                     \
     X(GetUniformLocation) X(InvalidateFramebuffer) X(IsBuffer) X(IsTexture) X(LinkProgram) X(MapBufferRange) X(MemoryBarrier)       \
-    X(PixelStorei) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
+    X(PixelStorei) X(ProgramBinary) X(ProgramParameteri) X(ReadBuffer) X(ReadPixels) X(ReleaseShaderCompiler) X(SamplerParameteri) X(Scissor) X(ShaderSource)             \
     X(TexParameteri) X(TexStorage2D) X(TexStorage3D) X(TexSubImage2D) X(TexSubImage3D) X(Uniform1ui)       \
     X(Uniform4f) X(UnmapBuffer) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribIPointer)               \
     X(VertexAttribPointer) X(Viewport)

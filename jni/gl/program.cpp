@@ -1,9 +1,11 @@
 #include "gl/program.h"
 
+#include <chrono>
 #include <iterator>
 
 #include "core/error.h"
 #include "gl/debug.h"
+#include "gl/program_binary.h"
 
 namespace vct::gl {
 
@@ -21,10 +23,15 @@ std::string infoLog(GLuint object, decltype(GetShaderiv) getParameter, decltype(
     return log;
 }
 
-Shader compile(const ShaderLibrary& library, const ProgramDescription& description, const std::string& path) {
+AssembledShader sourceOf(const ShaderLibrary& library, const ProgramDescription& description,
+                         const std::string& path) {
     std::vector<std::string> defines = library.defines;
     defines.insert(defines.end(), description.defines.begin(), description.defines.end());
-    const AssembledShader source = assembleShader(library.read, path, defines, library.language);
+    return assembleShader(library.read, path, defines, library.language);
+}
+
+Shader compile(const AssembledShader& source, const ProgramDescription& description,
+               const std::string& path) {
     Shader shader(CreateShader(shaderStage(path)));
     const char* text = source.text.c_str();
     ShaderSource(shader.get(), 1, &text, nullptr);
@@ -37,13 +44,34 @@ Shader compile(const ShaderLibrary& library, const ProgramDescription& descripti
     return shader;
 }
 
-Handle<&DeleteProgram> link(const ShaderLibrary& library, const ProgramDescription& description) {
-    Handle<&DeleteProgram> handle(CreateProgram());
+Handle<&DeleteProgram> link(const ShaderLibrary& library, const ProgramDescription& description,
+                            const ProgramHooks& hooks) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto onLinked = [&](bool isLoaded) {
+        const std::chrono::duration<double, std::milli> duration = Clock::now() - start;
+        if (hooks.onLinked) hooks.onLinked(description.name, duration.count(), isLoaded);
+    };
+    std::vector<AssembledShader> sources;
+    std::vector<std::string> texts;
     for (const std::string& path : description.shaders) {
+        sources.push_back(sourceOf(library, description, path));
+        texts.push_back(sources.back().text);
+    }
+    Handle<&DeleteProgram> handle(CreateProgram());
+    const bool keeps = (hooks.load || hooks.store) && hasProgramBinaries();
+    const std::string key = keeps ? programKey(texts) : "";
+    if (keeps && hooks.load && loadProgramBinary(handle.get(), hooks.load(key))) {
+        label(GL_PROGRAM, handle.get(), description.name);
+        onLinked(true);
+        return handle;
+    }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
         // GL keeps attached shaders until the program is deleted.
-        const Shader shader = compile(library, description, path);
+        const Shader shader = compile(sources[i], description, description.shaders[i]);
         AttachShader(handle.get(), shader.get());
     }
+    if (keeps) ProgramParameteri(handle.get(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     LinkProgram(handle.get());
     GLint ok = GL_FALSE;
     GetProgramiv(handle.get(), GL_LINK_STATUS, &ok);
@@ -51,6 +79,10 @@ Handle<&DeleteProgram> link(const ShaderLibrary& library, const ProgramDescripti
         throw Error("program '" + description.name +
                     "' does not link: " + infoLog(handle.get(), GetProgramiv, GetProgramInfoLog));
     label(GL_PROGRAM, handle.get(), description.name);
+    if (keeps && hooks.store)
+        if (const std::vector<std::uint8_t> binary = programBinary(handle.get()); !binary.empty())
+            hooks.store(key, binary);
+    onLinked(false);
     return handle;
 }
 
@@ -70,8 +102,10 @@ Program::Program(const ShaderLibrary& library, const ProgramDescription& descrip
         return;
     }
     if (cache != nullptr) countNew(*cache->newPrograms_);
+    static const ProgramHooks noHooks;
     linked_ = std::make_shared<Linked>(
-        Linked{link(library, description), cache != nullptr ? cache->newPrograms_ : nullptr});
+        Linked{link(library, description, cache != nullptr ? cache->hooks_ : noHooks),
+               cache != nullptr ? cache->newPrograms_ : nullptr});
     if (shared != nullptr) *shared = linked_;
 }
 

@@ -1,7 +1,9 @@
 // Compiles and links programs from the files below shaders/.
 #pragma once
 
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -55,10 +57,22 @@ struct NewProgramLimit : std::exception {
     const char* what() const noexcept override { return "too many new programs for one frame"; }
 };
 
+// Functions that are called while a program is linked. Each may be empty.
+struct ProgramHooks {
+    // Return and keep what a driver has compiled, by a key of 32 hexadecimal digits, which depends on the
+    // driver and the source. An empty result means that there is none; one that does not fit is not used.
+    std::function<std::vector<std::uint8_t>(const std::string& key)> load;
+    std::function<void(const std::string& key, const std::vector<std::uint8_t>& binary)> store;
+    // `isLoaded`: the program was not compiled.
+    std::function<void(const std::string& name, double ms, bool isLoaded)> onLinked;
+};
+
 // Shares the programs of a context, so that each is linked once, at a time that the caller chooses. A shared
 // program has the uniforms of whoever used it last.
 class ProgramCache {
   public:
+    explicit ProgramCache(ProgramHooks hooks = {}) : hooks_(std::move(hooks)) {}
+
     bool contains(const ShaderLibrary& library, const ProgramDescription& description) const;
 
     // Runs `work`, which may link one program or use one for the first time, which is when some drivers
@@ -85,6 +99,7 @@ class ProgramCache {
     using Key = std::vector<std::string>;  // shaders, then defines
     static Key keyOf(const ShaderLibrary& library, const ProgramDescription& description);
 
+    ProgramHooks hooks_;
     std::map<Key, std::shared_ptr<Program::Linked>> programs_;
     static constexpr int unlimited = std::numeric_limits<int>::max();
     std::shared_ptr<int> newPrograms_ = std::make_shared<int>(unlimited);
