@@ -3,6 +3,9 @@
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/vct)
 install(TARGETS vct_library EXPORT vctTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Debug information would be most of the library's size.
+install(CODE "file(GLOB library \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libvct.a\")
+execute_process(COMMAND \"${CMAKE_STRIP}\" --strip-debug \${library} COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY include/vct ${CMAKE_BINARY_DIR}/include/vct DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # The library has no dependencies to find, so the file of its targets is the whole package configuration.
 install(EXPORT vctTargets FILE vctConfig.cmake NAMESPACE vct:: DESTINATION ${package})
