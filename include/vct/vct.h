@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -57,11 +58,15 @@ struct MaterialDescription {
     // and sampling must give linear colours, as with GL_SRGB8_ALPHA8. They must exist as long as the
     // GlobalIllumination, with the same content.
     unsigned baseColorTexture = 0, emissionTexture = 0;
+    // As in glTF: green multiplies roughness and blue metallic; and a normal map in tangent space, whose x
+    // and y are multiplied by normalScale. Only the library's own G-buffer reads them.
+    unsigned glossTexture = 0, normalTexture = 0;
+    float normalScale = 1.0F;
     // Above 0, there are holes where alpha is less, which is the texture's times that of the vertex colour.
     float alphaCutoff = 0.0F;
 };
 
-// Triangles of one material, in object space. The constructor of GlobalIllumination copies the spans.
+// Triangles of one material, in object space. The function that takes the description copies the spans.
 struct MeshDescription {
     std::span<const float> positions;             // x, y, z per vertex
     std::span<const float> normals;               // x, y, z per vertex, of any length but 0
@@ -85,7 +90,8 @@ struct VertexBuffers {
 struct InstanceDescription {
     std::size_t mesh = 0;  // index into SceneDescription::meshes
     Matrix worldFromObject;
-    // True: setTransform(), setVisible() and setEmission() may change it, which costs memory and time.
+    // True: setTransform(), setVisible() and setEmission() may change it, which costs memory and time. It
+    // makes no difference to addInstance().
     bool moves = false;
     bool isVisible = true;  // false needs `moves`
 };
@@ -126,9 +132,15 @@ struct SkyPicture {
 };
 
 struct SceneDescription {
+    // Shaders are made for the kinds of these materials, those that no mesh uses included. A material that is
+    // added or changed later must be of one of these kinds: sides, textures that it has, cutoff, emission,
+    // and vertex colours of its meshes; glossy if one is; and with no more emission than the brightest.
     std::vector<MaterialDescription> materials;
     std::vector<MeshDescription> meshes;
     std::vector<InstanceDescription> instances;
+    // The most instances that addInstance() may bring the scene to, `instances` included. 0: addMesh() and
+    // addInstance() are errors.
+    std::size_t maxInstances = 0;
     Sun sun;
     std::vector<LightDescription> lights;
     // The most lights that addLight() may bring the scene to, at most 64. Shadow maps take memory for each of
@@ -146,6 +158,19 @@ struct SceneDescription {
     std::optional<Box> bounds;
 };
 
+// A part of the work of a picture that takes long.
+struct Progress {
+    std::string part;  // "programs" that were made, or steps of "light" (with Light::converged)
+    int done = 0;
+    int total = 0;  // 0: not known
+};
+
+// Time of a step of render(). docs/timings.md describes the steps.
+struct StepTime {
+    std::string step;
+    double milliseconds = 0.0;
+};
+
 struct Options {
     std::string preset = "mobile";  // "thesis", "mobile" or "quality"; docs/embedding.md has their cost
     int grid = 0;                   // voxels along a side: 64, 128, 256 or 512; 0: the preset's
@@ -157,6 +182,15 @@ struct Options {
     bool radiance = true, irradiance = false, ambientVisibility = false, sunVisibility = false,
          specular = false;
     std::string shaderFolder;  // folder to read the shaders from; "": the built-in ones
+    // Functions of the program, or none. They are called within functions of the GlobalIllumination and must
+    // call none of it, and leave GL's state as it is.
+    std::function<void(const std::string& message)> log;  // notes, and each shader program with its time
+    std::function<void(const Progress& progress)> progress;
+    // Return and keep compiled shader programs, so that the next start need not compile them. A key is 32
+    // hexadecimal digits and depends on the library and the driver. Return nothing for a key that was never
+    // stored. What was damaged, or is of another driver, is compiled again.
+    std::function<std::vector<std::uint8_t>(const std::string& key)> loadProgram;
+    std::function<void(const std::string& key, std::span<const std::uint8_t> program)> storeProgram;
 };
 
 // The camera of the pictures. Clip space is GL's: depth from -1 (near) to 1 (far).
@@ -249,6 +283,20 @@ class GlobalIllumination {
     void setVisible(std::size_t instance, bool isVisible);
     // Scales the emission of such an instance, by 0 (a lamp that is off) to 1.
     void setEmission(std::size_t instance, float scale);
+    // Materials, meshes and instances that come and go, within SceneDescription::maxInstances. Each add
+    // function returns a number, which stays until it is removed; the scene's own have their indices. Each
+    // remove function takes what was added, and is an error while something uses it. Added instances are as
+    // those with `moves`: they are voxelized when one of them changes, and what does not move is not. Added
+    // meshes do not deform, and their emission is in the voxels: describe small lamps, hidden.
+    std::size_t addMaterial(const MaterialDescription& material);
+    void removeMaterial(std::size_t material);
+    std::size_t addMesh(const MeshDescription& mesh);
+    void removeMesh(std::size_t mesh);
+    std::size_t addInstance(const InstanceDescription& instance);
+    void removeInstance(std::size_t instance);
+    // Changes a material of the next pictures. If an instance has it that was described without `moves`, all
+    // voxels and their light are made again.
+    void setMaterial(std::size_t material, const MaterialDescription& description);
     // Turns the sun in the next picture. `directionToSun`: any length but 0.
     void setSun(const std::array<double, 3>& directionToSun);
     // Changes colour and illuminance of the sun, with the same limits as in Sun.
@@ -268,11 +316,18 @@ class GlobalIllumination {
 
     // After a change, indirect light converges over about 16 frames. `oneStep` takes one step per call, for
     // interactive use; `converged` takes all remaining steps, for a still picture.
-    enum class Light { oneStep, converged };
+    // `keep` takes none, for a second view of the same frame; as long as there is no light, it takes one.
+    enum class Light { oneStep, converged, keep };
     // Draws the pictures. `gBuffer` is a G-buffer of the caller's that shows the scene from the same View;
     // without it the library draws its own.
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
+
+    // Measures the steps of the next pictures, or stops to. It waits for the GPU after each step, so frames
+    // take longer.
+    void measureSteps(bool measures);
+    // Times of the last picture, in the order of the steps; empty if it was not measured.
+    std::vector<StepTime> stepTimes() const;
 
     // GLSL ES 3.10 with the function
     //     vec3 irradianceAt(vec3 position, vec3 normal)

@@ -45,37 +45,18 @@ int textureOf(unsigned name, std::vector<Texture>& textures) {
     const auto found = std::find_if(textures.begin(), textures.end(),
                                     [&](const Texture& texture) { return texture.external == name; });
     if (found != textures.end()) return static_cast<int>(found - textures.begin());
-    textures.emplace_back().external = name;
-    return static_cast<int>(textures.size()) - 1;
-}
-
-Material materialOf(const MaterialDescription& description, const std::string& name,
-                    std::vector<Texture>& textures) {
-    require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
-    require(within(description.emission, 0.0, 1e30), name + ": give an emission between 0 and 1e30");
-    const float surface[] = {description.metallic, description.roughness};
-    require(within(surface, 0.0, 1.0), name + ": give metallic and roughness between 0 and 1");
-    Material material;
-    material.name = name;
-    material.baseColor = glm::vec4(color(description.baseColor), 1.0F);
-    material.emissive = color(description.emission);
-    material.metallic = description.metallic;
-    material.roughness = description.roughness;
-    material.doubleSided = description.doubleSided;
-    const float cutoff[] = {description.alphaCutoff};
-    require(within(cutoff, 0.0, 1.0), name + ": give an alpha cutoff between 0 and 1");
-    if (description.alphaCutoff > 0.0F) material.alphaMode = Material::AlphaMode::mask;
-    material.alphaCutoff = description.alphaCutoff;
-    material.baseColorTexture = textureOf(description.baseColorTexture, textures);
-    material.emissiveTexture = textureOf(description.emissionTexture, textures);
-    return material;
+    auto free = std::find_if(textures.begin(), textures.end(),
+                             [](const Texture& texture) { return texture.external == 0; });
+    if (free == textures.end()) free = textures.emplace(free);
+    free->external = name;
+    return static_cast<int>(free - textures.begin());
 }
 
 // `material`: that of the mesh.
 void addAttributes(const MeshDescription& description, const Material& material, Mesh& mesh) {
     const std::size_t vertices = mesh.vertices.size();
     const std::span<const float> uv = description.textureCoordinates, colors = description.colors;
-    const bool isTextured = material.baseColorTexture >= 0 || material.emissiveTexture >= 0;
+    const bool isTextured = hasTextures(material);
     require(uv.size() == 2 * vertices || (uv.empty() && !isTextured),
             mesh.name + ": it has " + std::to_string(uv.size()) + " numbers of texture coordinates for " +
                 std::to_string(vertices) + " vertices; give two per vertex, as its material has textures");
@@ -83,57 +64,19 @@ void addAttributes(const MeshDescription& description, const Material& material,
             mesh.name + ": it has " + std::to_string(colors.size()) + " numbers of colours for " +
                 std::to_string(vertices) + " vertices; give four per vertex, or none");
     require(within(colors, 0.0, 1.0), mesh.name + ": give colours between 0 and 1");
-    if (isTextured) {
+    if (!uv.empty()) {
         require(within(uv, -1e6, 1e6), mesh.name + ": give texture coordinates between -1e6 and 1e6");
         for (std::size_t i = 0; i < vertices; ++i)
             mesh.vertices[i].uv = mesh.vertices[i].emissiveUv = {uv[2 * i], uv[2 * i + 1]};
     }
-    for (std::size_t i = 0; i + 3 < colors.size(); i += 4)
-        mesh.extras.emplace_back().color = {colors[i], colors[i + 1], colors[i + 2], colors[i + 3]};
-}
-
-Mesh meshOf(const MeshDescription& description, const std::vector<Material>& materials,
-            const std::string& name) {
-    const std::size_t vertices = description.positions.size() / 3;
-    require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
-            name + ": give three numbers per position, and at most 2^32 vertices");
-    require(description.normals.size() == description.positions.size(),
-            name + ": its normals have " + std::to_string(description.normals.size()) +
-                " numbers and its positions " + std::to_string(description.positions.size()) +
-                "; give as many normals as positions");
-    require(!description.indices.empty() && description.indices.size() % 3 == 0,
-            name + ": it has " + std::to_string(description.indices.size()) +
-                " indices; give three per triangle, and at least one triangle");
-    require(description.material < materials.size(),
-            name + ": there is no material " + std::to_string(description.material) + "; the scene has " +
-                std::to_string(materials.size()) + " materials");
-    Mesh mesh;
-    mesh.name = name;
-    mesh.material = static_cast<int>(description.material);
-    mesh.indices.assign(description.indices.begin(), description.indices.end());
-    Bounds bounds = noBounds;
-    for (const std::uint32_t index : mesh.indices) {
-        require(index < vertices, name + ": an index is " + std::to_string(index) + ", but the mesh has " +
-                                      std::to_string(vertices) + " vertices");
-        const glm::dvec3 position = vectorAt(description.positions, index);
-        const double numbers[] = {position.x, position.y, position.z};
-        require(within(numbers, -maxCoordinate, maxCoordinate),
-                name + ": the position of vertex " + std::to_string(index) + " is not finite or beyond 1e18");
-        bounds.include(position);
+    if (colors.empty() && material.glossTexture < 0 && material.normalTexture < 0) return;
+    mesh.extras.resize(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        VertexExtras& extras = mesh.extras[i];
+        if (!colors.empty())
+            extras.color = {colors[4 * i], colors[4 * i + 1], colors[4 * i + 2], colors[4 * i + 3]};
+        if (!uv.empty()) extras.glossUv = extras.normalUv = {uv[2 * i], uv[2 * i + 1]};
     }
-    mesh.centre = 0.5 * (bounds.min + bounds.max);
-    mesh.vertices.resize(vertices);
-    // Only vertices in use are checked.
-    for (const std::uint32_t index : mesh.indices) {
-        const glm::dvec3 normal = vectorAt(description.normals, index);
-        const double length = std::sqrt(glm::dot(normal, normal));
-        require(length > 0.0 && std::isfinite(length),
-                name + ": the normal of vertex " + std::to_string(index) + " has no direction");
-        mesh.vertices[index].position = glm::vec3(vectorAt(description.positions, index) - mesh.centre);
-        mesh.vertices[index].normal = glm::vec3(normal / length);
-    }
-    addAttributes(description, materials[description.material], mesh);
-    return mesh;
 }
 
 // The mesh gets a single joint, the node of its instance.
@@ -160,6 +103,78 @@ void makeDeforming(Scene& scene, std::size_t index) {
 }
 
 }  // namespace
+
+bool hasTextures(const Material& material) {
+    return material.baseColorTexture >= 0 || material.emissiveTexture >= 0 || material.glossTexture >= 0 ||
+           material.normalTexture >= 0;
+}
+
+Material materialOf(const MaterialDescription& description, const std::string& name,
+                    std::vector<Texture>& textures) {
+    require(within(description.baseColor, 0.0, 1.0), name + ": give a base colour between 0 and 1");
+    require(within(description.emission, 0.0, 1e30), name + ": give an emission between 0 and 1e30");
+    const float surface[] = {description.metallic, description.roughness};
+    require(within(surface, 0.0, 1.0), name + ": give metallic and roughness between 0 and 1");
+    Material material;
+    material.name = name;
+    material.baseColor = glm::vec4(color(description.baseColor), 1.0F);
+    material.emissive = color(description.emission);
+    material.metallic = description.metallic;
+    material.roughness = description.roughness;
+    material.doubleSided = description.doubleSided;
+    const float cutoff[] = {description.alphaCutoff};
+    require(within(cutoff, 0.0, 1.0), name + ": give an alpha cutoff between 0 and 1");
+    if (description.alphaCutoff > 0.0F) material.alphaMode = Material::AlphaMode::mask;
+    material.alphaCutoff = description.alphaCutoff;
+    material.baseColorTexture = textureOf(description.baseColorTexture, textures);
+    material.emissiveTexture = textureOf(description.emissionTexture, textures);
+    material.glossTexture = textureOf(description.glossTexture, textures);
+    material.normalTexture = textureOf(description.normalTexture, textures);
+    const float scale[] = {description.normalScale};
+    require(within(scale, -1e6, 1e6), name + ": give a normalScale between -1e6 and 1e6");
+    material.normalScale = description.normalScale;
+    return material;
+}
+
+Mesh meshOf(const MeshDescription& description, const Material& material, const std::string& name) {
+    const std::size_t vertices = description.positions.size() / 3;
+    require(description.positions.size() % 3 == 0 && vertices <= 0xFFFFFFFFU,
+            name + ": give three numbers per position, and at most 2^32 vertices");
+    require(description.normals.size() == description.positions.size(),
+            name + ": its normals have " + std::to_string(description.normals.size()) +
+                " numbers and its positions " + std::to_string(description.positions.size()) +
+                "; give as many normals as positions");
+    require(!description.indices.empty() && description.indices.size() % 3 == 0,
+            name + ": it has " + std::to_string(description.indices.size()) +
+                " indices; give three per triangle, and at least one triangle");
+    Mesh mesh;
+    mesh.name = name;
+    mesh.material = static_cast<int>(description.material);
+    mesh.indices.assign(description.indices.begin(), description.indices.end());
+    Bounds bounds = noBounds;
+    for (const std::uint32_t index : mesh.indices) {
+        require(index < vertices, name + ": an index is " + std::to_string(index) + ", but the mesh has " +
+                                      std::to_string(vertices) + " vertices");
+        const glm::dvec3 position = vectorAt(description.positions, index);
+        const double numbers[] = {position.x, position.y, position.z};
+        require(within(numbers, -maxCoordinate, maxCoordinate),
+                name + ": the position of vertex " + std::to_string(index) + " is not finite or beyond 1e18");
+        bounds.include(position);
+    }
+    mesh.centre = 0.5 * (bounds.min + bounds.max);
+    mesh.vertices.resize(vertices);
+    // Only vertices in use are checked.
+    for (const std::uint32_t index : mesh.indices) {
+        const glm::dvec3 normal = vectorAt(description.normals, index);
+        const double length = std::sqrt(glm::dot(normal, normal));
+        require(length > 0.0 && std::isfinite(length),
+                name + ": the normal of vertex " + std::to_string(index) + " has no direction");
+        mesh.vertices[index].position = glm::vec3(vectorAt(description.positions, index) - mesh.centre);
+        mesh.vertices[index].normal = glm::vec3(normal / length);
+    }
+    addAttributes(description, material, mesh);
+    return mesh;
+}
 
 DirectionalLight lightOf(const Sun& sun) {
     DirectionalLight light;
@@ -241,7 +256,11 @@ Scene sceneOf(const SceneDescription& description) {
         scene.materials.push_back(
             materialOf(material, indexed("material", scene.materials.size()), scene.textures));
     for (const MeshDescription& mesh : description.meshes) {
-        scene.meshes.push_back(meshOf(mesh, scene.materials, indexed("mesh", scene.meshes.size())));
+        const std::string name = indexed("mesh", scene.meshes.size());
+        require(mesh.material < scene.materials.size(),
+                name + ": there is no material " + std::to_string(mesh.material) + "; the scene has " +
+                    std::to_string(scene.materials.size()) + " materials");
+        scene.meshes.push_back(meshOf(mesh, scene.materials[mesh.material], name));
         scene.materials[mesh.material].vertexColors |= !mesh.colors.empty();
     }
     for (Mesh& mesh : scene.meshes)
@@ -259,6 +278,9 @@ Scene sceneOf(const SceneDescription& description) {
     }
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
         if (description.meshes[i].deforms) makeDeforming(scene, i);
+    const std::size_t room = std::max(description.maxInstances, description.instances.size());
+    scene.instanceRoom = room - description.instances.size();
+    scene.materialsChange = true;
     require(!scene.instances.empty(), "the scene has no instances; give it at least one");
     scene.lights.push_back(lightOf(description.sun));
     for (const LightDescription& light : description.lights)

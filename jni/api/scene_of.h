@@ -13,6 +13,13 @@ namespace vct {
 // order of the description. The sun is the first light.
 Scene sceneOf(const SceneDescription& description);
 
+bool hasTextures(const Material& material);
+// Returns the material, whose textures get places in `textures`: that of the same texture, a free one
+// (Texture::external is 0), or a new one. Throws vct::Error that begins with `name`.
+Material materialOf(const MaterialDescription& description, const std::string& name,
+                    std::vector<Texture>& textures);
+// The mesh with the material that the description names. Throws vct::Error that begins with `name`.
+Mesh meshOf(const MeshDescription& description, const Material& material, const std::string& name);
 // Throws vct::Error that names the first invalid value.
 DirectionalLight lightOf(const Sun& sun);
 // Throws vct::Error that begins with `name` and names the first invalid value.

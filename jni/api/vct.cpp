@@ -5,13 +5,15 @@
 #include <initializer_list>
 #include <optional>
 
+#include "api/caller_objects.h"
 #include "api/embedded_shaders.h"
+#include "api/implementation.h"
 #include "api/look_up.h"
 #include "api/saved_state.h"
 #include "api/scene_of.h"
+#include "core/number_text.h"
 #include "engine/environment.h"
 #include "engine/grid_choice.h"
-#include "engine/renderer.h"
 #include "shared/layout.h"
 
 namespace vct {
@@ -67,7 +69,6 @@ gl::Capabilities capabilitiesOf(GetProcAddress getProcAddress) {
 
 // The window system's function that returns the current context; null if getProcAddress does not know it.
 // Call it while a context is current.
-using CurrentContext = void* (*)();
 CurrentContext currentContextOf(GetProcAddress getProcAddress) {
     for (const char* name : {"eglGetCurrentContext", "glXGetCurrentContext"}) {
         const auto current = reinterpret_cast<CurrentContext>(getProcAddress(name));
@@ -130,187 +131,158 @@ Camera cameraOf(const View& view) {
     return camera;
 }
 
-struct TextureParameters {
-    GLint width = 0, height = 0, format = 0;
-};
-
-// `member`: the member of the interface that has this name. Throws vct::Error if it is not a texture.
-TextureParameters requireTexture(unsigned name, const std::string& member) {
-    gl::Texture::wrapExternal(name).bind(gl::scratchTextureUnit);
-    TextureParameters found;
-    if (name != 0) {
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &found.width);
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &found.height);
-        gl::GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &found.format);
-    }
-    if (gl::GetError() != GL_NO_ERROR || found.width < 1)
-        throw Error(member + " is " + std::to_string(name) +
-                    ", which is not a 2D texture with storage; give the name of one");
-    return found;
-}
-
-// Throws vct::Error if a texture of the caller's G-buffer has the wrong size or format.
-void requireTarget(unsigned name, const char* what, glm::ivec2 size, std::initializer_list<GLint> formats) {
-    const std::string member = std::string("GBufferTextures::") + what;
-    const TextureParameters found = requireTexture(name, member);
-    if (found.width != size.x || found.height != size.y)
-        throw Error(member + " has " + std::to_string(found.width) + "x" + std::to_string(found.height) +
-                    " texels, but the pictures have " + std::to_string(size.x) + "x" +
-                    std::to_string(size.y) + "; give it that size, or call resize()");
-    if (std::find(formats.begin(), formats.end(), found.format) == formats.end())
-        throw Error(member + " has the internal format " + std::to_string(found.format) +
-                    "; use one of the formats that vct.h lists");
-}
-
-// Throws vct::Error if the buffer has not so many vertices.
-ExternalVertices::Attribute attributeOf(unsigned buffer, std::size_t offset, std::size_t stride,
-                                        std::size_t vertices, const char* member) {
-    const std::string name = std::string("VertexBuffers::") + member;
-    if (offset % 4 != 0 || stride % 4 != 0 || stride < 12)
-        throw Error(name + ": give offset and stride in bytes, multiples of 4, and a stride of 12 or more");
-    GLint bytes = 0;
-    if (gl::IsBuffer(buffer) != GL_FALSE) {
-        gl::BindBuffer(GL_COPY_READ_BUFFER, buffer);
-        gl::GetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
-    }
-    const std::size_t needed = offset + stride * (vertices - 1) + 12;
-    if (static_cast<std::size_t>(bytes) < needed)
-        throw Error(name + " is " + std::to_string(buffer) + ", a buffer of " + std::to_string(bytes) +
-                    " bytes (0: there is none), and " + std::to_string(vertices) + " vertices need " +
-                    std::to_string(needed));
-    return {buffer, offset / 4, stride / 4};
-}
-
-void requireTextures(const std::vector<MaterialDescription>& materials) {
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        const std::string material = "material " + std::to_string(i);
-        for (const auto& [name, member] : {std::pair{materials[i].baseColorTexture, ": baseColorTexture"},
-                                           {materials[i].emissionTexture, ": emissionTexture"}})
-            if (name != 0) requireTexture(name, material + member);
-    }
+// Reports programs, and keeps them where the embedding program wants that.
+gl::ProgramHooks hooksOf(const Options& options) {
+    gl::ProgramHooks hooks;
+    hooks.load = options.loadProgram;
+    if (options.storeProgram)
+        hooks.store = [store = options.storeProgram](const std::string& key,
+                                                     const std::vector<std::uint8_t>& binary) {
+            store(key, binary);
+        };
+    if (options.log || options.progress)
+        hooks.onLinked = [log = options.log, progress = options.progress, count = 0](
+                             const std::string& name, double ms, bool isLoaded) mutable {
+            if (log)
+                log((isLoaded ? "loaded" : "compiled") + (" the program " + name) + " in " + numberText(ms) +
+                    " ms");
+            if (progress) progress({"programs", ++count, 0});
+        };
+    return hooks;
 }
 
 }  // namespace
 
-struct GlobalIllumination::Implementation {
-    Implementation(GetProcAddress getProcAddress, const SceneDescription& description, const Options& options)
-        : Implementation(sceneOf(description), description, options, capabilitiesOf(getProcAddress)) {
-        currentContext = currentContextOf(getProcAddress);
-        context = currentContext != nullptr ? currentContext() : nullptr;
-    }
+GlobalIllumination::Implementation::Implementation(GetProcAddress getProcAddress,
+                                                   const SceneDescription& description,
+                                                   const Options& options)
+    : outputs(outputsFor(options)), onProgress(options.progress) {
+    const Scene scene = sceneOf(description);
+    const gl::Capabilities capabilities = capabilitiesOf(getProcAddress);
+    currentContext = currentContextOf(getProcAddress);
+    context = currentContext != nullptr ? currentContext() : nullptr;
 
-    Implementation(const Scene& scene, const SceneDescription& description, const Options& options,
-                   const gl::Capabilities& capabilities)
-        : outputs(outputsFor(options)) {
-        hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
-        std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
-        for (const Mesh& mesh : scene.meshes)
-            meshes.push_back(
-                {mesh.deformation ? mesh.deformation->joints[0].node : -1, mesh.vertices.size()});
-        for (const Instance& instance : scene.instances) {
-            nodes.push_back(instance.node);
-            if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
-        }
-        const SavedState saved;
-        requireTextures(description.materials);
-        renderer.emplace(scene, scene.lights.front(), settingsOf(options, description, scene.boundsWorld),
-                         capabilities, shadersOf(options));
-        plain.emplace();
-        appearances.resize(pose.worldFromNode.size());
-        for (std::size_t i = 0; i < description.instances.size(); ++i)
-            if (!description.instances[i].isVisible)
-                setAppearance(nodeOf(i, "isVisible = false"), false, 1.0F);
+    hasLight.resize(scene.punctualLights.size() + scene.punctualLightRoom);
+    std::fill_n(hasLight.begin(), scene.punctualLights.size(), true);
+    materials.assign(scene.materials.begin(), scene.materials.end());
+    describedMaterials = materials.size();
+    textures = scene.textures;
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        const MeshDescription& mesh = description.meshes[i];
+        const std::shared_ptr<const Deformation>& deformation = scene.meshes[i].deformation;
+        meshes.push_back({.material = mesh.material,
+                          .vertices = scene.meshes[i].vertices.size(),
+                          .hasColors = !mesh.colors.empty(),
+                          .hasTextureCoordinates = !mesh.textureCoordinates.empty(),
+                          .deforms = mesh.deforms,
+                          .node = deformation ? deformation->joints[0].node : -1});
     }
-    ~Implementation() {
-        const SavedState saved;
-        plain.reset();
-        renderer.reset();
+    for (const Instance& instance : scene.instances) {
+        instances.push_back({.mesh = static_cast<std::size_t>(instance.mesh), .node = instance.node});
+        if (instance.moves()) pose.worldFromNode.push_back(instance.worldFromObject);
     }
+    describedInstances = instances.size();
+    maxInstances = describedInstances + scene.instanceRoom;
+    const SavedState saved;
+    for (std::size_t i = 0; i < description.materials.size(); ++i)
+        requireTextures(description.materials[i], "material " + std::to_string(i));
+    const Settings settings = settingsOf(options, description, scene.boundsWorld);
+    if (options.log) {
+        options.log(capabilities.renderer + ", " + capabilities.version);
+        options.log(gridText(scene.boundsWorld, settings.grid, settings.cascades));
+        for (const std::string& note :
+             {voxelizationNote(settings.voxels, capabilities), coarseGridWarning(scene, settings)})
+            if (!note.empty()) options.log(note);
+    }
+    renderer.emplace(scene, scene.lights.front(), settings, capabilities, shadersOf(options),
+                     std::make_shared<gl::ProgramCache>(hooksOf(options)));
+    plain.emplace();
+    appearances.resize(pose.worldFromNode.size());
+    for (std::size_t i = 0; i < description.instances.size(); ++i)
+        if (!description.instances[i].isVisible) setAppearance(nodeOf(i, "isVisible = false"), false, 1.0F);
+}
 
-    // True if the context is current that the objects of GL belong to, as far as the window system can be
-    // asked.
-    bool isContextCurrent() const {
-        return currentContext != nullptr ? currentContext() == context : gl::GetString(GL_VERSION) != nullptr;
-    }
+GlobalIllumination::Implementation::~Implementation() {
+    const SavedState saved;
+    plain.reset();
+    renderer.reset();
+}
 
-    void requireContext(const std::string& function) const {
-        if (isContextCurrent()) return;
-        const bool none = currentContext != nullptr ? currentContext() == nullptr : true;
-        throw Error(function +
-                    (none ? ": no GL context is current in this thread"
-                          : ": another GL context is current in this thread") +
-                    "; make the one current with which the GlobalIllumination was created");
-    }
+bool GlobalIllumination::Implementation::isContextCurrent() const {
+    return currentContext != nullptr ? currentContext() == context : gl::GetString(GL_VERSION) != nullptr;
+}
 
-    unsigned textureOf(Output output) const {
-        const auto found = std::find(outputs.begin(), outputs.end(), output);
-        return found == outputs.end()
-                   ? 0
-                   : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
-    }
+void GlobalIllumination::Implementation::requireContext(const std::string& function) const {
+    if (isContextCurrent()) return;
+    const bool none = currentContext != nullptr ? currentContext() == nullptr : true;
+    throw Error(function +
+                (none ? ": no GL context is current in this thread"
+                      : ": another GL context is current in this thread") +
+                "; make the one current with which the GlobalIllumination was created");
+}
 
-    // The node of an instance that moves.
-    int nodeOf(std::size_t instance, const char* function) const {
-        const std::string name = "instance " + std::to_string(instance);
-        if (instance >= nodes.size())
-            throw Error(std::string(function) + ": there is no " + name + "; the scene has " +
-                        std::to_string(nodes.size()) + " instances");
-        if (nodes[instance] < 0)
-            throw Error(std::string(function) + ": " + name +
-                        " was not declared to move; set InstanceDescription::moves");
-        return nodes[instance];
-    }
+unsigned GlobalIllumination::Implementation::textureOf(Output output) const {
+    const auto found = std::find(outputs.begin(), outputs.end(), output);
+    return found == outputs.end()
+               ? 0
+               : renderer->output(static_cast<std::size_t>(found - outputs.begin())).name();
+}
 
-    void setAppearance(int node, bool isVisible, float emission) {
-        appearances[static_cast<std::size_t>(node)] = {isVisible, emission};
-        renderer->setAppearance(node, isVisible, emission);
-    }
+void GlobalIllumination::Implementation::requireInstance(std::size_t instance, const char* function) const {
+    if (instance < instances.size() && instances[instance].exists) return;
+    const auto count = std::count_if(instances.begin(), instances.end(),
+                                     [](const InstanceState& state) { return state.exists; });
+    throw Error(std::string(function) + ": there is no instance " + std::to_string(instance) +
+                "; the scene has " + std::to_string(count) + " instances");
+}
 
-    void requireLight(std::size_t number, const char* function) const {
-        if (number >= hasLight.size() || !hasLight[number])
-            throw Error(std::string(function) + ": there is no light " + std::to_string(number) +
-                        "; give a number that addLight() returned, or an index of SceneDescription::lights");
-    }
+int GlobalIllumination::Implementation::nodeOf(std::size_t instance, const char* function) const {
+    requireInstance(instance, function);
+    if (instances[instance].node < 0)
+        throw Error(std::string(function) + ": instance " + std::to_string(instance) +
+                    " was not declared to move; set InstanceDescription::moves");
+    return instances[instance].node;
+}
 
-    Pictures render(const View& view, Light light, const GBuffer::Targets* surface) {
-        renderer->render({outputs, cameraOf(view),
-                          light == Light::converged ? LightSteps::all : LightSteps::one, surface});
-        return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
-                textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility),
-                textureOf(Output::specularLight)};
-    }
+void GlobalIllumination::Implementation::setAppearance(int node, bool isVisible, float emission) {
+    appearances[static_cast<std::size_t>(node)] = {isVisible, emission};
+    renderer->setAppearance(node, isVisible, emission);
+}
 
-    CurrentContext currentContext = nullptr;
-    void* context = nullptr;
-    std::vector<Output> outputs;
-    struct DeformingMesh {
-        int node;  // -1: it does not deform
-        std::size_t vertices;
-    };
-    std::vector<DeformingMesh> meshes;
-    std::vector<int> nodes;  // by instance; -1: it does not move
-    Pose pose;
-    struct Appearance {
-        bool isVisible = true;
-        float emission = 1.0F;
-    };
-    std::vector<Appearance> appearances;  // by node
-    std::vector<bool> hasLight;           // by number; false: there is room for one
-    std::optional<Renderer> renderer;
-    std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
-};
+void GlobalIllumination::Implementation::requireLight(std::size_t number, const char* function) const {
+    if (number >= hasLight.size() || !hasLight[number])
+        throw Error(std::string(function) + ": there is no light " + std::to_string(number) +
+                    "; give a number that addLight() returned, or an index of SceneDescription::lights");
+}
+
+Pictures GlobalIllumination::Implementation::render(const View& view, Light light,
+                                                    const GBuffer::Targets* surface) {
+    RenderRequest request{.outputs = outputs, .camera = cameraOf(view), .surface = surface};
+    request.lightSteps = light == Light::converged ? LightSteps::all
+                         : light == Light::keep    ? LightSteps::none
+                                                   : LightSteps::one;
+    if (onProgress && light == Light::converged)
+        request.onLightStep = [this](int done, int total) { onProgress({"light", done, total}); };
+    stepTimes.clear();
+    if (measures) renderer->timer().startRecording(Clocks::cpu);
+    try {
+        renderer->render(request);
+    } catch (...) {
+        if (measures) renderer->timer().stopRecording();
+        throw;
+    }
+    if (measures) {
+        const StepTimes times = renderer->timer().stopRecording();
+        for (int i = 0; i < stepCount; ++i)
+            if (const std::vector<double>& ms = times.stepMs[static_cast<std::size_t>(i)]; !ms.empty())
+                stepTimes.push_back({stepName(static_cast<Step>(i)), ms.back()});
+    }
+    return {textureOf(Output::giConeShadow), textureOf(Output::irradiance),
+            textureOf(Output::ambientVisibility), textureOf(Output::sunVisibility),
+            textureOf(Output::specularLight)};
+}
 
 namespace {
-
-// The implementation of an object for a call of a function, which must be possible.
-template <class Implementation>
-Implementation& ready(const std::unique_ptr<Implementation>& implementation, const char* function) {
-    if (implementation == nullptr)
-        throw Error(std::string(function) +
-                    ": this GlobalIllumination was moved from; call the one that it was moved to");
-    implementation->requireContext(function);
-    return *implementation;
-}
 
 // Deletes what an object owns. Without its context it is leaked: GL would delete objects of another context,
 // or crash.
@@ -348,7 +320,7 @@ void GlobalIllumination::setTransform(std::size_t instance, const Matrix& worldF
 
 void GlobalIllumination::setVertices(std::size_t mesh, const VertexBuffers& vertices, const Box& bounds) {
     Implementation& implementation = ready(implementation_, "setVertices");
-    const std::vector<Implementation::DeformingMesh>& meshes = implementation.meshes;
+    const std::vector<Implementation::MeshState>& meshes = implementation.meshes;
     if (mesh >= meshes.size() || meshes[mesh].node < 0)
         throw Error("setVertices: mesh " + std::to_string(mesh) +
                     " does not exist or was not declared to deform; set MeshDescription::deforms");
@@ -467,6 +439,14 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};
     return implementation.render(view, light, &surface);
+}
+
+void GlobalIllumination::measureSteps(bool measures) {
+    ready(implementation_, "measureSteps").measures = measures;
+}
+
+std::vector<StepTime> GlobalIllumination::stepTimes() const {
+    return ready(implementation_, "stepTimes").stepTimes;
 }
 
 std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const {

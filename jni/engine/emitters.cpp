@@ -341,6 +341,12 @@ void Emitters::setScale(int node, float scale) {
     upload();
 }
 
+void Emitters::setRadiance(std::size_t instance, const glm::vec3& radiance) {
+    for (Placed& part : parts_)
+        if (part.part.instance == instance) part.part.radiance = radiance;
+    upload();
+}
+
 void Emitters::upload() const {
     shared::EmitterBlock block{};
     for (const Placed& placed : parts_) {

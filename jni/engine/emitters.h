@@ -52,6 +52,8 @@ class Emitters {
     void setScale(int node, float scale);
     void bind() const { uniforms_.bindBase(GL_UNIFORM_BUFFER, VCT_UBO_EMITTERS); }
     // For each of the scene's instances: true if it is a compact emitter.
+    // Replaces the radiance of an instance, which has no texture.
+    void setRadiance(std::size_t instance, const glm::vec3& radiance);
     const std::vector<bool>& instances() const { return instances_; }
     const gl::Buffer& uniforms() const { return uniforms_; }
 

@@ -32,7 +32,8 @@ void Renderer::render(const RenderRequest& request) {
                                          [](Output output) { return reads(output).voxels; });
     // Nested cubes of voxels follow the camera, if the scene has more than one.
     const Cascades lastCascades = cascades_;
-    if (readsVoxels) cascades_.follow(eyeInVolume(request.camera, volume_));
+    const bool keepsLight = request.lightSteps == LightSteps::none && hasLight();
+    if (readsVoxels && !keepsLight) cascades_.follow(eyeInVolume(request.camera, volume_));
     const shared::FrameUniforms uniforms = uploadFrameUniforms(request.camera, lastCascades);
     if (readsVoxels) voxels().prepare(scene_, cascades_);
 
@@ -52,7 +53,9 @@ void Renderer::render(const RenderRequest& request) {
             ? *request.surface
             : timer_.time(Step::renderData, [&] { return gBuffer().draw(scene_, uniforms.clipFromVolume); });
 
-    const int lightSteps = request.lightSteps == LightSteps::all ? std::numeric_limits<int>::max() : 1;
+    const int lightSteps = request.lightSteps == LightSteps::all ? std::numeric_limits<int>::max()
+                           : keepsLight                          ? 0
+                                                                 : 1;
     bool tookSteps = false;
     // Bricks hold ambient visibility or light. Light comes last, because the look-up of embedding programs
     // reads it after the frame.

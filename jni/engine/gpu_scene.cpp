@@ -34,24 +34,8 @@ void place(shared::DrawUniforms& uniforms, const glm::dmat4& worldFromObject, co
     uniforms.normalFromObject = glm::mat4(glm::dmat4(cofactors));
 }
 
-std::vector<glm::dvec3> positionsOf(const Mesh& mesh) {
-    std::vector<glm::dvec3> positions;
-    for (const Vertex& vertex : mesh.vertices)
-        positions.push_back(mesh.centre + glm::dvec3(vertex.position));
-    return positions;
-}
-
 bool isMirrored(const glm::dmat4& worldFromObject) {
     return glm::determinant(glm::dmat3(worldFromObject)) < 0.0;
-}
-
-shared::DrawUniforms materialUniforms(const Material& material, bool isEmitter, float radianceUnit) {
-    shared::DrawUniforms uniforms{};
-    uniforms.baseColor = material.baseColor;
-    uniforms.emissive = glm::vec4(material.emissive / radianceUnit, material.normalScale);
-    uniforms.surface =
-        glm::vec4(material.alphaCutoff, material.metallic, material.roughness, isEmitter ? 0.0F : 1.0F);
-    return uniforms;
 }
 
 void upload(const gl::Buffer& buffer, std::size_t first, std::size_t size, const void* data) {
@@ -111,35 +95,44 @@ class Indices {
 GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
                    const std::vector<bool>& emitterInstances, const Volume& volume, float radianceUnit,
                    int uniformAlignment, Voxelization voxelization)
-    : features_(featuresOf(scene)), voxelization_(voxelization), volumeFromWorld_(volume.volumeFromWorld()) {
+    : features_(featuresOf(scene)),
+      voxelization_(voxelization),
+      volumeFromWorld_(volume.volumeFromWorld()),
+      radianceUnit_(radianceUnit),
+      instanceRoom_(scene.instanceRoom) {
     Indices indices(scene);
 
     const auto alignment = static_cast<std::size_t>(uniformAlignment);
     const std::size_t stride = (sizeof(shared::DrawUniforms) + alignment - 1) / alignment * alignment;
-    uniformBytes_.resize(stride * scene.instances.size());
+    uniformBytes_.resize(stride * (scene.instances.size() + instanceRoom_));
+    for (std::size_t i = uniformBytes_.size() / stride; i-- > scene.instances.size();)
+        freeUniforms_.push_back(stride * i);
     // Dynamic objects come last in each buffer, so that a pose uploads one range.
     std::size_t nextStatic = 0;
     auto nextMoving =
         static_cast<std::size_t>(std::count_if(scene.instances.begin(), scene.instances.end(),
                                                [](const Instance& instance) { return !instance.moves(); }));
     std::map<int, std::size_t> movingMeshes;
+    // An added instance may have any mesh.
+    for (std::size_t i = 0; instanceRoom_ > 0 && i < scene.meshes.size(); ++i) {
+        const int mesh = static_cast<int>(i);
+        movingMeshes.emplace(mesh, i);
+        movingMeshes_.push_back({scene.meshes[i], cornersOf(scene.meshes[i]), indices.firstVertexOf(mesh),
+                                 indices.firstOfMesh(mesh)});
+    }
     std::map<int, std::vector<glm::dvec3>> corners;  // of the bounds of static meshes
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const Material& material = scene.materials[mesh.material];
         Draw draw;
-        draw.features = materialFeatures(material) | sharedFeatures(scene);
-        draw.baseColorTexture = material.baseColorTexture;
-        draw.emissiveTexture = material.emissiveTexture;
-        draw.glossTexture = material.glossTexture;
-        draw.normalTexture = material.normalTexture;
-        draw.doubleSided = material.doubleSided;
+        draw.instance = static_cast<std::size_t>(&instance - scene.instances.data());
         draw.mirrored = isMirrored(instance.worldFromObject);
         draw.triangles = {indices.firstOfMesh(instance.mesh), static_cast<int>(mesh.indices.size())};
         draw.uniformOffset = stride * (instance.moves() ? nextMoving++ : nextStatic++);
-        const auto place = static_cast<std::size_t>(&instance - scene.instances.data());
-        shared::DrawUniforms values =
-            materialUniforms(material, !emitterInstances.empty() && emitterInstances[place], radianceUnit);
+        setMaterial(draw, material, materialFeatures(material) | sharedFeatures(scene));
+        shared::DrawUniforms values;
+        std::memcpy(&values, &uniformBytes_[draw.uniformOffset], sizeof values);
+        values.surface.w = !emitterInstances.empty() && emitterInstances[draw.instance] ? 0.0F : 1.0F;
         vct::place(values, instance.worldFromObject, mesh.centre, volumeFromWorld_);
         if (instance.deforms) values.volumeFromObject = values.normalFromObject = glm::mat4(1.0F);
         std::memcpy(&uniformBytes_[draw.uniformOffset], &values, sizeof values);
@@ -152,7 +145,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
             moving_.back().emission = glm::vec3(values.emissive);
         } else {
             std::vector<glm::dvec3>& around = corners[instance.mesh];
-            if (around.empty()) around = cornersOf(boundsOf(positionsOf(mesh), glm::dmat4(1.0)));
+            if (around.empty()) around = cornersOf(mesh);
             draw.boundsWorld = boundsOf(around, instance.worldFromObject);
         }
         if (!instance.moves() && voxelization == Voxelization::sortedAxes) {
@@ -171,13 +164,7 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
     std::vector<std::uint32_t> allIndices = indices.all();
     allIndices.insert(allIndices.end(), movingIndices_.begin(), movingIndices_.end());
     if (!deforming_.empty()) makeDeformer(shaders, allIndices);
-    std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
-        return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
-               std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
-    });
-    visibleDraws_.resize(draws_.size());
-    std::iota(visibleDraws_.begin(), visibleDraws_.end(), std::size_t{0});
-    sortVisibleDraws();
+    sortDraws();
 
     uniforms_ = gl::Buffer("draw uniforms", GL_UNIFORM_BUFFER, uniformBytes_.size(), uniformBytes_.data(),
                            moves() ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
@@ -187,14 +174,13 @@ GpuScene::GpuScene(const gl::ShaderLibrary& shaders, const Scene& scene,
     for (std::size_t i = 0; i < moving_.size(); ++i)
         if (moving_[i].form != nullptr) all.push_back(i);
     deform(all);
-    if (!moves()) uniformBytes_ = {};
 }
 
 void GpuScene::addMoving(const Instance& instance, const Mesh& mesh, std::uint32_t firstVertex, Draw& draw,
                          std::map<int, std::size_t>& meshes) {
     const auto [found, added] = meshes.try_emplace(instance.mesh, movingMeshes_.size());
     if (added) {
-        movingMeshes_.push_back({mesh, cornersOf(boundsOf(positionsOf(mesh), glm::dmat4(1.0)))});
+        movingMeshes_.push_back({mesh, cornersOf(mesh)});
     }
     draw.moving = static_cast<int>(moving_.size());
     moving_.push_back(
@@ -251,8 +237,8 @@ void GpuScene::deform(const std::vector<std::size_t>& changed) const {
 // Writes a rigid dynamic object's uniforms to uniformBytes_ and its sorted triangles to movingIndices_.
 void GpuScene::place(Draw& draw) {
     Moving& moving = moving_[static_cast<std::size_t>(draw.moving)];
-    const auto& [mesh, corners] = movingMeshes_[moving.mesh];
-    moving.boundsWorld = boundsOf(corners, moving.worldFromObject);
+    const Mesh& mesh = movingMeshes_[moving.mesh].mesh;
+    moving.boundsWorld = boundsOf(movingMeshes_[moving.mesh].corners, moving.worldFromObject);
     shared::DrawUniforms values;
     std::memcpy(&values, &uniformBytes_[draw.uniformOffset], sizeof values);
     vct::place(values, moving.worldFromObject, mesh.centre, volumeFromWorld_);
@@ -260,11 +246,18 @@ void GpuScene::place(Draw& draw) {
     draw.mirrored = isMirrored(moving.worldFromObject);
     if (voxelization_ == Voxelization::geometryShader) return;
 
-    const AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
-    std::transform(sorted.indices.begin(), sorted.indices.end(),
-                   movingIndices_.begin() + static_cast<std::ptrdiff_t>(moving.firstIndex),
-                   [&](std::uint32_t index) { return moving.firstVertex + index; });
-    std::size_t first = firstMovingIndex_ + moving.firstIndex;
+    AxisSort sorted = sortByAxis(mesh, values.volumeFromObject);
+    for (std::uint32_t& index : sorted.indices)
+        index += moving.firstVertex;
+    std::size_t first = moving.firstIndex;
+    if (moving.origin == Moving::Origin::added) {
+        constexpr std::size_t size = sizeof sorted.indices[0];
+        upload(indices_, first * size, sorted.indices.size() * size, sorted.indices.data());
+    } else {
+        std::copy(sorted.indices.begin(), sorted.indices.end(),
+                  movingIndices_.begin() + static_cast<std::ptrdiff_t>(first));
+        first += firstMovingIndex_;
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         draw.trianglesByAxis[axis] = {first, sorted.indexCounts[axis]};
         first += static_cast<std::size_t>(sorted.indexCounts[axis]);
@@ -274,12 +267,17 @@ void GpuScene::place(Draw& draw) {
 std::vector<Placement> GpuScene::placements() const {
     std::vector<Placement> placements;
     for (const Moving& moving : moving_) {
+        if (moving.origin == Moving::Origin::removed) {
+            placements.emplace_back().isVisible = false;
+            placements.back().changes = moving.changes;
+            continue;
+        }
         const Bounds box =
             moving.form != nullptr
                 ? deforming_[moving.mesh].boxes.around(*moving.form, volumeFromWorld_)
                 : boundsOf(movingMeshes_[moving.mesh].corners, volumeFromWorld_ * moving.worldFromObject);
-        placements.push_back(
-            {moving.worldFromObject, box, moving.form, moving.isVisible, moving.emissionScale});
+        placements.push_back({moving.worldFromObject, box, moving.form, moving.isVisible,
+                              moving.emissionScale, moving.changes});
     }
     return placements;
 }
@@ -328,6 +326,16 @@ std::vector<glm::vec4> GpuScene::movingSpheres(std::size_t largest) const {
     return spheres;
 }
 
+void GpuScene::sortDraws() {
+    std::stable_sort(draws_.begin(), draws_.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.features, a.baseColorTexture, a.emissiveTexture) <
+               std::tie(b.features, b.baseColorTexture, b.emissiveTexture);
+    });
+    visibleDraws_.resize(draws_.size());
+    std::iota(visibleDraws_.begin(), visibleDraws_.end(), std::size_t{0});
+    sortVisibleDraws();
+}
+
 void GpuScene::sortVisibleDraws() {
     std::stable_sort(visibleDraws_.begin(), visibleDraws_.end(), [&](std::size_t i, std::size_t j) {
         const Draw& a = draws_[i];
@@ -367,13 +375,14 @@ void GpuScene::setPose(const Pose& pose) {
         moving.worldFromObject = worldFromObject;
         place(draw);
         bytes.add(draw.uniformOffset, sizeof(shared::DrawUniforms));
-        indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
+        if (moving.origin == Moving::Origin::described)
+            indices.add(moving.firstIndex, static_cast<std::size_t>(draw.triangles.count));
     }
     deform(deformed);
     if (bytes.end == 0) return;
     sortVisibleDraws();
     upload(uniforms_, bytes.begin, bytes.end - bytes.begin, &uniformBytes_[bytes.begin]);
-    if (movingIndices_.empty()) return;
+    if (movingIndices_.empty() || indices.end == 0) return;
     constexpr std::size_t size = sizeof movingIndices_[0];
     upload(indices_, (firstMovingIndex_ + indices.begin) * size, (indices.end - indices.begin) * size,
            &movingIndices_[indices.begin]);

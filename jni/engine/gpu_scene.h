@@ -11,6 +11,7 @@
 #include "engine/draw_region.h"
 #include "engine/material_programs.h"
 #include "engine/placement.h"
+#include "engine/ranges.h"
 #include "engine/resource.h"
 #include "engine/volume.h"
 #include "engine/voxelization.h"
@@ -38,8 +39,22 @@ class GpuScene {
     // Shows or hides the dynamic object of an animation node in the next draws, and scales its
     // emission.
     void setAppearance(int node, bool isVisible, float emissionScale);
-    // True if the scene has dynamic objects.
-    bool moves() const { return !moving_.empty(); }
+    // True if the scene has dynamic objects, or may get some.
+    bool moves() const { return !moving_.empty() || instanceRoom_ > 0; }
+
+    // Changes of the scene's contents (gpu_scene_changes.cpp). Indices are those of Scene::textures,
+    // Scene::meshes and Scene::instances, or others that are not in use. Materials must have features that
+    // the scene has. Meshes and instances need Scene::instanceRoom.
+    void setTexture(std::size_t texture, GLuint external);
+    void addMesh(std::size_t index, const Mesh& mesh);
+    void removeMesh(std::size_t index);  // one that was added, and that no instance has
+    // Adds a dynamic object that the node of `instance` moves.
+    void addInstance(std::size_t index, const Instance& instance, const Material& material,
+                     unsigned features);
+    void removeInstance(std::size_t index);  // one that was added
+    // Gives an instance another material. Returns true if it is dynamic: voxels of static instances have to
+    // be made again.
+    bool setMaterial(std::size_t instance, const Material& material, unsigned features);
     // Placements of the dynamic objects in the present pose.
     std::vector<Placement> placements() const;
     // Bounds of `boundsWorld` and the dynamic objects in the present pose.
@@ -67,6 +82,7 @@ class GpuScene {
         int count = 0;
     };
     struct Draw {
+        std::size_t instance = 0;  // index of the scene's instance
         unsigned features = 0;
         int baseColorTexture = -1;
         int emissiveTexture = -1;
@@ -92,12 +108,16 @@ class GpuScene {
                                                                  // the vertices are in volume space
         bool isVisible = true;
         float emissionScale = 1.0F;
-        glm::vec3 emission{0.0F};  // before it is scaled, relative to the radiance unit
+        glm::vec3 emission{0.0F};   // before it is scaled, relative to the radiance unit
+        std::uint64_t changes = 0;  // of material and mesh
+        enum class Origin { described, added, removed } origin = Origin::described;
     };
     // The mesh of rigid dynamic objects, kept to sort its triangles in each pose.
     struct MovingMesh {
         Mesh mesh;
         std::vector<glm::dvec3> corners;  // corners of its bounds, object space
+        std::uint32_t firstVertex = 0;    // in the vertex buffer
+        std::size_t firstIndex = 0;       // in the index buffer, of its triangles
     };
 
     // A mesh that deforms (skin or morph targets).
@@ -115,7 +135,18 @@ class GpuScene {
     void place(Draw& draw);
     // True if the instance is visible and its bounds meet the region.
     bool isDrawn(const Draw& draw, const DrawRegion& region) const;
+    void sortDraws();
     void sortVisibleDraws();
+    void setMaterial(Draw& draw, const Material& material, unsigned features);
+    void uploadUniforms(const Draw& draw) const;
+    Draw& drawOf(std::size_t instance);
+    // Room for `count` elements of a buffer, which grows if it has too little.
+    std::size_t allocate(std::size_t count, std::size_t elementBytes, Ranges& ranges, gl::Buffer& buffer);
+    struct Attribute;
+    std::vector<Attribute> attributes() const;
+    void append(const Mesh& mesh, std::vector<float>& vertices) const;
+    // Tells the vertex array where the buffers are.
+    void pointAttributes() const;
     void uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices);
     void uploadTextures(const Scene& scene);
     void bindGeometry() const;
@@ -133,10 +164,14 @@ class GpuScene {
     std::optional<Deformer> deformer_;
     std::size_t vertexFloats_ = 0;  // floats per vertex
     // Copies of what the buffers hold, for updates: the uniforms of all draws, and the sorted triangles of
-    // rigid dynamic objects. The uniforms are dropped if nothing moves.
+    // rigid dynamic objects, but for added ones.
     std::vector<unsigned char> uniformBytes_;
     std::vector<std::uint32_t> movingIndices_;
     std::size_t firstMovingIndex_ = 0;
+    float radianceUnit_;
+    std::size_t instanceRoom_;
+    std::vector<std::size_t> freeUniforms_;  // offsets in uniformBytes_ for added instances
+    Ranges vertexRanges_, indexRanges_;      // what the buffers have for added meshes and instances
     std::vector<gl::Texture> textures_;      // by Scene::textures; no storage unless a program reads it
     std::vector<gl::Texture> dataTextures_;  // the same for textures of numbers (gloss, normals)
     gl::Buffer vertices_, indices_, uniforms_;

@@ -7,13 +7,14 @@
 
 namespace vct {
 
-void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
-    struct Attribute {
-        GLuint location;
-        int components;
-        std::size_t offset;  // in Vertex or VertexExtras
-        bool extra = false;  // true: `offset` is in VertexExtras
-    };
+struct GpuScene::Attribute {
+    GLuint location;
+    int components;
+    std::size_t offset;  // in Vertex or VertexExtras
+    bool extra = false;  // true: `offset` is in VertexExtras
+};
+
+std::vector<GpuScene::Attribute> GpuScene::attributes() const {
     std::vector<Attribute> attributes{{VCT_ATTRIBUTE_POSITION, 3, offsetof(Vertex, position)},
                                       {VCT_ATTRIBUTE_NORMAL, 3, offsetof(Vertex, normal)}};
     if (features_.has(featureBaseColorTexture))
@@ -26,36 +27,54 @@ void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_
         attributes.push_back({VCT_ATTRIBUTE_GLOSS_UV, 2, offsetof(VertexExtras, glossUv), true});
     if (features_.has(featureNormalMap))
         attributes.push_back({VCT_ATTRIBUTE_NORMAL_UV, 2, offsetof(VertexExtras, normalUv), true});
+    return attributes;
+}
+
+// Appends the mesh's vertices to those of the vertex buffer.
+void GpuScene::append(const Mesh& mesh, std::vector<float>& vertices) const {
+    const std::vector<Attribute> all = attributes();
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const VertexExtras extras = mesh.extras.empty() ? VertexExtras() : mesh.extras[i];
+        for (const Attribute& attribute : all) {
+            const void* from = &mesh.vertices[i];
+            if (attribute.extra) from = &extras;
+            float values[4];
+            std::memcpy(values, static_cast<const char*>(from) + attribute.offset,
+                        static_cast<std::size_t>(attribute.components) * sizeof(float));
+            vertices.insert(vertices.end(), values, values + attribute.components);
+        }
+    }
+}
+
+void GpuScene::pointAttributes() const {
+    vertexArray_.bind();
+    indices_.bind(GL_ELEMENT_ARRAY_BUFFER);
+    vertices_.bind(GL_ARRAY_BUFFER);
+    std::size_t offset = 0;  // bytes
+    for (const Attribute& attribute : attributes()) {
+        gl::EnableVertexAttribArray(attribute.location);
+        gl::VertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
+                                static_cast<GLsizei>(vertexFloats_ * sizeof(float)),
+                                reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(attribute.components) * sizeof(float);
+    }
+}
+
+void GpuScene::uploadGeometry(const Scene& scene, const std::vector<std::uint32_t>& indices) {
     std::vector<float> vertices;
     for (const Mesh& mesh : scene.meshes)
-        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-            const VertexExtras extras = mesh.extras.empty() ? VertexExtras() : mesh.extras[i];
-            for (const Attribute& attribute : attributes) {
-                const void* from = &mesh.vertices[i];
-                if (attribute.extra) from = &extras;
-                float values[4];
-                std::memcpy(values, static_cast<const char*>(from) + attribute.offset,
-                            static_cast<std::size_t>(attribute.components) * sizeof(float));
-                vertices.insert(vertices.end(), values, values + attribute.components);
-            }
-        }
+        append(mesh, vertices);
     vertexFloats_ = 0;
-    for (const Attribute& attribute : attributes)
+    for (const Attribute& attribute : attributes())
         vertexFloats_ += static_cast<std::size_t>(attribute.components);
     vertexArray_.bind();
     indices_ = gl::Buffer("indices", GL_ELEMENT_ARRAY_BUFFER, indices.size() * sizeof indices[0],
                           indices.data(), movingIndices_.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
     vertices_ = gl::Buffer("vertices", GL_ARRAY_BUFFER, vertices.size() * sizeof vertices[0], vertices.data(),
                            GL_STATIC_DRAW);
-    std::size_t stride = 0, offset = 0;  // bytes
-    for (const Attribute& attribute : attributes)
-        stride += static_cast<std::size_t>(attribute.components) * sizeof(float);
-    for (const Attribute& attribute : attributes) {
-        gl::EnableVertexAttribArray(attribute.location);
-        gl::VertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
-                                static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
-        offset += static_cast<std::size_t>(attribute.components) * sizeof(float);
-    }
+    indexRanges_ = Ranges(indices.size());
+    vertexRanges_ = Ranges(vertices.size() / vertexFloats_);
+    pointAttributes();
 }
 
 void GpuScene::uploadTextures(const Scene& scene) {

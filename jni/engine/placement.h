@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -14,11 +15,12 @@ struct Placement {
     Bounds box;                                              // bounds of the object, volume space
     std::shared_ptr<const DeformationState> form = nullptr;  // null if the object is rigid
     bool isVisible = true;
-    float emission = 1.0F;  // scale
+    float emission = 1.0F;      // scale
+    std::uint64_t changes = 0;  // number of changes of material and mesh
 
     bool operator==(const Placement& other) const {
         return worldFromObject == other.worldFromObject && isVisible == other.isVisible &&
-               emission == other.emission &&
+               emission == other.emission && changes == other.changes &&
                (form == other.form || (form != nullptr && other.form != nullptr && *form == *other.form));
     }
 };

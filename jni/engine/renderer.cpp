@@ -134,6 +134,16 @@ void Renderer::setAppearance(int node, bool isVisible, float emissionScale) {
     ++lightChanges_;
 }
 
+void Renderer::setMaterial(std::size_t instance, const Material& material, unsigned features) {
+    const bool isDynamic = scene_.setMaterial(instance, material, features);
+    if (emitters_) emitters_->setRadiance(instance, material.emissive);
+    ++lightChanges_;
+    if (isDynamic) return;
+    // Its holes may be others.
+    invalidateCaches();
+    voxels_.reset();
+}
+
 void Renderer::setSunlight(const glm::vec3& color, float illuminance) {
     light_.color = color;
     light_.intensity = illuminance;
@@ -219,6 +229,11 @@ VoxelVolume& Renderer::voxels() {
     else
         voxels_ = std::make_unique<DirectionalVolume>(shaders_, scene_, settings_, lightFeatures());
     return *voxels_;
+}
+
+bool Renderer::hasLight() const {
+    const DirectionalVolume* volume = directional();
+    return volume == nullptr ? voxels_ != nullptr : volume->irradiance() != nullptr;
 }
 
 float Renderer::radianceScale() const {

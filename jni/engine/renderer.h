@@ -29,8 +29,9 @@ namespace vct {
 // The number of steps that face irradiance takes in a frame. It takes Settings::lightFrames steps after a
 // change, and then those of the refinement (GatherSettings::refinedDirections), until it has converged.
 enum class LightSteps {
-    one,  // for an app, which shows every frame
-    all,  // for a still picture: every step until face irradiance has converged
+    none,  // for another view of the same frame; one as long as there is no light
+    one,   // for an app, which shows every frame
+    all,   // for a still picture: every step until face irradiance has converged
 };
 
 struct RenderRequest {
@@ -84,6 +85,20 @@ class Renderer {
     void setVertices(int node, const ExternalVertices& vertices) { scene_.setVertices(node, vertices); }
     // Shows or hides the object of an animation node in the next frames, and scales its emission, by 0 to 1.
     void setAppearance(int node, bool isVisible, float emissionScale);
+    // Changes of the scene's contents for the next frames, as in GpuScene. A node of an added instance must
+    // be in the next pose. If a material of a static instance changes, voxels and light are made again.
+    void setTexture(std::size_t texture, GLuint external) { scene_.setTexture(texture, external); }
+    void addMesh(std::size_t index, const Mesh& mesh) { scene_.addMesh(index, mesh); }
+    void removeMesh(std::size_t index) { scene_.removeMesh(index); }
+    void addInstance(std::size_t index, const Instance& instance, const Material& material,
+                     unsigned features) {
+        scene_.addInstance(index, instance, material, features);
+    }
+    void removeInstance(std::size_t index) { scene_.removeInstance(index); }
+    void setMaterial(std::size_t instance, const Material& material, unsigned features);
+    // The features that materials may have, and the largest radiance that they may emit.
+    const SceneFeatures& features() const { return scene_.features(); }
+    float maxEmission() const { return emissionRange_ * radianceUnit_; }
     // Sets the unit vector towards the sun (world space) for the next frames.
     void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
     // Sets colour and illuminance of the sun for the next frames. radianceScale() stays.
@@ -142,6 +157,7 @@ class Renderer {
     void invalidateCaches();
     void applyPose(const Pose& pose);
     SceneState state() const;  // a copy, which later frames are compared with
+    bool hasLight() const;     // a frame has gathered light, or the voxels do not gather any
     // Each returns its pass, and creates it in the first call.
     GBuffer& gBuffer();
     ShadowMap& shadowMap();

@@ -71,6 +71,9 @@ struct Mesh {
     std::shared_ptr<const Deformation> deformation;
 };
 
+// The corners of the mesh's bounds, object space.
+std::vector<glm::dvec3> cornersOf(const Mesh& mesh);
+
 // A mesh placed in the world.
 struct Instance {
     int mesh = 0;
@@ -167,6 +170,8 @@ struct Scene {
     std::vector<DirectionalLight> lights;       // at most one: the sun
     std::vector<PunctualLight> punctualLights;  // all other lights
     std::size_t punctualLightRoom = 0;          // number of punctual lights that may be added later
+    std::size_t instanceRoom = 0;               // number of instances that may be added later
+    bool materialsChange = false;               // instances may get any of the materials later
     Animation animation;
     // Bounds of the vertices that triangles of instances use, at rest and, within the limit of
     // computeBounds(), in the poses of the animation.

@@ -1,5 +1,6 @@
 // The features that a scene uses, found once when it is loaded. The renderer has programs, buffers, targets
-// and calls only for these. Only materials of instances count: an unused material costs nothing.
+// and calls only for these. Only materials of instances count, unless Scene::materialsChange: an unused
+// material costs nothing.
 #pragma once
 
 #include <optional>

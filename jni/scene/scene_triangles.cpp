@@ -186,4 +186,11 @@ void shuffleTriangles(Scene& scene, unsigned seed) {
     }
 }
 
+std::vector<glm::dvec3> cornersOf(const Mesh& mesh) {
+    std::vector<glm::dvec3> positions;
+    for (const Vertex& vertex : mesh.vertices)
+        positions.push_back(mesh.centre + glm::dvec3(vertex.position));
+    return cornersOf(boundsOf(positions, glm::dmat4(1.0)));
+}
+
 }  // namespace vct

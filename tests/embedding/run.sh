@@ -17,6 +17,11 @@ done
 "$folder/embed/embed" --headless 1 --out "$folder/first.ppm"
 "$folder/embed/embed" --headless 16 --out "$folder/later.ppm"
 "$folder/embed/triangle" "$folder/triangle.ppm"
+# first frame A ms, median B ms, longest C ms; memory D MB at half time, E MB at the end
+"$folder/embed/stream" | tee "$folder/stream" | awk '{ grown = $17 - $12 } END { exit grown > 20 }' || {
+    echo "streaming takes more and more memory: $(cat "$folder/stream")" >&2
+    exit 1
+}
 
 # The same by pkg-config. The header, pkg-config and CMake's package tell the same version.
 pc="$(dirname "$(find "$folder/installed" -name vct.pc)")"
@@ -52,4 +57,4 @@ python=python3
 "$python" tests/embedding/check_engine.py "$folder"/{pane,dark,no_pane}.png "$tool"
 
 exec python3 tests/embedding/check.py "$folder/first.ppm" "$folder/later.ppm" "$folder/triangle.ppm" docs/embedding.md \
-    examples/embed/triangle.cpp examples/embed/main.cpp examples/engine/shaders.cpp examples/engine/main.cpp
+    examples/embed/triangle.cpp examples/embed/main.cpp examples/embed/stream.cpp examples/engine/shaders.cpp examples/engine/main.cpp
