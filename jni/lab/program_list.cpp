@@ -22,7 +22,8 @@ namespace vct {
 namespace {
 
 constexpr std::array lightPrograms{"carry_over", "clear_bricks", "place_bricks", "mark_walls", "fill_bricks"};
-constexpr std::array rayPrograms{"carry_hits", "sky", "trace", "block", "gather", "refine", "smooth"};
+constexpr std::array rayPrograms{"carry_hits", "sky",    "trace",       "block",
+                                 "gather",     "refine", "smooth_rows", "smooth"};
 
 bool possible(unsigned features) {
     return !(features & featureEmissiveTexture) || (features & featureEmissive);
@@ -163,7 +164,7 @@ std::vector<FrameProgram> framePrograms(const Settings& settings, Output mode, c
             const auto addRays = [&](const char* name, bool rebuilds) {
                 add(Step::irradiance, raysProgram(name, settings.gather, lights), rebuilds);
             };
-            for (const char* name : {"carry_hits", "trace", "gather", "smooth"})
+            for (const char* name : {"carry_hits", "trace", "gather", "smooth_rows", "smooth"})
                 addRays(name, true);
             addRays("sky", false);
             addRays("refine", false);

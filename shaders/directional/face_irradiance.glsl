@@ -27,8 +27,9 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 #define VCT_FACE_SIGHT 16u       // FaceSight
 #define VCT_FACE_DIRECT 17u      // packRgb9e5(), emission and reflected direct light
 #define VCT_FACE_BLOCKED 18u     // position of the face's blocked rays; packBlockedCounts()
-#define VCT_FACE_EMITTERS 20u    // two words: irradiance by the compact emitters
-#define VCT_FACE_SEEN_PARTS 22u  // four words: visible share of the emitters' parts, 4 bits each
+#define VCT_FACE_ROW 20u         // two words: mean of `now` over a row of neighbouring faces
+#define VCT_FACE_EMITTERS 22u    // two words: irradiance by the compact emitters
+#define VCT_FACE_SEEN_PARTS 24u  // four words: visible share of the emitters' parts, 4 bits each
 #ifdef VCT_EMITTERS
 #define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
 #else
@@ -50,6 +51,23 @@ void storeFaceMean(uint id, uint mean, vec4 value) {
     value = clamp(value, -maxStoredLight, maxStoredLight);
     faceIrradianceData[at] = packHalf2x16(value.rg);
     faceIrradianceData[at + 1u] = packHalf2x16(value.ba);
+}
+
+// The mean over a row of faces and the sum of their weights, a multiple of 1/2 up to 4. Ambient visibility
+// has 12 bits, and the weight 4.
+void storeFaceRow(uint id, vec4 value, float weight) {
+    uint at = irradianceAt(id) + VCT_FACE_ROW;
+    value.rgb = clamp(value.rgb, 0.0, maxStoredLight);
+    uint visibility = uint(clamp(value.a, 0.0, 1.0) * 4095.0 + 0.5);
+    faceIrradianceData[at] = packHalf2x16(value.rg);
+    faceIrradianceData[at + 1u] =
+        packHalf2x16(vec2(value.b, 0.0)) | visibility << 16u | uint(weight * 2.0 + 0.5) << 28u;
+}
+vec4 faceRow(uint id, out float weight) {
+    uint at = irradianceAt(id) + VCT_FACE_ROW, second = faceIrradianceData[at + 1u];
+    weight = float(second >> 28u) * 0.5;
+    return vec4(unpackHalf2x16(faceIrradianceData[at]), unpackHalf2x16(second & 0xFFFFu).x,
+                float(second >> 16u & 4095u) / 4095.0);
 }
 
 // A summary of what the cached rays of a face meet.

@@ -1,13 +1,18 @@
 // Writes the texture of occupied voxels that rays read: those of the static geometry, and behind them along z
 // those of the dynamic objects, if there are any. A ray meets
 // only faces that look against it, so each of the eight octants of directions has 64 bits per block, of the
-// voxels with such faces: bit x + 4 y of channel z. The octants are beside each other along x. Bits 0, 1 and
-// 2 of an octant's number are set if its directions point towards +x, +y and +z.
+// voxels with such faces: bit x + 4 y of channel z. The octants are beside each other along x, and behind the
+// last one are the voxels with any face. Bits 0, 1 and 2 of an octant's number are set if its directions
+// point towards +x, +y and +z.
 #include "directional/face_data.glsl"
 #include "shared/counters.glsl"
 
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(rgba16ui, binding = VCT_IMAGE_BLOCKS) writeonly uniform highp uimage3D blocks;
+
+void storeBits(ivec3 texel, uvec2 bits) {
+    imageStore(blocks, texel, uvec4(bits.x & 0xFFFFu, bits.x >> 16u, bits.y & 0xFFFFu, bits.y >> 16u));
+}
 
 void main() {
     COUNT(VCT_COUNTER_FILL_BLOCKS);
@@ -20,10 +25,12 @@ void main() {
         uint at = blockWords(texel - ivec3(0, 0, isDynamic ? depth : 0), face, isDynamic);
         faces[face] = uvec2(faceData[at], faceData[at + 1u]);
     }
+    uvec2 all = uvec2(0u);
     for (int octant = 0; octant < 8; ++octant) {
         COUNT(VCT_COUNTER_FILL_BLOCKS_OCTANT);
         uvec2 bits = faces[octant & 1] | faces[2 + (octant >> 1 & 1)] | faces[4 + (octant >> 2 & 1)];
-        imageStore(blocks, texel + ivec3(octant * side, 0, 0),
-                   uvec4(bits.x & 0xFFFFu, bits.x >> 16u, bits.y & 0xFFFFu, bits.y >> 16u));
+        storeBits(texel + ivec3(octant * side, 0, 0), bits);
+        all |= bits;
     }
+    storeBits(texel + ivec3(8 * side, 0, 0), all);
 }

@@ -93,19 +93,14 @@ uint firstFace(uint staticCell, uint dynamicCell, uint faces, bool meetsBacks, v
     return id;
 }
 
-// The voxels of a block with faces that a ray may meet. `octant`: of its direction.
-uvec4 occupiedVoxels(ivec3 block, int octant, uint geometry) {
+// The voxels of a block with faces that a ray may meet. `set`: the octant of its direction, or 8 for all.
+uvec4 occupiedVoxels(ivec3 block, int set, uint geometry) {
     int side = frame.gridSide / VCT_BRICK_SIDE;
-    ivec3 still = block + ivec3(octant * side, 0, 0), moving = still + ivec3(0, 0, side * cascades);
-    ivec3 behind = ivec3((7 - 2 * octant) * side, 0, 0);
+    ivec3 still = block + ivec3(set * side, 0, 0);
     uvec4 bits = uvec4(0u);
     if ((geometry & staticGeometry) != 0u) bits |= texelFetch(blocks, still, 0);
-    if ((geometry & (staticGeometry | backsOfFaces)) == (staticGeometry | backsOfFaces))
-        bits |= texelFetch(blocks, still + behind, 0);
-    if ((geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0) {
-        bits |= texelFetch(blocks, moving, 0);
-        if ((geometry & backsOfFaces) != 0u) bits |= texelFetch(blocks, moving + behind, 0);
-    }
+    if ((geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0)
+        bits |= texelFetch(blocks, still + ivec3(0, 0, side * cascades), 0);
     return bits;
 }
 
@@ -117,8 +112,8 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
     bvec3 positive = greaterThan(direction, vec3(0.0));
     ivec3 ahead = ivec3(positive);
     uint against = (positive.x ? 2u : 1u) | (positive.y ? 8u : 4u) | (positive.z ? 32u : 16u);
-    int octant = ahead.x + 2 * ahead.y + 4 * ahead.z;
     bool meetsBacks = (geometry & backsOfFaces) != 0u;
+    int set = meetsBacks ? 8 : ahead.x + 2 * ahead.y + 4 * ahead.z;
     if (meetsBacks) against = VCT_FACE_MASK;
     vec3 volume = volumeFromVoxels(start, own);
     float scale = 1.0, distance = 0.0;
@@ -134,7 +129,7 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
             bool isOccupied = false;
             do {
                 COUNT(VCT_RAY_COUNTER + 1);
-                uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, octant, geometry);
+                uvec4 bits = occupiedVoxels(voxel >> VCT_BRICK_LEVEL, set, geometry);
                 uint place = uint((voxel.x & 3) + 4 * (voxel.y & 3));
                 uvec2 layers = (voxel.z & 2) == 0 ? bits.xy : bits.zw;
                 uint layer = (voxel.z & 1) == 0 ? layers.x : layers.y;

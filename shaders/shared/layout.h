@@ -150,7 +150,7 @@ using glm::vec4;
 #define VCT_COUNTER_GATHER_HIT 87
 #define VCT_COUNTER_SMOOTH 88
 #define VCT_COUNTER_SMOOTH_FACE 89
-#define VCT_COUNTER_SMOOTH_NEIGHBOUR 90
+#define VCT_COUNTER_SMOOTH_ROWS 90
 #define VCT_COUNTER_CARRY_HITS 91
 #define VCT_COUNTER_CARRY_HITS_FACE 92
 #define VCT_COUNTER_CARRY_HITS_HIT 93
@@ -175,7 +175,8 @@ using glm::vec4;
 #define VCT_COUNTER_SKY 121
 #define VCT_COUNTER_SKY_FACE 122
 #define VCT_COUNTER_SKY_HIT 123
-#define VCT_COUNTER_COUNT 124
+#define VCT_COUNTER_SMOOTH_ROWS_FACE 124
+#define VCT_COUNTER_COUNT 125
 
 // Texture units.
 #define VCT_TEX_BASE_COLOR 0
@@ -280,8 +281,8 @@ using glm::vec4;
 #define VCT_FACE_MASK 63u
 // Words per face of the buffer of face irradiance (directional/face_irradiance.glsl), without and with
 // compact emitters.
-#define VCT_FACE_IRRADIANCE_WORDS 20u
-#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 26u
+#define VCT_FACE_IRRADIANCE_WORDS 22u
+#define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 28u
 // The first of the five words that depend on what the cached rays have hit.
 #define VCT_FACE_SKY_WORD 12u
 // The hit of a cached ray: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter than the

@@ -35,7 +35,7 @@ IrradianceByFace readIrradiance(const Renderer& renderer) {
         const int counted = std::max(rays - blockedBacks, 0);
         face.rays = rays + backs;
         face.isHidden = 3 * (backs + rays - counted) > counted;
-        if (irradiance.irradianceWords() > VCT_FACE_IRRADIANCE_WORDS) face.light += glm::dvec3(mean(20));
+        if (irradiance.irradianceWords() > VCT_FACE_IRRADIANCE_WORDS) face.light += glm::dvec3(mean(22));
         face.coverage = base.at(entry).coverage;
         faces[entry] = face;
     }

@@ -35,7 +35,8 @@ gl::ProgramDescription markStaticProgram() {
 
 namespace {
 
-constexpr int octants = 8;  // of directions, each with bits of its own in the texture of blocks
+// Sets of voxels in the texture of blocks: those of each octant of directions, and all (fill_blocks.comp).
+constexpr int blockSets = 9;
 
 // The position of a listed face's voxel in an array of side^2 voxels per layer.
 std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
@@ -57,7 +58,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       index_(shaders, grid, listCapacity,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
              cascades),
-      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, octants * grid / VCT_BRICK_SIDE,
+      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, blockSets * grid / VCT_BRICK_SIDE,
                                   grid / VCT_BRICK_SIDE,
                                   (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
@@ -78,11 +79,11 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
 std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
     const int blocks = grid / VCT_BRICK_SIDE;
     return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces, cascades) +
-           gl::textureBytes(GL_RGBA16UI, octants * blocks, blocks, cascades * blocks, 1);
+           gl::textureBytes(GL_RGBA16UI, blockSets * blocks, blocks, cascades * blocks, 1);
 }
 
 int DirectionalVoxels::widestTexture(int grid, int cascades) {
-    return std::max(octants / VCT_BRICK_SIDE, cascades) * grid;
+    return std::max((blockSets * grid + VCT_BRICK_SIDE - 1) / VCT_BRICK_SIDE, cascades * grid);
 }
 
 Resources DirectionalVoxels::resources() const {

@@ -53,6 +53,7 @@ Irradiance::Irradiance(const gl::ShaderLibrary& shaders, const GatherSettings& s
       trace_(shaders, raysProgram("trace", settings, sources)),
       gather_(shaders, raysProgram("gather", settings, sources)),
       refine_(shaders, raysProgram("refine", settings, sources)),
+      smoothRows_(shaders, raysProgram("smooth_rows", settings, sources)),
       smooth_(shaders, raysProgram("smooth", settings, sources)),
       fillBricks_(shaders, lightProgram("fill_bricks", sources)),
       emitters_(sources.emitters),
@@ -151,6 +152,7 @@ void Irradiance::gather(const DirectionalVoxels& voxels) {
     if (block_ && (plan_.traces || plan_.updatesSky)) run(*block_, voxels);
     run(gather_, voxels);
     if (plan_.refiningStep >= 0) run(refine_, voxels);
+    run(smoothRows_, voxels);
     run(smooth_, voxels);
 }
 

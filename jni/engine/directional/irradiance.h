@@ -96,7 +96,8 @@ class Irradiance {
     LightSchedule schedule_;
     LightPlan plan_;
     LightSchedule::Change pending_;  // changes that no step has taken into account yet
-    gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smooth_, fillBricks_;
+    gl::Program clearBricks_, placeBricks_, markWalls_, sky_, trace_, gather_, refine_, smoothRows_, smooth_,
+        fillBricks_;
     std::optional<gl::Program> carryOver_, carryHits_;  // only with dynamic objects or cascades
     std::optional<gl::Program> block_;                  // only with moving objects
     std::optional<gl::Program> findEmitters_;           // only if the scene has compact emitters
