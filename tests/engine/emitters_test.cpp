@@ -121,17 +121,19 @@ bool plateHides(const glm::dvec3& from, const glm::dvec3& to) {
 
 TEST(Emitters, LightAFloorByTheirFormFactor) {
     const Context context = openContext(Backend::egl);
-    // The last emitter is so close that its parts fill much of the hemisphere. Its error grows to the side.
-    for (const auto& [side, height] : {std::pair{0.1, 0.98}, {0.5, 0.98}, {0.5, -0.5}}) {
+    // The last emitters fill much of the hemisphere, and the very last one is only three voxels away.
+    for (const auto& [side, height] : {std::pair{0.1, 0.98}, {0.5, 0.98}, {0.5, -0.5}, {0.5, -0.9}}) {
         SCOPED_TRACE(testing::Message() << side << " wide at " << height);
         const Settings settings = mobileAt(64);
         FrameInspector inspector(context, roomWithEmitter(side, height), noLight(), settings,
                                  lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
         for (const auto& [surface, light] : inspector.seen(Output::indirectLight)) {
             const glm::dvec3& p = surface.positionWorld;
-            if (p.y > -0.99 || (height < 0.0 && std::max(std::abs(p.x), std::abs(p.z)) > 0.25)) continue;
+            if (p.y > -0.99) continue;
             const double right = roomAlbedo * emitterRadiance * shareOfSquare(p, side, height);
-            ASSERT_NEAR(light.g, right, 0.03 * right);
+            // What faces store is interpolated between their middles.
+            const double brightest = roomAlbedo * emitterRadiance * shareOfSquare({0, -1, 0}, side, height);
+            ASSERT_NEAR(light.g, right, 0.03 * (height < -0.8 ? brightest : right)) << p.x << " " << p.z;
         }
     }
 }
