@@ -33,17 +33,21 @@ struct RayHit {
 // differently, and without it rays would slip between them.
 const float acrossVoxel = 0.08, acrossPlane = 0.03;
 
-// True if a surface with this extent covers a point of its plane, both from the voxel's middle. `firstId`,
-// `cell`: of the voxel's static faces; `other`: of the dynamic ones. `dice`: 0..1; a surface with an opacity
-// below 1 stops the share of the rays.
-bool covers(uint staticCell, uint dynamicCell, int axis, uint surface, uint extentWord, vec3 point,
-            float dice) {
+// The id at which a face's surface is (directional/resolve.comp). `isStatic`: of the static geometry alone.
+uint surfaceId(uint staticCell, uint dynamicCell, int face, bool isStatic) {
+    bool isShared = hasFace(staticCell, face) && hasFace(dynamicCell, face);
+    return faceId(hasFace(staticCell, face) && !(isStatic && isShared) ? staticCell : dynamicCell, face);
+}
+
+// True if a surface with this extent covers a point of its plane, both from the voxel's middle. The cells are
+// the voxel's. `dice`: 0..1; a surface with an opacity below 1 stops the share of the rays.
+bool covers(uint staticCell, uint dynamicCell, bool isStatic, int axis, uint surface, uint extentWord,
+            vec3 point, float dice) {
     FaceExtent extent = unpackExtent(extentWord);
     for (uint left = extent.inFront | extent.behind; left != 0u; left &= left - 1u) {
         COUNT(VCT_RAY_COUNTER + 3);
         int face = findLSB(left);
-        uint cell = hasFace(staticCell, face) ? staticCell : dynamicCell;
-        SurfacePlane other = facePlane(faceId(cell, face));
+        SurfacePlane other = facePlane(surfaceId(staticCell, dynamicCell, face, isStatic));
         float above = dot(point, other.normal) - other.offset;
         if ((extent.inFront >> uint(face) & 1u) != 0u ? above < -acrossPlane : above > acrossPlane)
             return false;
@@ -59,14 +63,14 @@ bool covers(uint staticCell, uint dynamicCell, int axis, uint surface, uint exte
 // The id of the first face of a voxel that a ray meets. `origin`: of the ray, from the voxel's middle.
 // `faces`: a bit for each face that the ray may meet. `meetsBacks`: whether their backs count. `reach`: limit
 // of the distance, then that of the hit.
-uint firstFace(uint staticCell, uint dynamicCell, uint faces, bool meetsBacks, vec3 origin, vec3 direction,
-               float dice, inout float reach) {
+uint firstFace(uint staticCell, uint dynamicCell, bool isStatic, uint faces, bool meetsBacks, vec3 origin,
+               vec3 direction, float dice, inout float reach) {
     uint id = noFace;
     float best = 0.0, limit = reach;
     for (uint left = faces; left != 0u; left &= left - 1u) {
         COUNT(VCT_RAY_COUNTER + 2);
         int face = findLSB(left), axis = face >> 1;
-        uint found = faceId(hasFace(staticCell, face) ? staticCell : dynamicCell, face), at = faceAt(found);
+        uint at = faceAt(surfaceId(staticCell, dynamicCell, face, isStatic));
         uint surface = faceData[at + VCT_FACE_SURFACE];
         SurfacePlane plane = unpackPlane(surface);
         float cosine = dot(plane.normal, direction);
@@ -84,11 +88,12 @@ uint firstFace(uint staticCell, uint dynamicCell, uint faces, bool meetsBacks, v
         if (isBack) weight = 0.0;
         bool isNearer = distance < reach - tie || distance < reach + tie && weight > best;
         if (!isNearer) continue;
-        if (!covers(staticCell, dynamicCell, axis, surface, faceData[at + VCT_FACE_EXTENT], point, dice))
+        if (!covers(staticCell, dynamicCell, isStatic, axis, surface, faceData[at + VCT_FACE_EXTENT], point,
+                    dice))
             continue;
         reach = distance;
         best = weight;
-        id = isBack ? backOfFace : found;
+        id = isBack ? backOfFace : faceId(hasFace(staticCell, face) ? staticCell : dynamicCell, face);
     }
     return id;
 }
@@ -156,7 +161,8 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
             float found = end;
             uint faces = ((geometry & staticGeometry) != 0u ? staticCell : 0u) |
                          ((geometry & dynamicGeometry) != 0u ? dynamicCell : 0u);
-            uint id = firstFace(staticCell, dynamicCell, faces & against, meetsBacks,
+            bool isStatic = (geometry & dynamicGeometry) == 0u;
+            uint id = firstFace(staticCell, dynamicCell, isStatic, faces & against, meetsBacks,
                                 origin - vec3(voxel) - 0.5, direction, dice, found);
             if (id != noFace) return RayHit(id, found / scale);
             isTested = true;

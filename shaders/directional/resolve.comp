@@ -1,5 +1,6 @@
-// Writes the surface and the material of each base-level face from the sums of static and dynamic geometry
-// together, after a pose has been voxelized.
+// Writes the surface and the material of each base-level face from its sums, after a pose has been voxelized.
+// A face that static and dynamic geometry share has two ids: at the static one are both together, and at the
+// dynamic one is the static geometry alone, for rays whose hits are kept while objects move.
 #include "directional/face_sums.glsl"
 
 layout(local_size_x = VCT_LIST_GROUP) in;
@@ -47,10 +48,10 @@ void main() {
         COUNT(VCT_COUNTER_RESOLVE_FACE);
         uint id = baseFaceId(i);
         ListedFace listed = baseFace(id);
-        if (listed.isMerged) continue;
         int axis = listed.face >> 1;
         uint staticCell = texelFetch(staticIndex, listed.voxel, 0).r;
         uint dynamicCell = hasDynamic ? texelFetch(dynamicIndex, listed.voxel, 0).r : 0u;
+        if (listed.isMerged || !hasFace(dynamicCell, listed.face)) dynamicCell = 0u;
         FaceSums sums = combinedSums(staticCell, dynamicCell, listed.face);
         uint visible = visiblePlane(sums, listed.face);
         SurfacePlane plane = unpackPlane(visible);

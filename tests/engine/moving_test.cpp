@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/volume.h"
+#include "support/face_irradiance.h"
 #include "support/gl_spy.h"
 #include "support/grids.h"
 #include "support/playing_scene.h"
@@ -277,6 +278,28 @@ TEST(MovingInstances, LeaveNoTraceInTheIrradiance) {
             expectFreshLight(stage, context, scene, settings, seconds, mode);
         }
     }
+}
+
+// A door shares voxels, and so faces, with the wall beside it. Rays of the static geometry that are traced
+// while the door is closed end at the wall alone.
+TEST(MovingInstances, LeaveADoorwayOpenToRaysThatAreKept) {
+    const Context context = openContext(Backend::egl);
+    GltfBuilder builder = openFloor();
+    for (const double x : {-1.13, 1.13})
+        addCube(builder, {0.7F, 0.7F, 0.7F}, {{"translation", {x, 1, 0}}, {"scale", {1.6, 2, 0.2}}});
+    const int door =
+        addCube(builder, {0.5F, 0.3F, 0.2F}, {{"translation", {0, 1, 0}}, {"scale", {0.66, 2, 0.16}}});
+    builder.animate(door, "translation", {0, 1}, {0, 1, 0, 0, 1, -1.9F});
+    const Scene scene = load(builder);
+    PlayingScene opened(context, scene, mobileSettings()), open(context, scene, mobileSettings());
+    opened.convergedAt(0.0);
+    opened.convergedAt(1.0);
+    open.convergedAt(1.0);
+    const IrradianceDifference d =
+        differenceOf(readIrradiance(opened.renderer()), readIrradiance(open.renderer()));
+    EXPECT_GT(d.common, 5000U);
+    EXPECT_LE(d.rms, 0.002 * d.mean);
+    EXPECT_LE(d.largest, 0.05 * d.mean);
 }
 
 }  // namespace
