@@ -160,7 +160,7 @@ struct SceneDescription {
 
 // A part of the work of a picture that takes long.
 struct Progress {
-    std::string part;  // "programs" that were made, or steps of "light" (with Light::converged)
+    std::string part;  // "programs" that were made, or steps of "light"
     int done = 0;
     int total = 0;  // 0: not known
 };
@@ -322,6 +322,11 @@ class GlobalIllumination {
     // without it the library draws its own.
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
+
+    // How far the light of the last picture is: steps since the last change, of all that follow one. The
+    // light has converged if both are equal, which with the preset thesis they always are. docs/embedding.md
+    // says how large the error is after a number of steps.
+    Progress lightProgress() const;
 
     // Measures the steps of the next pictures, or stops to. It waits for the GPU after each step, so frames
     // take longer.

@@ -449,6 +449,11 @@ std::vector<StepTime> GlobalIllumination::stepTimes() const {
     return ready(implementation_, "stepTimes").stepTimes;
 }
 
+Progress GlobalIllumination::lightProgress() const {
+    const LightProgress steps = ready(implementation_, "lightProgress").renderer->lightProgress();
+    return {"light", steps.done, steps.total};
+}
+
 std::string GlobalIllumination::lookUpGlsl(const LookUpBindings& bindings) const {
     Implementation& implementation = ready(implementation_, "lookUpGlsl");
     const Renderer& renderer = *implementation.renderer;

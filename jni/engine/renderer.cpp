@@ -236,6 +236,13 @@ bool Renderer::hasLight() const {
     return volume == nullptr ? voxels_ != nullptr : volume->irradiance() != nullptr;
 }
 
+LightProgress Renderer::lightProgress() const {
+    const DirectionalVolume* volume = directional();
+    const Irradiance* light = volume != nullptr ? volume->irradiance() : nullptr;
+    if (light == nullptr) return {};
+    return {light->stepsToConverge() - light->stepsLeft(), light->stepsToConverge()};
+}
+
 float Renderer::radianceScale() const {
     return radianceUnit_;
 }

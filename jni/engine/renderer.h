@@ -34,6 +34,10 @@ enum class LightSteps {
     all,   // for a still picture: every step until face irradiance has converged
 };
 
+struct LightProgress {
+    int done = 0, total = 0;
+};
+
 struct RenderRequest {
     // At least one. Each has a texture of its own: Renderer::output(i) holds outputs[i]. Keep their order
     // from frame to frame, because programs and textures are kept by index.
@@ -150,6 +154,9 @@ class Renderer {
     const DirectionalVolume* directional() const {
         return dynamic_cast<const DirectionalVolume*>(voxels_.get());
     }
+    // The light steps since the last change, and all that follow a change. Both are 0 if no face gathers
+    // light.
+    LightProgress lightProgress() const;
 
   private:
     LightFeatures lightFeatures() const;

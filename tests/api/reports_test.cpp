@@ -24,6 +24,10 @@ TEST_F(Embedded, TellsProgramsAndStepsOfLight) {
     EXPECT_EQ(reports.front().part, "programs");
     EXPECT_EQ(reports.back().done, static_cast<int>(reports.size()));
     expectMentions(messages.back(), {"compiled the program ", " ms"});
+    const Progress first = light.lightProgress();
+    EXPECT_EQ(first.part, "light");
+    EXPECT_EQ(first.done, 1);
+    EXPECT_GT(first.total, 100);
     reports.clear();
     light.render(described_.view(), GlobalIllumination::Light::converged);
     ASSERT_GT(reports.size(), 100U);
@@ -32,6 +36,10 @@ TEST_F(Embedded, TellsProgramsAndStepsOfLight) {
     reports.clear();
     light.render(described_.view(), GlobalIllumination::Light::converged);
     EXPECT_TRUE(reports.empty()) << "nothing has changed";
+    EXPECT_EQ(light.lightProgress().done, first.total);
+    light.setSun({0.2, 1.0, 0.4});
+    light.render(described_.view());
+    EXPECT_EQ(light.lightProgress().done, 1);
 }
 
 TEST_F(Embedded, StartsWithProgramsThatWereStored) {

@@ -138,6 +138,29 @@ TEST(Emitters, LightAFloorByTheirFormFactor) {
     }
 }
 
+// A lamp in a closed room adds a thousandth of what the sun gives outside, by day and after sunset.
+TEST(Emitters, KeepDimLightBesideTheSun) {
+    const Context context = openContext(Backend::egl);
+    DirectionalLight sun = noLight();
+    sun.intensity = static_cast<float>(1000.0 * pi * emitterRadiance);
+    FrameInspector inspector(context, roomWithEmitter(0.5), sun, mobileAt(64),
+                             lookAt({0, 0.5, 0.01}, {0, -1, 0}, 60));
+    for (const float illuminance : {sun.intensity, 0.0F}) {
+        SCOPED_TRACE(illuminance);
+        inspector.renderer().setSunlight(glm::vec3(1), illuminance);
+        const double unit = inspector.renderer().radianceScale();
+        int count = 0;
+        for (const auto& [surface, light] : inspector.seen(Output::indirectLight)) {
+            const double right =
+                roomAlbedo * emitterRadiance * shareOfSquare(surface.positionWorld, 0.5, 0.98);
+            if (surface.positionWorld.y > -0.99) continue;
+            ++count;
+            ASSERT_NEAR(light.g * unit, right, 0.03 * right);
+        }
+        EXPECT_GT(count, 2000);
+    }
+}
+
 TEST(Emitters, CastTheShadowsThatRaysFind) {
     const Context context = openContext(Backend::egl);
     Scene scene = roomWithEmitter(0.4);

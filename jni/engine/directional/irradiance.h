@@ -43,6 +43,8 @@ class Irradiance {
 
     // Steps that are left to convergence, as long as nothing changes.
     int stepsLeft() const { return schedule_.stepsLeft(); }
+    // All steps from a change to convergence.
+    int stepsToConverge() const { return schedule_.convergenceSteps(); }
     // True if another step would change nothing.
     bool isConverged() const { return schedule_.isConverged() && !pending_.any(); }
 
