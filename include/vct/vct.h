@@ -323,9 +323,9 @@ class GlobalIllumination {
     Pictures render(const View& view, Light light = Light::oneStep);
     Pictures render(const View& view, const GBufferTextures& gBuffer, Light light = Light::oneStep);
 
-    // How far the light of the last picture is: steps since the last change, of all that follow one. The
-    // light has converged if both are equal, which with the preset thesis they always are. docs/embedding.md
-    // says how large the error is after a number of steps.
+    // Returns the steps of light since the last change, and the number of all that follow a change. The light
+    // of the last picture has converged if both are equal, which with the preset thesis they always are.
+    // docs/embedding.md says how large the error is after a number of steps.
     Progress lightProgress() const;
 
     // Measures the steps of the next pictures, or stops to. It waits for the GPU after each step, so frames

@@ -25,7 +25,8 @@ PartRectangle rectangleOf(EmitterPartUniforms part) {
     return PartRectangle(side, cross(normal, side) * (0.25 * area / dot(side, side)), normal);
 }
 
-// What an edge of a polygon adds to its form factor, times 2 pi. `a`, `b`: its ends, from the point.
+// The part of a polygon's form factor that belongs to one edge, times 2 pi. `a`, `b`: ends of the edge, from
+// the point.
 float edgeFactor(vec3 a, vec3 b, vec3 normal) {
     vec3 across = cross(a, b);
     float sine = length(across);

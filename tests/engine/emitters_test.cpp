@@ -131,7 +131,7 @@ TEST(Emitters, LightAFloorByTheirFormFactor) {
             const glm::dvec3& p = surface.positionWorld;
             if (p.y > -0.99) continue;
             const double right = roomAlbedo * emitterRadiance * shareOfSquare(p, side, height);
-            // What faces store is interpolated between their middles.
+            // Light is interpolated between the middles of faces.
             const double brightest = roomAlbedo * emitterRadiance * shareOfSquare({0, -1, 0}, side, height);
             ASSERT_NEAR(light.g, right, 0.03 * (height < -0.8 ? brightest : right)) << p.x << " " << p.z;
         }
