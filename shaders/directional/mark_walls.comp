@@ -68,8 +68,10 @@ void mark(ivec3 voxel, int face, int axis, float from, float to) {
         if (from - first < texelMiddle + nearWall && to - first > texelMiddle - nearWall)
             word |= 1u << (28u + second);
         if (list == dynamicList) imageAtomicOr(brickSlots, texel, VCT_BRICK_HAS_WALLS);
+        // A failed attempt means that another wall has changed the word, which only gains bits and positions.
+        // The limit is for drivers whose comparison never succeeds.
         uint before = imageLoad(walls, texel).r;
-        for (;;) {
+        for (int attempt = 0; attempt < 64 && mergeWalls(before, word) != before; ++attempt) {
             COUNT(VCT_COUNTER_MARK_WALLS_WORD);
             uint seen = imageAtomicCompSwap(walls, texel, before, mergeWalls(before, word));
             if (seen == before) break;

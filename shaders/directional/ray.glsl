@@ -146,8 +146,9 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
                     ivec3 first = voxel & -side;
                     vec3 borders = (vec3(first + ahead * side) - origin) * inverse;
                     now = min(borders.x, min(borders.y, borders.z));
-                    bvec3 leaves = bvec3(borders.x == now, borders.y == now && borders.x != now,
-                                         borders.z == now && min(borders.x, borders.y) != now);
+                    // The ray leaves along exactly one axis whatever the borders are, NaN too, so it ends.
+                    bool leavesX = borders.x == now, leavesY = !leavesX && borders.y == now;
+                    bvec3 leaves = bvec3(leavesX, leavesY, !leavesX && !leavesY);
                     ivec3 within = clamp(ivec3(floor(origin + direction * now)), first, first + side - 1);
                     ivec3 beyond = mix(first - 1, first + side, positive);
                     voxel = mix(within, beyond, leaves);
