@@ -3,7 +3,8 @@ import pathlib
 
 import pytest
 
-from evaluation.mali import CLOCK_HZ, CORES, bound_ms, words_of
+from evaluation.gpus import GPUS
+from evaluation.mali import bound_ms, limit, memory_ms, output_bytes, words_of
 from evaluation.mali_compiler import CompiledLoop, Stage, compile_shaders, parse
 from evaluation.mali_loops import match_loops
 from files import Failed
@@ -11,8 +12,11 @@ from files import Failed
 DATA = pathlib.Path(__file__).resolve().parent / "data"
 
 
+T880, G52, ADRENO = GPUS["t880"], GPUS["g52"], GPUS["a630"]
+
+
 def stored(name):
-    return parse((DATA / f"mali_{name}.txt").read_text())["fragment"]
+    return parse((DATA / f"mali_{name}.txt").read_text(), T880)["fragment"]
 
 
 def test_words_and_loops_are_read():
@@ -29,7 +33,28 @@ def test_writing_several_targets_is_no_loop_and_counts_once():
     assert [(loop.depth, loop.words["A"], loop.words["T"]) for loop in fragment.loops] == [(0, 19, 0), (1, 32, 3)]
     assert fragment.outside == {"A": 42, "LS": 1, "T": 2}
     with pytest.raises(Failed, match="25 bundles"):
-        parse((DATA / "mali_g_buffer_t880.txt").read_text().replace("20 bundles", "25 bundles"))
+        parse((DATA / "mali_g_buffer_t880.txt").read_text().replace("20 bundles", "25 bundles"), T880)
+
+
+def test_other_gpus_have_pipes_of_their_own():
+    mali = parse("SHADER-DB: MESA_SHADER_FRAGMENT shader: 966 inst, 710 tuples, 622 quadwords, 1 threads, 0 preloads, 1 loops, "
+                 "41:141 spills:fills\n  outside loops: inst=394 arith=282 tex=6 vary=0 ldst=0\n"
+                 "  loop@b3 depth 0 (11 blocks): exclusive per iteration inst=145 arith=94 tex=1 vary=0 ldst=2\n", G52)["fragment"]
+    assert mali.outside == {"arith": 282, "tex": 6, "vary": 0, "ldst": 0} and mali.loops[0].words["ldst"] == 2
+    assert (mali.registers, mali.spills) == ("1 threads", "41:141")
+    adreno = parse("SHADER-DB: MESA_SHADER_COMPUTE shader: 16 inst, 4 nops, 16 registers, 0 half, 0 loops, 0:0 spills:fills\n"
+                   "  outside loops: alu=9 nop=4 sfu=1 tex=1 mem=1\n", ADRENO)["compute"]
+    assert adreno.outside == {"alu": 9, "sfu": 1, "tex": 1, "mem": 1} and adreno.registers == "16 registers"
+
+
+def test_memory_is_between_outputs_alone_and_every_access():
+    source = "layout(location = 0) out mediump vec4 a;\nlayout(location = 1) out uvec2 b;\nin vec2 uv;\n"
+    assert output_bytes(source) == 20
+    least, most = memory_ms({"A": 1, "LS": 30, "T": 70}, T880, 200.0)
+    assert (least, most) == (pytest.approx(400 / 28.7e9 * 1e3), pytest.approx(600 / 28.7e9 * 1e3))
+    assert memory_ms({"A": 1, "LS": 0, "T": 0}, T880, 200.0) == (least, least)
+    assert limit(8, 1, 7) == "shaders" and limit(8, 9, 12) == "memory"
+    assert limit(8, 0, 10) == "shaders, if caches spare 20 % of the accesses"
 
 
 def loops(*entries):
@@ -65,13 +90,14 @@ def test_the_bound_is_the_formula_of_the_help():
                   [CompiledLoop(0, {"A": 6, "LS": 0, "T": 4}), CompiledLoop(1, {"A": 3, "LS": 1, "T": 10})])
     words = words_of(stage, 1000, loops((0, 5000), (1, 20000)))
     assert words == {"A": 30_000 + 30_000 + 60_000, "LS": 20_000 + 20_000, "T": 2_000 + 20_000 + 200_000}
-    assert bound_ms(words) == pytest.approx(222_000 / CORES / CLOCK_HZ * 1e3)
-    assert bound_ms({"A": 900_000, "LS": 1, "T": 1}) == pytest.approx(300_000 / CORES / CLOCK_HZ * 1e3)
+    assert bound_ms(words, T880) == (pytest.approx(222_000 / 12 / 850e6 * 1e3), "T")
+    assert bound_ms({"A": 900_000, "LS": 1, "T": 1}, T880) == (pytest.approx(300_000 / 12 / 850e6 * 1e3), "A")
+    assert bound_ms({"arith": 2400, "tex": 20, "vary": 0, "ldst": 300}, G52) == (pytest.approx(300 / 2 / 950e6 * 1e3), "ldst")
     unrolled = Stage({"A": 0, "LS": 0, "T": 0}, [CompiledLoop(0, {"A": 1, "LS": 0, "T": 0}) for _ in range(3)])
     assert words_of(unrolled, 100, loops((0, 300, "c"), (1, 3000)))["A"] == 3000, "copies share the iterations"
 
 
 def test_a_program_that_is_no_compiler_is_an_error(tmp_path):
     for compiler in (tmp_path / "none", pathlib.Path("/bin/false")):
-        with pytest.raises(Failed, match="drm-shim"):
-            compile_shaders(compiler, [tmp_path / "a.frag"])
+        with pytest.raises(Failed, match="drm_shim"):
+            compile_shaders(compiler, T880, [tmp_path / "a.frag"])
