@@ -26,6 +26,17 @@ def test_faults_are_found(status, log, found):
     assert lives.fault(lives.Life("", "", [], errors="broken.glb"), status, log) == found
 
 
+def test_pictures_are_not_blank_and_equal_where_they_should_be(tmp_path):
+    def picture(name, first):
+        (tmp_path / name).write_bytes(b"P6\n30 1\n255\n" + bytes(range(first, first + 90)))
+        return tmp_path / name
+    a, same, other = picture("a.ppm", 0), picture("same.ppm", 0), picture("other.ppm", 9)
+    assert lives.fault_of_pictures([a, same], True) == lives.fault_of_pictures([a, other], False) == ""
+    assert "differ" in lives.fault_of_pictures([a, other], True)
+    (tmp_path / "blank.ppm").write_bytes(b"P6\n30 1\n255\n" + bytes(90))
+    assert "20 colours" in lives.fault_of_pictures([tmp_path / "blank.ppm"], False)
+
+
 # A letter for each event whose order Android promises.
 LETTERS = {"create": "C", "start": "S", "resume": "R", "window": "W", "lose-window": "L", "pause": "P", "stop": "T", "destroy": "D"}
 

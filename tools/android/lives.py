@@ -22,8 +22,10 @@ TIMEOUT_S = 1800
 START = ["create", "start", "resume", "window 96 64", "focus 1"]
 END = ["pause", "lose-window", "stop", "destroy"]
 TESTED = "log self-test passed"
+SHOWN = ["log triangles", "frames 2"]  # the scene is loaded and its programs are linked; frames before have no scene
 # Actions of AMotionEvent; those of a second finger have its index in the next byte.
 DOWN, UP, MOVE, CANCEL, SECOND_DOWN, SECOND_UP = 0, 1, 2, 3, 5 + 256, 6 + 256
+HOVER_MOVE, SCROLL, HOVER_ENTER, HOVER_EXIT = 7, 8, 9, 10  # of a mouse or a pen
 
 
 @dataclasses.dataclass
@@ -32,6 +34,14 @@ class Life:
     command: str  # the extra of the intent
     steps: list[str]
     errors: str = "(?!)"  # a pattern of the errors that the app is expected to log
+    same: bool = False  # the pictures of the life are equal
+
+
+def drag(start: tuple[int, int], end: tuple[int, int]) -> list[str]:
+    """A finger that moves, with a frame after each event."""
+    between = [[round(a + (b - a) * i / 8) for a, b in zip(start, end)] for i in range(1, 9)]
+    events = [(DOWN, *start), *((MOVE, *point) for point in between), (UP, *end)]
+    return [step for action, x, y in events for step in (f"touch {action} 0 {x} {y}", "frames 1")]
 
 
 def fixed_lives(pictures: pathlib.Path) -> list[Life]:
@@ -41,16 +51,29 @@ def fixed_lives(pictures: pathlib.Path) -> list[Life]:
                f"touch {DOWN} 0 5 5", f"touch {CANCEL} 0 5 5", "key 0"]
     return [
         Life("self-test and frames", "show grid=64 display=off",
-             [*START, TESTED, "frames 1", f"picture {pictures}/gi.ppm", "frames 1", *END]),
+             [*START, TESTED, *SHOWN, f"picture {pictures}/gi.ppm", "frames 1", *END]),
         Life("rotation, touch and focus", f"show {fast}",
-             [*START, TESTED, "frames 2", "resize 64 96", "frames 2", *touches, "frames 2", "focus 0", "focus 1", "frames 2",
+             [*START, TESTED, *SHOWN, "resize 64 96", "frames 2", *touches, "frames 2", "focus 0", "focus 1", "frames 2",
               f"picture {pictures}/rotated.ppm", "frames 1", "resize 96 64", "frames 2", *END]),
         Life("lost windows", f"show {fast}",
              [*START, "frames 1", "lose-window", "no-frames", "window 80 60", "frames 2", "lose-window", "window 33 47",
               TESTED, "frames 2", *END]),
         Life("low memory", f"show {fast}",
-             [*START, TESTED, "frames 2", "low-memory", "frames 2", "pause", "no-frames", "low-memory", "resume",
+             [*START, TESTED, *SHOWN, "low-memory", "frames 2", "pause", "no-frames", "low-memory", "resume",
               f"picture {pictures}/low_memory.ppm", "frames 2", *END]),
+        Life("cascades", "show scene=moving.glb grid=64 cascades=3 mode=gi display=off",
+             [*START, TESTED, *SHOWN, f"touch {DOWN} 0 30 30", f"touch {MOVE} 0 60 35", f"touch {UP} 0 60 35", "frames 4",
+              "low-memory", "frames 2", "lose-window", "window 64 96", f"picture {pictures}/cascades.ppm", "frames 2", *END]),
+        # A mouse or a pen that touches nothing does not turn the view.
+        Life("hovering", f"show {fast}",
+             [*START, TESTED, *SHOWN, f"picture {pictures}/before_hovering.ppm", "frames 1",
+              *(f"touch {action} 0 {x} 30" for x in (20, 50, 80) for action in (HOVER_ENTER, HOVER_MOVE, SCROLL, HOVER_EXIT)),
+              "frames 2", f"picture {pictures}/after_hovering.ppm", "frames 1", *END], same=True),
+        # The panel of a small window is folded, and a tap on its button unfolds it. Then a finger scrolls it up and down.
+        Life("scrolled panel", "show grid=64 mode=phong",
+             [*START[:3], "window 300 200", "focus 1", TESTED, *SHOWN, *drag((50, 40), (50, 40)), "frames 3",
+              f"picture {pictures}/panel.ppm", "frames 1", *drag((60, 170), (60, 40)), f"picture {pictures}/panel_scrolled.ppm",
+              "frames 1", *drag((60, 40), (60, 170)), "resize 200 300", "frames 2", *END]),
         # The restarted app does not obey the command again.
         Life("save and restore", f"show scene=moving.glb {fast}",
              [*START, "log scenes/moving.glb", TESTED, "frames 2", "pause", "save", "stop", "lose-window", "destroy",
@@ -91,6 +114,8 @@ def random_life(seed: int, emulated: bool) -> Life:
             add(*chance.choice([
                 [f"touch {DOWN} 0 {x} {y}", f"touch {MOVE} 0 {y} {x}", f"touch {chance.choice([UP, CANCEL])} 0 5 5"],
                 [f"resize {chance.choice(['96 64', '64 96', '50 50'])}"],
+                [f"touch {DOWN} 0 {x} 90", f"touch {MOVE} 0 {x} 50", f"touch {MOVE} 0 {x} 10", f"touch {UP} 0 {x} 10"],
+                [f"touch {action} 0 {x} {y}" for action in (HOVER_ENTER, HOVER_MOVE, SCROLL, HOVER_EXIT)],
                 ["low-memory"], ["focus 0", "focus 1"], ["key 0"], ["lose-window", window()], ["frames 1"],
             ]))
 
@@ -118,7 +143,8 @@ def random_life(seed: int, emulated: bool) -> Life:
     scene = chance.choice(["cornell", "moving", "walker", "lamp", "night"])
     preset = chance.choice(["thesis", "mobile", "quality"])
     mode = "phong" if emulated else chance.choice(["phong", "ao", "gi", "gi-cone-shadow"])
-    show = f"show scene={scene}.glb grid=64 pixels=2 mode={mode} preset={preset}"
+    cascades = f" cascades={chance.choice([2, 3])}" if preset != "thesis" and chance.random() < 0.5 else ""
+    show = f"show scene={scene}.glb grid=64 pixels=2 mode={mode} preset={preset}{cascades}"
     bench = "bench scene=cornell.glb size=32x32 grid=64 repeat=1"
     command = chance.choice([show, show, show if emulated else bench, f"show scene=missing.glb grid=64 mode={mode}"])
     # The benchmark ends with an error if the activity does before it.
@@ -142,6 +168,15 @@ def is_blank(picture: pathlib.Path) -> bool:
     return len({pixels[i:i + 3] for i in range(0, len(pixels), 3)}) < 20
 
 
+def fault_of_pictures(pictures: list[pathlib.Path], same: bool) -> str:
+    for picture in pictures:
+        if is_blank(picture):
+            return f"{picture} has fewer than 20 colours"
+    if same and len({picture.read_bytes() for picture in pictures}) > 1:
+        return f"{' and '.join(map(str, pictures))} differ"
+    return ""
+
+
 def run(life: Life, command: list[str], logs: pathlib.Path) -> bool:
     start = time.monotonic()
     log_path = logs / (re.sub(r"\W+", "_", life.name) + ".log")
@@ -153,9 +188,9 @@ def run(life: Life, command: list[str], logs: pathlib.Path) -> bool:
         except subprocess.TimeoutExpired:
             status = None
     found = fault(life, status, log_path.read_text(errors="replace"))
-    for step in life.steps:
-        if not found and step.startswith("picture ") and is_blank(pathlib.Path(step.split()[1])):
-            found = f"{step.split()[1]} has fewer than 20 colours"
+    pictures = [pathlib.Path(step.split()[1]) for step in life.steps if step.startswith("picture ")]
+    if not found:
+        found = fault_of_pictures(pictures, life.same)
     print(f"{life.name}: {f'FAILED: {found} ({log_path})' if found else 'ok'}, {len(life.steps)} steps, "
           f"{time.monotonic() - start:.0f} s", flush=True)
     return not found
