@@ -193,12 +193,15 @@ struct Options {
     std::function<void(const std::string& key, std::span<const std::uint8_t> program)> storeProgram;
 };
 
-// The camera of the pictures. Clip space is GL's: depth from -1 (near) to 1 (far).
+// The camera of the pictures. Clip space is GL's: depth from -1 (near) to 1 (far), unless it is reversed.
 struct View {
     Matrix cameraFromWorld;  // a rotation and a translation
     // Perspective (last row 0 0 -1 0) or orthographic (last row 0 0 0 1); depth grows with distance. Glossy
     // reflections are those seen from the camera's origin, also with an orthographic projection.
     Matrix clipFromCamera;
+    // True: clip space has depth from 1 (near) to 0 (far, which may be infinite), as with
+    // glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), and GBufferTextures::depth is 0 if there is no surface.
+    bool reversedDepth = false;
 };
 
 // The caller's G-buffer: names of 2D textures of the pictures' size, row 0 at the bottom. Their sampler
@@ -214,7 +217,7 @@ struct GBufferTextures {
 
 // Names of 2D textures: GL_RGBA16F, linear, row 0 at the bottom, NEAREST, CLAMP_TO_EDGE; 0 if Options does
 // not request the picture. They belong to the GlobalIllumination and stay valid until resize(). On surfaces
-// alpha is 1. Elsewhere (depth is 1) alpha is 0 and rgb is the sky's radiance in units of radianceUnit(), in
+// alpha is 1. Elsewhere alpha is 0 and rgb is the sky's radiance in units of radianceUnit(), in
 // every picture.
 struct Pictures {
     // The complete light, in units of radianceUnit().
@@ -254,8 +257,8 @@ using GetProcAddress = void* (*)(const char* name);
 // - State that GL has per draw buffer (blending and colour masks) becomes that of draw buffer 0 for all draw
 //   buffers.
 // - An earlier error that glGetError() would return is dropped.
-// No query and no transform feedback may be active during a call. In desktop GL, the clip control, polygon
-// mode, logic operation and clip distances must have their initial values during a call.
+// No query and no transform feedback may be active during a call. In desktop GL, the polygon mode, logic
+// operation and clip distances must have their initial values during a call.
 //
 // The constructor fills a table of GL entry points that the whole process shares. All contexts that use the
 // library at the same time must therefore have the same driver.

@@ -83,6 +83,11 @@ SavedState::SavedState() {
     readFramebuffer_ = integer(GL_READ_FRAMEBUFFER_BINDING);
     program_ = integer(GL_CURRENT_PROGRAM);
     vertexArray_ = integer(GL_VERTEX_ARRAY_BINDING);
+    if (gl::ClipControl != nullptr) {
+        clipOrigin_ = integer(GL_CLIP_ORIGIN_EXT);
+        clipDepth_ = integer(GL_CLIP_DEPTH_MODE_EXT);
+        gl::ClipControl(GL_LOWER_LEFT_EXT, GL_NEGATIVE_ONE_TO_ONE_EXT);
+    }
     depthMask_ = integer(GL_DEPTH_WRITEMASK);
     depthFunction_ = integer(GL_DEPTH_FUNC);
     culledFace_ = integer(GL_CULL_FACE_MODE);
@@ -164,6 +169,8 @@ SavedState::~SavedState() {
     gl::ColorMask(static_cast<GLboolean>(colorMask_[0]), static_cast<GLboolean>(colorMask_[1]),
                   static_cast<GLboolean>(colorMask_[2]), static_cast<GLboolean>(colorMask_[3]));
     gl::DepthRangef(depthRange_[0], depthRange_[1]);
+    if (gl::ClipControl != nullptr)
+        gl::ClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepth_));
 }
 
 }  // namespace vct

@@ -39,6 +39,7 @@ class SavedState {
     GLint drawFramebuffer_ = 0, readFramebuffer_ = 0, program_ = 0, vertexArray_ = 0, textureUnit_ = 0;
     GLint blendEquation_ = 0, blendAlphaEquation_ = 0, blendSource_ = 0, blendTarget_ = 0;
     GLint blendAlphaSource_ = 0, blendAlphaTarget_ = 0;
+    GLint clipOrigin_ = 0, clipDepth_ = 0;  // only with gl::ClipControl
     GLint depthMask_ = 0, depthFunction_ = 0, culledFace_ = 0, frontFace_ = 0;
     std::array<GLint, 4> viewport_{}, scissor_{}, colorMask_{};
     std::array<GLfloat, 2> depthRange_{};

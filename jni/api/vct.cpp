@@ -97,7 +97,7 @@ std::vector<Output> outputsFor(const Options& options) {
 
 // Checks the last row of a projection, to reject transposed matrices, which would give a wrong picture
 // without an error. The tolerance allows for rounding in matrix products.
-glm::dmat4 projectionOf(const Matrix& matrix) {
+glm::dmat4 projectionOf(const Matrix& matrix, bool reversedDepth) {
     glm::dmat4 result;
     for (int i = 0; i < 16; ++i)
         result[i / 4][i % 4] = matrix.columns[i];
@@ -112,12 +112,20 @@ glm::dmat4 projectionOf(const Matrix& matrix) {
             "View::clipFromCamera is not a projection: its last row must be 0 0 -1 0 (perspective) or 0 0 0 "
             "1 "
             "(orthographic); matrices are in column-major order");
-    if (result[perspective ? 3 : 2][2] > 0.0)
-        throw Error("View::clipFromCamera reverses depth; give a projection whose depth grows with distance");
+    const bool isReversed = result[perspective ? 3 : 2][2] > 0.0;
+    if (isReversed && !reversedDepth)
+        throw Error(
+            "View::clipFromCamera reverses depth; set View::reversedDepth, or give a projection whose "
+            "depth grows with distance");
+    if (!isReversed && reversedDepth)
+        throw Error(
+            "View::reversedDepth is set, but depth by View::clipFromCamera grows with distance; give "
+            "a projection with depth from 1 (near) to 0 (far)");
     return result;
 }
 
-Camera cameraOf(const View& view) {
+// `ownSurface`: the engine draws the G-buffer, whose depth it need not reverse.
+Camera cameraOf(const View& view, bool ownSurface) {
     const glm::dmat4 cameraFromWorld = affine(view.cameraFromWorld, "View::cameraFromWorld");
     const glm::dmat3 axes(cameraFromWorld);
     const glm::dmat3 product = glm::transpose(axes) * axes;
@@ -127,7 +135,15 @@ Camera cameraOf(const View& view) {
                 "View::cameraFromWorld is not a rotation and a translation; leave out scale and mirroring");
     Camera camera;
     camera.worldFromCamera = glm::inverse(cameraFromWorld);
-    camera.clipFromWorld = projectionOf(view.clipFromCamera) * cameraFromWorld;
+    camera.clipFromWorld = projectionOf(view.clipFromCamera, view.reversedDepth) * cameraFromWorld;
+    camera.reversedDepth = view.reversedDepth && !ownSurface;
+    if (view.reversedDepth && ownSurface) {
+        // From [1, 0] to [-1, 1].
+        glm::dmat4 usualFromReversed(1.0);
+        usualFromReversed[2][2] = -2.0;
+        usualFromReversed[3][2] = 1.0;
+        camera.clipFromWorld = usualFromReversed * *camera.clipFromWorld;
+    }
     return camera;
 }
 
@@ -257,7 +273,8 @@ void GlobalIllumination::Implementation::requireLight(std::size_t number, const 
 
 Pictures GlobalIllumination::Implementation::render(const View& view, Light light,
                                                     const GBuffer::Targets* surface) {
-    RenderRequest request{.outputs = outputs, .camera = cameraOf(view), .surface = surface};
+    RenderRequest request{
+        .outputs = outputs, .camera = cameraOf(view, surface == nullptr), .surface = surface};
     request.lightSteps = light == Light::converged ? LightSteps::all
                          : light == Light::keep    ? LightSteps::none
                                                    : LightSteps::one;

@@ -95,9 +95,11 @@ shared::FrameUniforms frameUniforms(const Camera& camera, const DirectionalLight
     shared::FrameUniforms frame{};
     frame.clipFromVolume = glm::mat4(clipFromVolume);
     // Window coordinates are gl_FragCoord's xy and the depth buffer's depth.
+    const glm::dvec3 window(settings.size.x, settings.size.y, camera.reversedDepth ? 2.0 : 1.0);
     const glm::dmat4 clipFromWindow =
-        glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
-        glm::scale(glm::dmat4(1.0), 2.0 / glm::dvec3(settings.size.x, settings.size.y, 1.0));
+        glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0, -1.0, camera.reversedDepth ? 0.0 : -1.0)) *
+        glm::scale(glm::dmat4(1.0), 2.0 / window);
+    frame.farDepth = camera.reversedDepth ? 0.0F : 1.0F;
     frame.volumeFromWindow = glm::mat4(glm::inverse(clipFromVolume) * clipFromWindow);
     const glm::dmat4 shadowFromVolume =
         shadowFromWorld(light, boundsWorld, settings.shadowMapSize) * worldFromVolume;

@@ -12,6 +12,7 @@ VCT_GL_FUNCTIONS(VCT_GL_DEFINE)
 VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DEFINE)
 #undef VCT_GL_DEFINE
 PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v = nullptr;
+PFNGLCLIPCONTROLEXTPROC ClipControl = nullptr;
 
 std::string glString(GLenum name) {
     const GLubyte* text = GetString(name);
@@ -65,6 +66,10 @@ void load(Proc (*getProcAddress)(const char* name, const void* user), const void
     if (hasExtension("GL_EXT_disjoint_timer_query"))
         GetQueryObjectui64v =
             reinterpret_cast<decltype(GetQueryObjectui64v)>(getProcAddress("glGetQueryObjectui64vEXT", user));
+    ClipControl = nullptr;
+    if (version.desktop || hasExtension("GL_EXT_clip_control"))
+        ClipControl = reinterpret_cast<decltype(ClipControl)>(
+            getProcAddress(version.desktop ? "glClipControl" : "glClipControlEXT", user));
 }
 
 }  // namespace vct::gl

@@ -44,6 +44,8 @@ VCT_GL_OPTIONAL_FUNCTIONS(VCT_GL_DECLARE)
 #undef VCT_GL_DECLARE
 // Belongs to GL_EXT_disjoint_timer_query; null without it.
 extern PFNGLGETQUERYOBJECTUI64VEXTPROC GetQueryObjectui64v;
+// Belongs to desktop OpenGL 4.5 and to GL_EXT_clip_control; null without it.
+extern PFNGLCLIPCONTROLEXTPROC ClipControl;
 
 using Proc = void (*)();
 

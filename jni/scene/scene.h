@@ -130,6 +130,8 @@ struct Camera {
     double setBack = 0.0;  // distance of the eye behind the node, world units
     // If it is set, clipFromWorld() in camera.h returns this matrix. Its depth is 1 at the far plane.
     std::optional<glm::dmat4> clipFromWorld;
+    // Depth of a G-buffer of the caller's is clipFromWorld's, from 1 at the near plane to 0 at the far plane.
+    bool reversedDepth = false;
 };
 
 // The sun: the scene's first directional light.

@@ -184,7 +184,7 @@ void main() {
     COUNT(VCT_COUNTER_CONE_TRACER);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = surfaceDepth(pixel);
-    if (depth == 1.0) {
+    if (depth == frame.farDepth) {
         outRadiance = vec4(skyBehind(gl_FragCoord.xy), 0.0);
         markLobe(false);
         return;

@@ -311,12 +311,12 @@ struct FrameUniforms {
     vec4 lightColor;   // rgb: radiance of a white surface that faces the sun; a: that of a white sun, or 1
     vec4 skyRadiance;  // rgb: relative to E/pi; for a sky of one colour (shared/sky.glsl)
     vec4 background;   // rgb: as skyRadiance, for pixels without a surface
-    vec2 shadowConeRadius;  // radius of the sun's cone per depth, in shadow-map coordinates
-    float shadowConeSine;   // sine of half the cone's angle
-    float aoDistance;       // in sides of the volume; with cascades, of the finest one
-    float faceSumUnits;     // fixed-point units of a fully covered face (directional/face_sums.glsl)
-    int hasDynamicObjects;  // 0: directional voxels hold static geometry only
-    int unused0;
+    vec2 shadowConeRadius;       // radius of the sun's cone per depth, in shadow-map coordinates
+    float shadowConeSine;        // sine of half the cone's angle
+    float aoDistance;            // in sides of the volume; with cascades, of the finest one
+    float faceSumUnits;          // fixed-point units of a fully covered face (directional/face_sums.glsl)
+    int hasDynamicObjects;       // 0: directional voxels hold static geometry only
+    float farDepth;              // depth of pixels without a surface: 1, or 0 if depth is reversed
     int gridSide;                // voxels along a side of the volume or a cascade, a power of two
     float emissionRange;         // emission that the sums store as 1, relative to E/pi
     float steepestShadowSlope;   // bound of the slopes below

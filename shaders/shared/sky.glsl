@@ -15,8 +15,8 @@ mediump vec3 sampleSky(vec3 direction, float solidAngle) {
 
 // The sky behind a pixel. `window`: gl_FragCoord.xy.
 mediump vec3 skyBehind(vec2 window) {
-    vec4 near = frame.volumeFromWindow * vec4(window, 0.0, 1.0);
-    vec4 far = frame.volumeFromWindow * vec4(window, 1.0, 1.0);  // w is 0 if the far plane is at infinity
+    vec4 near = frame.volumeFromWindow * vec4(window, 1.0 - frame.farDepth, 1.0);
+    vec4 far = frame.volumeFromWindow * vec4(window, frame.farDepth, 1.0);  // w is 0 if it is at infinity
     return sampleSky(far.xyz * near.w - near.xyz * far.w, 0.0);
 }
 #else

@@ -70,7 +70,11 @@ TEST_F(Embedded, OnlyProjectionsThatArePossibleAreTaken) {
         EXPECT_EQ(errorWith(projection), "");
         expectMentions(errorWith(glm::transpose(projection)), {"clipFromCamera", "column-major"});
         const glm::dmat4 reversed = glm::scale(glm::dmat4(1.0), {1, 1, -1}) * projection;
-        expectMentions(errorWith(reversed), {"reverses depth"});
+        expectMentions(errorWith(reversed), {"reverses depth", "set View::reversedDepth"});
+        view.reversedDepth = true;
+        EXPECT_EQ(errorWith(reversed), "");
+        expectMentions(errorWith(projection), {"View::reversedDepth is set", "from 1 (near) to 0 (far)"});
+        view.reversedDepth = false;
         const glm::dmat4 jittered = glm::translate(glm::dmat4(1.0), {0.001, 0.002, 0}) * projection;
         EXPECT_EQ(errorWith(jittered), "");
     }

@@ -4,6 +4,7 @@
 #include "api/described_scene.h"
 #include "cli/program_run.h"
 #include "engine/renderer.h"
+#include "gl/render_pass.h"
 #include "image/compare.h"
 #include "image/image.h"
 #include "support/errors.h"
@@ -93,6 +94,65 @@ TEST_F(Embedded, GBufferOfTheCallerGivesTheSamePicture) {
     light.resize(40, 30);
     expectMentions(errorOf([&] { light.render(view, textures); }), {"call resize()"});
     EXPECT_GT(mean(imageOf(light.render(view).radiance, 1.0, 40, 30)), 0.05);
+}
+
+// Reversed depth of a G-buffer, from the usual one. FROM_PROJECTION: columns 2 and 3 of the projection in row
+// 2.
+constexpr const char* reversedDepthShader = R"(
+layout(binding = 0) uniform highp sampler2D usualDepth;
+void main() {
+    float depth = texelFetch(usualDepth, ivec2(gl_FragCoord.xy), 0).r;
+    float distance = FROM_PROJECTION.y / (2.0 * depth - 1.0 + FROM_PROJECTION.x);
+    gl_FragDepth = depth == 1.0 ? 0.0 : NEAR / distance;
+}
+)";
+
+TEST_F(Embedded, ReversedDepthGivesTheSamePicture) {
+    GlobalIllumination light(getProcAddress, described_.scene, optionsOf("mobile"));
+    const View view = described_.view();
+    const Image expected = imageOf(light.render(view, GlobalIllumination::Light::converged).radiance);
+    // Depth from 1 at the near plane to 0 at infinity.
+    constexpr double near = 0.05;
+    View reversed = view;
+    reversed.reversedDepth = true;
+    for (std::size_t column = 0; column < 4; ++column)
+        reversed.clipFromCamera.columns[4 * column + 2] = column == 3 ? near : 0.0;
+    const auto expectSame = [&](const Image& picture, const char* what) {
+        const Difference difference = compareImages(picture, expected, 0.04F);
+        EXPECT_TRUE(difference.comparable) << what;
+        EXPECT_LE(difference.fraction, 0.01) << what << ": largest difference " << difference.largest;
+    };
+    expectSame(imageOf(light.render(reversed).radiance), "with the library's G-buffer");
+
+    Settings settings = presetSettings("mobile");
+    settings.size = {width, height};
+    Renderer drawn(described_.loaded, DirectionalLight(), settings, gl::queryCapabilities(), testShaders());
+    drawn.render({{Output::phong}, described_.camera});
+    const GBuffer::Targets targets = drawn.surface();
+    gl::ShaderLibrary shaders = drawn.shaders();
+    const std::array<double, 16>& clip = view.clipFromCamera.columns;
+    shaders.read = [&](const std::string& path) {
+        return path == "reversed.frag" ? reversedDepthShader : testShaders()(path);
+    };
+    const gl::Program convert(
+        shaders, {"reversed depth",
+                  {"passes/full_screen.vert", "reversed.frag"},
+                  {"FROM_PROJECTION vec2(" + std::to_string(clip[10]) + "," + std::to_string(clip[14]) + ")",
+                   "NEAR " + std::to_string(near)}});
+    const gl::Texture depth = gl::Texture::make2d("reversed", GL_DEPTH_COMPONENT32F, width, height);
+    const gl::Framebuffer framebuffer("reversed", {}, &depth);
+    const gl::VertexArray noVertices;
+    {
+        const gl::RenderPass pass(framebuffer);
+        gl::DepthFunc(GL_ALWAYS);
+        targets.depth->bind(0);
+        convert.use();
+        noVertices.bind();
+        gl::DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    const GBufferTextures textures{targets.albedo->name(), targets.normal->name(), depth.name(),
+                                   targets.emissive->name(), targets.gloss->name()};
+    expectSame(imageOf(light.render(reversed, textures).radiance), "with a G-buffer of the caller's");
 }
 
 // The floor has a known base colour and normal, so vct.h gives its radiance.

@@ -94,6 +94,7 @@ void changeParameters() {
     gl::DepthFunc(GL_GREATER);
     gl::CullFace(GL_FRONT);
     gl::FrontFace(GL_CW);
+    gl::ClipControl(GL_UPPER_LEFT_EXT, GL_ZERO_TO_ONE_EXT);
     VCT_ENTRY_POINT(BlendColor)(0.1F, 0.2F, 0.3F, 0.4F);
     VCT_ENTRY_POINT(BlendFuncSeparate)(GL_ZERO, GL_ONE, GL_DST_ALPHA, GL_SRC_COLOR);
     VCT_ENTRY_POINT(BlendEquationSeparate)(GL_MIN, GL_FUNC_SUBTRACT);
