@@ -331,6 +331,16 @@ class GlobalIllumination {
     // docs/embedding.md says how large the error is after a number of steps.
     Progress lightProgress() const;
 
+    // The converged indirect light of the instances without `moves`, for useBakedLight() of a later run,
+    // which then shows it in its first picture. It needs a render() with Light::converged, a preset other
+    // than thesis, Options::voxelSize of 0, and a scene as it was described: neither lights, sky nor
+    // materials were changed.
+    std::vector<std::uint8_t> bakeLight() const;
+    // Takes that light, before the first render(). Throws if it is damaged, or of another description, preset
+    // or grid, and names what differs; the light is then computed as without it. The content of the program's
+    // textures is not compared. Light with moving instances goes on from the baked one.
+    void useBakedLight(std::span<const std::uint8_t> baked);
+
     // Measures the steps of the next pictures, or stops to. It waits for the GPU after each step, so frames
     // take longer.
     void measureSteps(bool measures);

@@ -70,6 +70,7 @@ struct GlobalIllumination::Implementation {
     };
     std::vector<Appearance> appearances;  // by node
     std::vector<bool> hasLight;           // by number; false: there is room for one
+    LightKey lightKey;                    // of the description
     std::optional<Renderer> renderer;
     std::optional<gl::PlainSampler> plain;  // reads the caller's G-buffer
     std::function<void(const Progress& progress)> onProgress;

@@ -210,6 +210,7 @@ GlobalIllumination::Implementation::Implementation(GetProcAddress getProcAddress
              {voxelizationNote(settings.voxels, capabilities), coarseGridWarning(scene, settings)})
             if (!note.empty()) options.log(note);
     }
+    lightKey = vct::lightKey(scene, scene.lights.front(), settings);
     renderer.emplace(scene, scene.lights.front(), settings, capabilities, shadersOf(options),
                      std::make_shared<gl::ProgramCache>(hooksOf(options)));
     plain.emplace();
@@ -456,6 +457,22 @@ Pictures GlobalIllumination::render(const View& view, const GBufferTextures& gBu
         &albedo, &normal, gBuffer.emission != 0 ? &emission : nullptr, gBuffer.gloss != 0 ? &gloss : nullptr,
         &depth,  false};
     return implementation.render(view, light, &surface);
+}
+
+std::vector<std::uint8_t> GlobalIllumination::bakeLight() const {
+    Implementation& implementation = ready(implementation_, "bakeLight");
+    const SavedState saved;
+    try {
+        return bytesOf({implementation.lightKey, implementation.renderer->bakeLight()});
+    } catch (const Error& error) {
+        throw Error(std::string("bakeLight: ") + error.what());
+    }
+}
+
+void GlobalIllumination::useBakedLight(std::span<const std::uint8_t> baked) {
+    Implementation& implementation = ready(implementation_, "useBakedLight");
+    implementation.renderer->useBakedLight(
+        bakedLightOf(baked, implementation.lightKey, "useBakedLight: this"));
 }
 
 void GlobalIllumination::measureSteps(bool measures) {

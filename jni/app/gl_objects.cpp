@@ -10,6 +10,22 @@
 
 namespace vct::app {
 
+namespace {
+
+// Baked light that does not suit is left out, because the renderer computes its own.
+void useBakedLight(Renderer& renderer, const Scene& scene, const DirectionalLight& light,
+                   const Settings& settings, const std::vector<unsigned char>& baked) {
+    try {
+        renderer.useBakedLight(
+            bakedLightOf(baked, lightKey(scene, light, settings), "the file beside " + scene.path));
+        log("the light beside " + scene.path + " is used");
+    } catch (const Error& error) {
+        log(std::string("note: baked light is not used: ") + error.what());
+    }
+}
+
+}  // namespace
+
 GlObjects::GlObjects(const gl::ReadShader& shaders) : shaders_(shaders) {
     try {
         gl::load([](const char* name, const void*) { return eglGetProcAddress(name); }, nullptr);
@@ -48,7 +64,8 @@ std::vector<int> GlObjects::possibleGrids(const Settings& settings) const {
 }
 
 Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
-                                 const Settings& settings, const Choices& choices) {
+                                 const Settings& settings, const Choices& choices,
+                                 const std::vector<unsigned char>& baked) {
     if (!renderer_ || scene != scene_ || choices.preset != preset_ ||
         settings.grid != renderer_->settings().grid || settings.cascades != renderer_->settings().cascades ||
         settings.skyRadiance != renderer_->settings().skyRadiance ||
@@ -59,6 +76,7 @@ Renderer& GlObjects::rendererFor(const std::shared_ptr<const Scene>& scene, cons
         if (const std::string note = voxelizationNote(settings.voxels, capabilities_); !note.empty())
             log(note);
         renderer_.emplace(*scene, light, settings, capabilities_, shaders_, programs_);
+        if (!baked.empty()) useBakedLight(*renderer_, *scene, light, settings, baked);
         scene_ = scene;
         preset_ = choices.preset;
     }

@@ -35,8 +35,10 @@ class GlObjects {
     std::vector<int> possibleGrids(const Settings& settings) const;
     // Returns a renderer for the scene and its settings, with the preset and the lights of `choices`.
     // Rebuilds it only if they require that. Throws vct::Error, and then there is no renderer.
+    // `baked`: bytes of baked light, which a new renderer uses if they are of this scene and these settings.
     Renderer& rendererFor(const std::shared_ptr<const Scene>& scene, const DirectionalLight& light,
-                          const Settings& settings, const Choices& choices);
+                          const Settings& settings, const Choices& choices,
+                          const std::vector<unsigned char>& baked);
     Renderer* renderer() { return renderer_ ? &*renderer_ : nullptr; }
     // The renderer of this scene, or null.
     const Renderer* rendererOf(const std::shared_ptr<const Scene>& scene) const {

@@ -5,10 +5,24 @@
 #include <utility>
 
 #include "app/log.h"
+#include "core/error.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 
 namespace vct::app {
+
+namespace {
+
+// The content of the baked light beside a scene's file; empty if there is none.
+std::vector<unsigned char> readBeside(const std::string& path, const ReadFile& read) {
+    try {
+        return read(path.substr(0, path.find_last_of('.')) + bakedLightExtension);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace
 
 Scenes::Scenes(FindScenes find, ReadScene read) : find_(std::move(find)), read_(std::move(read)) {
     rescan();
@@ -26,14 +40,14 @@ void Scenes::load(const SceneFile& file) {
     log("loading " + file.path);
     file_ = file;
     loaded_ = std::async(std::launch::async, [this, file] {
-        Scene scene = loadGltf(file.path, read_(file, cancelled_),
-                               {.allowOutside = file.allowOutside, .scale = file.scale});
+        const ReadFile read = read_(file, cancelled_);
+        Scene scene = loadGltf(file.path, read, {.allowOutside = file.allowOutside, .scale = file.scale});
         const auto light = file.addRoomLight ? chooseRoomLight(scene, chooseCamera(scene, "")) : std::nullopt;
         if (light) {
             scene.punctualLights.push_back(*light);
             log(roomLightNote(*light));
         }
-        return std::make_shared<const Scene>(std::move(scene));
+        return LoadedScene{std::make_shared<const Scene>(std::move(scene)), readBeside(file.path, read)};
     });
 }
 
@@ -45,9 +59,10 @@ void Scenes::cancel() {
     loaded_ = {};
 }
 
-std::shared_ptr<const Scene> Scenes::take() {
+std::optional<LoadedScene> Scenes::take() {
     const bool done = loading() && loaded_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    return done ? loaded_.get() : nullptr;
+    if (!done) return {};
+    return loaded_.get();
 }
 
 }  // namespace vct::app

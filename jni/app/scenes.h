@@ -6,9 +6,11 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/baked_light.h"
 #include "scene/gltf.h"
 
 namespace vct::app {
@@ -21,6 +23,11 @@ struct SceneFile {
     bool allowOutside = false;  // see GltfOptions, and the next
     double scale = 1.0;
     bool addRoomLight = true;  // light a closed room that has no light
+};
+
+struct LoadedScene {
+    std::shared_ptr<const Scene> scene;
+    std::vector<unsigned char> bakedLight;  // content of the file of `vct bake` beside it, or empty
 };
 
 using FindScenes = std::function<std::vector<SceneFile>()>;
@@ -45,9 +52,9 @@ class Scenes {
     bool loading() const { return loaded_.valid(); }
     const SceneFile& loaded() const { return file_; }  // the file of the last load()
 
-    // Returns the scene once per load(), when it is loaded, and null otherwise. Throws the error if loading
-    // failed.
-    std::shared_ptr<const Scene> take();
+    // Returns the scene once per load(), when it is loaded, and nothing otherwise. Throws the error if
+    // loading failed.
+    std::optional<LoadedScene> take();
 
   private:
     FindScenes find_;
@@ -55,7 +62,7 @@ class Scenes {
     std::vector<SceneFile> all_;
     SceneFile file_;
     std::atomic<bool> cancelled_{false};
-    std::future<std::shared_ptr<const Scene>> loaded_;
+    std::future<LoadedScene> loaded_;
 };
 
 }  // namespace vct::app

@@ -162,7 +162,7 @@ bool Viewer::drawScene(glm::ivec2 window) {
         if (mayNeedPrograms) unlinked_ = gl_->linkNext(features_, settings, choices_.mode);
         if (unlinked_ > 0) return;
         aspect_ = aspectOf(settings.size);
-        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_);
+        Renderer& renderer = gl_->rendererFor(scene_, light(), settings, choices_, bakedLight_);
         std::optional<Pose> pose;
         if (!scene_->animation.channels.empty()) {
             pose = poseAt(scene_->animation, sceneTimeS());
@@ -193,6 +193,7 @@ bool Viewer::drawScene(glm::ivec2 window) {
     if (unlinked_ > 0) return false;
     if (!good_ || good_->scene != scene_)
         log(scene_->path + ": " + std::to_string(scene_->triangleCount()) + " triangles");
+    if (!good_ || good_->scene != scene_) goodBakedLight_ = bakedLight_;
     good_ = wanted;
     goodDefaults_ = defaults_;
     failed_.reset();
@@ -314,7 +315,7 @@ void Viewer::revert(const std::string& why, glm::ivec2 window) {
     failed_ = wanted;
     if (!good_ || *good_ == wanted) return;
     choices_ = good_->choices;
-    if (scene_ != good_->scene) show(good_->scene, goodDefaults_, window);
+    if (scene_ != good_->scene) show({good_->scene, goodBakedLight_}, goodDefaults_, window);
 }
 
 void Viewer::fail(const std::string& message) {
@@ -329,14 +330,15 @@ std::string Viewer::scenePath() const {
 
 void Viewer::takeLoadedScene(glm::ivec2 window) {
     try {
-        const std::shared_ptr<const Scene> loaded = scenes_.take();
+        const std::optional<LoadedScene> loaded = scenes_.take();
         if (!loaded) return;
-        for (const std::string& warning : loaded->warnings)
+        const Scene& scene = *loaded->scene;
+        for (const std::string& warning : scene.warnings)
             log(LogLevel::warning, warning);
         const double aspect = aspectOf(sizeIn(window));
-        const ViewDefaults look = host_.defaultsFor(*loaded, aspect);
+        const ViewDefaults look = host_.defaultsFor(scene, aspect);
         if (scene_) choices_.lightsOff.reset();  // the first scene keeps the lights of the ShowRequest
-        show(loaded, look, window);
+        show(*loaded, look, window);
         if (!defaults_.camera) {
             const Camera seen = scene_->cameras.empty() ? view_->camera(aspect) : scene_->cameras.front();
             const std::string note = cameraNote(*scene_, "", seen, aspect);
@@ -350,8 +352,9 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
     }
 }
 
-void Viewer::show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window) {
-    scene_ = std::move(scene);
+void Viewer::show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window) {
+    scene_ = loaded.scene;
+    bakedLight_ = loaded.bakedLight;
     features_ = featuresOf(*scene_);
     obstacles_ = std::make_shared<const Obstacles>(*scene_);
     defaults_ = look;

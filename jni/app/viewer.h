@@ -160,12 +160,13 @@ class Viewer {
     std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
     void choose(int scene);         // loads a scene of the list, as the user asked
     void takeLoadedScene(glm::ivec2 window);
-    void show(std::shared_ptr<const Scene> scene, const ViewDefaults& look, glm::ivec2 window);
+    void show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window);
 
     ViewerHost host_;
     Scenes scenes_;
     std::shared_ptr<const Scene> scene_;
-    SceneFeatures features_;  // of scene_
+    std::vector<unsigned char> bakedLight_;  // see LoadedScene, and the next
+    SceneFeatures features_;
     ViewDefaults defaults_;
     std::shared_ptr<const Obstacles> obstacles_;  // of scene_
     std::optional<OrbitView> view_;
@@ -177,13 +178,14 @@ class Viewer {
     std::optional<float> headroom_;  // as the device told last
     int recordS_;                    // seconds to record, once a scene is shown
     std::optional<Recording> recording_;
-    double animationS_ = 0.0;       // playing time so far, of all scenes together
-    std::optional<Wanted> good_;    // the last frame that could be rendered
-    ViewDefaults goodDefaults_;     // the look of that frame
-    std::optional<Wanted> failed_;  // a frame that could not be rendered and is not tried again
-    Exposure exposure_;             // used if the look has none
-    std::size_t unlinked_ = 0;      // programs that the next frame of the scene waits for
-    std::string message_;           // shown in the panel
+    double animationS_ = 0.0;                    // playing time so far, of all scenes together
+    std::optional<Wanted> good_;                 // the last frame that could be rendered
+    std::vector<unsigned char> goodBakedLight_;  // of its scene
+    ViewDefaults goodDefaults_;                  // the look of that frame
+    std::optional<Wanted> failed_;               // a frame that could not be rendered and is not tried again
+    Exposure exposure_;                          // used if the look has none
+    std::size_t unlinked_ = 0;                   // programs that the next frame of the scene waits for
+    std::string message_;                        // shown in the panel
 
     std::unique_ptr<SelfTest> selfTest_;        // while it runs; holds GL objects
     std::optional<SelfTestResult> testResult_;  // empty until the self-test is complete

@@ -7,6 +7,7 @@
 
 namespace vct::cli {
 
+void addBake(CLI::App& app, int& exitCode);
 void addRender(CLI::App& app, int& exitCode);
 void addBench(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app, int& exitCode);

@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
     int exitCode = 0;
     vct::cli::addRender(app, exitCode);
     vct::cli::addView(app, exitCode);
+    vct::cli::addBake(app, exitCode);
     vct::cli::addBench(app, exitCode);
     vct::cli::addCompare(app, exitCode);
     vct::cli::addInfo(app, exitCode);

@@ -39,7 +39,7 @@ namespace {
 struct RenderOptions {
     std::set<std::string> given;  // names of the options on the command line
     SceneOptions scene;
-    std::string out, timings, animation;
+    std::string out, timings, animation, bakedLight;
     std::string mode = "gi-cone-shadow";
     std::string preset = defaultPreset;
     std::string toneMap = "neutral";
@@ -357,8 +357,12 @@ void render(RenderOptions options) {
     if (const std::string note = voxelizationNote(settings.voxels, context.capabilities); !note.empty())
         say(note);
     Renderer renderer(scene, light, settings, context.capabilities, shaders());
+    if (!options.bakedLight.empty())
+        renderer.useBakedLight(bakedLightOf(readFileFromDisk(options.bakedLight),
+                                            lightKey(scene, light, settings),
+                                            "--baked-light " + options.bakedLight));
 
-    if (settings.voxels == Voxels::directional)
+    if (settings.voxels == Voxels::directional && options.bakedLight.empty())
         say("indirect light converges over " + std::to_string(settings.lightFrames) +
             " frames (--light-frames) and " +
             std::to_string(LightSchedule(settings.gather, settings.lightFrames).convergenceSteps() -
@@ -524,6 +528,11 @@ void addRender(CLI::App& app, int&) {
                      "Animation to play, by name or index (default: the scene's first)")
         ->group(animationGroup);
     options->sky.addTo(*command);
+    command
+        ->add_option("--baked-light", options->bakedLight,
+                     "File of `vct bake` with the converged indirect light of this scene and these options, "
+                     "which the pictures then show at once")
+        ->group(lightGroup);
     command
         ->add_option("--emission", options->emission,
                      "Factor for the light that surfaces emit; 0 switches all emitters off")

@@ -80,6 +80,8 @@ void Renderer::render(const RenderRequest& request) {
                                      .output = output,
                                      .lightSteps = tookSteps ? 0 : lightSteps,
                                      .allBounces = request.allBounces,
+                                     .baked = bakedLight_,
+                                     .isBakedCurrent = !isLightChanged_,
                                      .forceRebuild = settings_.revoxelize,
                                      .onLightStep = request.onLightStep},
                                     timer_);

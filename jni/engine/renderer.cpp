@@ -126,39 +126,93 @@ void Renderer::setPunctualLight(std::size_t index, const std::optional<PunctualL
             shade.useSoftLights();
     }
     ++lightChanges_;
+    isLightChanged_ = true;
 }
 
 void Renderer::setAppearance(int node, bool isVisible, float emissionScale) {
     scene_.setAppearance(node, isVisible, emissionScale);
     if (emitters_) emitters_->setScale(node, isVisible ? emissionScale : 0.0F);
     ++lightChanges_;
+    isLightChanged_ = true;
 }
 
 void Renderer::setMaterial(std::size_t instance, const Material& material, unsigned features) {
     const bool isDynamic = scene_.setMaterial(instance, material, features);
     if (emitters_) emitters_->setRadiance(instance, material.emissive);
     ++lightChanges_;
+    isLightChanged_ = true;
     if (isDynamic) return;
     // Its holes may be others.
     invalidateCaches();
     voxels_.reset();
 }
 
+void Renderer::setPose(const Pose& pose) {
+    nextPose_ = pose;
+    isLightChanged_ |= scene_.features().movingLight;
+}
+
+void Renderer::setLightDirection(const glm::dvec3& directionToLight) {
+    isLightChanged_ |= light_.directionToLight != directionToLight;
+    light_.directionToLight = directionToLight;
+}
+
+void Renderer::setLightOn(std::size_t light, bool on) {
+    punctualLights_.value().setOn(light, on);
+    isLightChanged_ |= !on;
+}
+
 void Renderer::setSunlight(const glm::vec3& color, float illuminance) {
     light_.color = color;
     light_.intensity = illuminance;
     ++lightChanges_;
+    isLightChanged_ = true;
 }
 
 void Renderer::setSky(const glm::vec3& radiance) {
     settings_.skyRadiance = radiance;
     ++skyChanges_;
+    isLightChanged_ = true;
 }
 
 void Renderer::setSky(std::shared_ptr<const Environment> environment) {
     environment_ = environment->texture(radianceUnit_);
     settings_.environment = std::move(environment);
     ++skyChanges_;
+    isLightChanged_ = true;
+}
+
+void Renderer::requireBakeable() const {
+    if (settings_.voxels != Voxels::directional)
+        throw Error("the preset thesis has no light to bake; use mobile or quality");
+    if (settings_.cascades > 1)
+        throw Error(
+            "with cascades, voxels and their light follow the camera, so that there is nothing to bake; "
+            "leave out the voxel size and the number of cascades");
+}
+
+std::vector<BakedLight::Face> Renderer::bakeLight() const {
+    requireBakeable();
+    const DirectionalVolume* volume = directional();
+    const Irradiance* light = volume != nullptr ? volume->irradiance() : nullptr;
+    if (light == nullptr || !light->isConverged())
+        throw Error(
+            "the light has not converged, so it cannot be baked; render a picture of converged "
+            "indirect light before");
+    if (isLightChanged_)
+        throw Error(
+            "light can be baked for the scene as it was described, but lights, sky or materials "
+            "were changed since; describe the scene with them");
+    return light->bake(volume->voxels());
+}
+
+void Renderer::useBakedLight(BakedLight light) {
+    requireBakeable();
+    if (directional() != nullptr && directional()->irradiance() != nullptr)
+        throw Error(
+            "baked light comes too late, because the renderer has computed light already; give it "
+            "before the first picture");
+    bakedLight_ = std::make_shared<const BakedLight>(std::move(light));
 }
 
 shared::FrameUniforms Renderer::uploadFrameUniforms(const Camera& camera, const Cascades& last) {

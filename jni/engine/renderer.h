@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/baked_light.h"
 #include "engine/cascades.h"
 #include "engine/directional/directional_volume.h"
 #include "engine/driver_needs.h"
@@ -84,7 +85,7 @@ class Renderer {
     void setPictureShift(const glm::vec2& pixels) { pictureShift_ = pixels; }
 
     // Sets the pose of the next frames. The caller moves the camera and the sun accordingly (posed()).
-    void setPose(const Pose& pose) { nextPose_ = pose; }
+    void setPose(const Pose& pose);
     // Replaces the vertices of a deforming object in the next frames (GpuScene::setVertices()).
     void setVertices(int node, const ExternalVertices& vertices) { scene_.setVertices(node, vertices); }
     // Shows or hides the object of an animation node in the next frames, and scales its emission, by 0 to 1.
@@ -104,7 +105,7 @@ class Renderer {
     const SceneFeatures& features() const { return scene_.features(); }
     float maxEmission() const { return emissionRange_ * radianceUnit_; }
     // Sets the unit vector towards the sun (world space) for the next frames.
-    void setLightDirection(const glm::dvec3& directionToLight) { light_.directionToLight = directionToLight; }
+    void setLightDirection(const glm::dvec3& directionToLight);
     // Sets colour and illuminance of the sun for the next frames. radianceScale() stays.
     void setSunlight(const glm::vec3& color, float illuminance);
     // Sets the radiance of a sky of one colour for the next frames. The scene must have no picture of a sky.
@@ -112,13 +113,20 @@ class Renderer {
     // Replaces the picture of the sky for the next frames. The scene must have one already.
     void setSky(std::shared_ptr<const Environment> environment);
     // Switches one of Scene::punctualLights on or off for the next frames.
-    void setLightOn(std::size_t light, bool on) { punctualLights_.value().setOn(light, on); }
+    void setLightOn(std::size_t light, bool on);
     // Replaces a punctual light for the next frames, or removes it. `index`: below the number of the scene's
     // punctual lights and those that there is room for.
     void setPunctualLight(std::size_t index, const std::optional<PunctualLight>& light);
     // Sets the full opening angle of the sun's disc for the next frames. Throws vct::Error if it is out of
     // range.
     void setShadowConeAngle(float degrees);
+
+    // Baked light of the scene as the constructor got it (lightKey()). bakeLight() needs a frame with
+    // LightSteps::all, and no change of lights, sky and materials. useBakedLight() comes before the first
+    // frame with indirect light. Both throw vct::Error where requireBakeable() does.
+    void requireBakeable() const;  // throws if the settings have no light to bake
+    std::vector<BakedLight::Face> bakeLight() const;
+    void useBakedLight(BakedLight light);
 
     // An output of the last frame: RGBA16F, Settings::size, row 0 at the bottom. Multiply its values by
     // radianceScale() to get the scene's radiance unit.
@@ -193,6 +201,8 @@ class Renderer {
     std::unique_ptr<VoxelVolume> voxels_;
     std::vector<Shade> shades_;                        // one per output of a frame
     std::uint64_t skyChanges_ = 0, lightChanges_ = 0;  // see SceneState
+    std::shared_ptr<const BakedLight> bakedLight_;     // null: none
+    bool isLightChanged_ = false;                      // since the constructor
     StepTimer timer_;
     bool lastFrameFailed_ = false;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "engine/cascades.h"
 #include "engine/gpu_scene.h"
@@ -16,6 +17,7 @@
 namespace vct {
 
 class DirectionalVoxels;
+struct BakedLight;
 
 // The textures and buffers that the last pass reads. Those that an output does not need are null.
 struct VoxelLight {
@@ -39,10 +41,12 @@ class VoxelVolume {
         DirectLight light;
         const GBuffer::Targets& surface;  // the visible surfaces
         SceneState now;
-        const Cascades& cascades;        // their places in this frame
-        Output output;                   // decides which light is needed
-        int lightSteps;                  // largest number of light steps to take
-        bool allBounces;                 // false: the first bounce only
+        const Cascades& cascades;                        // their places in this frame
+        Output output;                                   // decides which light is needed
+        int lightSteps;                                  // largest number of light steps to take
+        bool allBounces;                                 // false: the first bounce only
+        const std::shared_ptr<const BakedLight>& baked;  // null: none; see Irradiance::useBaked()
+        bool isBakedCurrent;
         bool forceRebuild;               // rebuild the voxels even if nothing has changed
         const OnLightStep& onLightStep;  // may be empty
     };

@@ -3,18 +3,13 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/hash.h"
+
 namespace vct::gl {
 
 namespace {
 
-// FNV-1a, of 64 bits (Fowler, Noll and Vo).
-std::uint64_t hashOf(const void* data, std::size_t size, std::uint64_t hash) {
-    const auto* bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < size; ++i)
-        hash = (hash ^ bytes[i]) * 0x100000001B3U;
-    return hash;
-}
-constexpr std::uint64_t firstBasis = 0xCBF29CE484222325U, secondBasis = 0x9E3779B97F4A7C15U;
+constexpr std::uint64_t secondBasis = 0x9E3779B97F4A7C15U;
 
 // The beginning of a stored program.
 struct Header {
@@ -27,11 +22,11 @@ struct Header {
 std::string programKey(const std::vector<std::string>& sources) {
     std::vector<std::string> parts{glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION)};
     parts.insert(parts.end(), sources.begin(), sources.end());
-    std::uint64_t first = firstBasis, second = secondBasis;
+    std::uint64_t first = fnvBasis, second = secondBasis;
     for (const std::string& part : parts) {
         // With the zero at its end, so that the parts are kept apart.
-        first = hashOf(part.c_str(), part.size() + 1, first);
-        second = hashOf(part.c_str(), part.size() + 1, second);
+        first = fnv1a(part.c_str(), part.size() + 1, first);
+        second = fnv1a(part.c_str(), part.size() + 1, second);
     }
     char text[33];
     std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(first),
@@ -57,7 +52,7 @@ std::vector<std::uint8_t> programBinary(GLuint program) {
     binary.resize(sizeof(Header) + static_cast<std::size_t>(size));
     Header header{0, format, static_cast<std::uint32_t>(size)};
     std::memcpy(binary.data(), &header, sizeof header);
-    header.hash = hashOf(&binary[sizeof header.hash], binary.size() - sizeof header.hash, firstBasis);
+    header.hash = fnv1a(&binary[sizeof header.hash], binary.size() - sizeof header.hash);
     std::memcpy(binary.data(), &header, sizeof header);
     return binary;
 }
@@ -67,7 +62,7 @@ bool loadProgramBinary(GLuint program, const std::vector<std::uint8_t>& binary) 
     if (binary.size() <= sizeof header) return false;
     std::memcpy(&header, binary.data(), sizeof header);
     if (header.size != binary.size() - sizeof header ||
-        header.hash != hashOf(&binary[sizeof header.hash], binary.size() - sizeof header.hash, firstBasis))
+        header.hash != fnv1a(&binary[sizeof header.hash], binary.size() - sizeof header.hash))
         return false;
     ProgramBinary(program, header.format, &binary[sizeof header], static_cast<GLsizei>(header.size));
     GLint ok = GL_FALSE;

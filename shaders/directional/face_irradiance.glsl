@@ -15,21 +15,21 @@ layout(std430, binding = VCT_SSBO_FACE_IRRADIANCE) buffer FaceIrradianceBlock {
 };
 
 // Words of a face. Means have two words: irradiance, and in alpha ambient visibility.
-#define VCT_MEAN_NOW 0u      // over the cached rays
-#define VCT_MEAN_SMOOTH 2u   // of `now`, over the neighbouring faces
-#define VCT_MEAN_SHOWN 4u    // what pixels see, and what the face reflects
-#define VCT_MEAN_REFINED 6u  // at the end of the last refinement
-#define VCT_MEAN_KNOWN 8u    // `smooth` at that time
-#define VCT_MEAN_GAIN 10u    // of the present refinement's rays so far, less `now` in the same steps
+#define VCT_MEAN_NOW 0u                     // over the cached rays
+#define VCT_MEAN_SMOOTH 2u                  // of `now`, over the neighbouring faces
+#define VCT_MEAN_SHOWN VCT_FACE_SHOWN_WORD  // what pixels see, and what the face reflects
+#define VCT_MEAN_REFINED 6u                 // at the end of the last refinement
+#define VCT_MEAN_KNOWN 8u                   // `smooth` at that time
+#define VCT_MEAN_GAIN 10u  // of the present refinement's rays so far, less `now` in the same steps
 #define VCT_MEAN_SKY \
-    VCT_FACE_SKY_WORD            // the sky's part of `now` without moving objects, and ambient visibility
-#define VCT_MEAN_SKY_NOW 14u     // the same with moving objects
-#define VCT_FACE_SIGHT 16u       // FaceSight
-#define VCT_FACE_DIRECT 17u      // packRgb9e5(), emission and reflected direct light
-#define VCT_FACE_BLOCKED 18u     // position of the face's blocked rays; packBlockedCounts()
-#define VCT_FACE_ROW 20u         // two words: mean of `now` over a row of neighbouring faces
-#define VCT_FACE_EMITTERS 22u    // two words: irradiance by the compact emitters
-#define VCT_FACE_SEEN_PARTS 24u  // four words: visible share of the emitters' parts, 4 bits each
+    VCT_FACE_SKY_WORD         // the sky's part of `now` without moving objects, and ambient visibility
+#define VCT_MEAN_SKY_NOW 14u  // the same with moving objects
+#define VCT_FACE_SIGHT VCT_FACE_SIGHT_WORD  // FaceSight
+#define VCT_FACE_DIRECT 17u                 // packRgb9e5(), emission and reflected direct light
+#define VCT_FACE_BLOCKED 18u                // position of the face's blocked rays; packBlockedCounts()
+#define VCT_FACE_ROW 20u                    // two words: mean of `now` over a row of neighbouring faces
+#define VCT_FACE_EMITTERS 22u               // two words: irradiance by the compact emitters
+#define VCT_FACE_SEEN_PARTS 24u             // four words: visible share of the emitters' parts, 4 bits each
 #ifdef VCT_EMITTERS
 #define VCT_IRRADIANCE_WORDS VCT_EMITTERS_FACE_IRRADIANCE_WORDS
 #else

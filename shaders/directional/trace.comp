@@ -65,6 +65,9 @@ void main() {
             faceIrradianceData[blocked] = merged ? wasMerged : 0u;
         }
         isDynamic = isDynamic || merged;
+        // Baked light comes with a sight, and without hits.
+        if (!isDynamic && faceIrradianceData[hitAt(id, 0u)] == VCT_HIT_UNKNOWN)
+            storeFaceSight(id, FaceSight(0.0, 0u, 0u));
         uint number = listed.isMerged ? 0u : isDynamic ? again : lightStep.rays;
         uint geometry = backsOfFaces | (isDynamic ? allGeometry : staticGeometry);
         FaceRays rays = raysOf(listed, id);

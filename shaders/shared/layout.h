@@ -283,8 +283,11 @@ using glm::vec4;
 // compact emitters.
 #define VCT_FACE_IRRADIANCE_WORDS 22u
 #define VCT_EMITTERS_FACE_IRRADIANCE_WORDS 28u
-// The first of the five words that depend on what the cached rays have hit.
+// The first of the two words of the light that pixels see.
+#define VCT_FACE_SHOWN_WORD 4u
+// The first of the five words that depend on what the cached rays have hit, and the last of them.
 #define VCT_FACE_SKY_WORD 12u
+#define VCT_FACE_SIGHT_WORD 16u
 // The hit of a cached ray: a face, or one of these. Bit VCT_HIT_NEAR is set if the ray is shorter than the
 // distance of ambient occlusion.
 #define VCT_HIT_UNKNOWN 0u  // the ray has not been traced

@@ -103,6 +103,8 @@ std::vector<std::string> errorsOfAllFunctions(GlobalIllumination& light, const V
                                                    [&] { light.setLight(0, {}); },
                                                    [&] { light.removeLight(0); },
                                                    [&] { light.resize(8, 8); },
+                                                   [&] { light.bakeLight(); },
+                                                   [&] { light.useBakedLight({}); },
                                                    [&] { light.render(view); },
                                                    [&] { light.render(view, textures); },
                                                    [&] { light.lookUpGlsl(); },

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCommand{"BenchJsonInNoFolder", benchCornell("--json none/b.json"), "none/b.json"},
         BadCommand{
             "NoCommand", "",
-            "A command is required; the commands are render, view, bench, compare, info, shaders; see"},
+            "A command is required; the commands are render, view, bake, bench, compare, info, shaders; see"},
         BadCommand{"UnknownCommand", "rendr a.glb",
                    "there is no command 'rendr' (do you mean render?); the commands are render, view"},
         BadCommand{"CompareWithoutLimits", "compare a.png b.png",

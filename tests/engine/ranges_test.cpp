@@ -14,10 +14,10 @@ TEST(Ranges, TakeNothingTwiceAndLoseNothing) {
     Ranges ranges(fixed);
     EXPECT_EQ(ranges.allocate(1), std::nullopt);
     ranges.grow(capacity);
-    struct Range {
+    struct Piece {
         std::size_t first, count;
     };
-    std::vector<Range> taken;
+    std::vector<Piece> taken;
     std::mt19937 random(1);
     for (int i = 0; i < 3000; ++i) {
         if (random() % 2 == 0 && !taken.empty()) {
@@ -30,12 +30,12 @@ TEST(Ranges, TakeNothingTwiceAndLoseNothing) {
             if (!first) continue;
             ASSERT_GE(*first, fixed);
             ASSERT_LE(*first + count, capacity);
-            for (const Range& other : taken)
+            for (const Piece& other : taken)
                 ASSERT_TRUE(*first + count <= other.first || other.first + other.count <= *first);
             taken.push_back({*first, count});
         }
     }
-    for (const Range& range : taken)
+    for (const Piece& range : taken)
         ranges.release(range.first, range.count);
     EXPECT_EQ(ranges.allocate(capacity - fixed), fixed) << "a free range was lost";
 }

@@ -168,6 +168,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         if (voxelizesAll_) gather.directions = std::min(gather.directions, 16);
         light_.emplace(shaders_, Irradiance::fitting(gather, voxels_.idCapacity()), settings_.lightFrames,
                        inputs.scene.moves() && !voxelizesAll_, hasDynamic_ || hasCascades_, sources_);
+        if (inputs.baked && inputs.allBounces) light_->useBaked(inputs.baked, inputs.isBakedCurrent);
     }
     if (std::exchange(allBounces_, inputs.allBounces) != inputs.allBounces) light_->invalidate();
     const std::vector<glm::vec4> objects =
@@ -176,7 +177,7 @@ VoxelLight DirectionalVolume::update(const Inputs& inputs, StepTimer& timer) {
         timer.time(Step::irradiance, [&] { light_->beginStep(voxels_, objects, inputs.allBounces); });
         if (light_->isDirectOutdated())
             timer.time(Step::inject, [&] { injector_.run(voxels_, inputs.light, *light_); });
-        timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
+        if (light_->isGatherNeeded()) timer.time(Step::irradiance, [&] { light_->gather(voxels_); });
         // A picture of converged light waits for the GPU, so that no ray is left out.
         if (i == 0 && inputs.lightSteps > 1 && !objects.empty())
             light_->onRaysBlocked(voxels_.index().readCommands().mostBlockedRays);

@@ -103,7 +103,9 @@ void Irradiance::beginStep(const DirectionalVoxels& voxels, const std::vector<gl
     plan_ = schedule_.advance(change);
     isOutdated_ = true;
     const bool isFirst = idCapacity_ == 0;
+    isBakedStep_ = false;
     reserveFaces(voxels);
+    if (isBakedStep_) schedule_.end();
     reserveBricks(voxels, voxels.capacities()[VCT_BRICK_LEVEL]);
     uploadUniforms(objects, allBounces);
     // The last frame fetched textures that this step writes, and earlier passes wrote data that it reads.
@@ -214,9 +216,48 @@ void Irradiance::reserveFaces(const DirectionalVoxels& voxels) {
             }
         }
     }
+    if (const auto baked = std::exchange(baked_, {})) isBakedStep_ = takeBaked(*baked, voxels, words);
     faceIrradiance_ = {};
     faceIrradiance_ = gl::Buffer("face irradiance", GL_SHADER_STORAGE_BUFFER, words.size() * sizeof words[0],
                                  words.data(), GL_DYNAMIC_COPY);
+}
+
+namespace {
+
+bool isBefore(const BakedLight::Face& face, std::uint32_t entry) {
+    return face.entry < entry;
+}
+
+}  // namespace
+
+bool Irradiance::takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
+                           std::vector<std::uint32_t>& words) const {
+    bool isComplete = isBakedCurrent_;
+    for (const auto& [entry, id] : voxels.readBaseFaces()) {
+        const auto face = std::lower_bound(light.faces.begin(), light.faces.end(), entry, isBefore);
+        if (id >= capacities_[0] || face == light.faces.end() || face->entry != entry) {
+            isComplete = false;
+            continue;
+        }
+        const std::size_t at = std::size_t{irradianceWords()} * id;
+        std::copy(face->shown.begin(), face->shown.end(),
+                  words.begin() + static_cast<std::ptrdiff_t>(at + VCT_FACE_SHOWN_WORD));
+        words[at + VCT_FACE_SIGHT_WORD] = face->sight;
+    }
+    return isComplete;
+}
+
+std::vector<BakedLight::Face> Irradiance::bake(const DirectionalVoxels& voxels) const {
+    std::vector<std::uint32_t> words(std::size_t{irradianceWords()} * idCapacity_);
+    faceIrradiance_.read(words.data(), words.size() * sizeof words[0]);
+    std::vector<BakedLight::Face> faces;
+    for (const auto& [entry, id] : voxels.readBaseFaces()) {
+        if (id >= capacities_[0]) continue;
+        const std::size_t at = std::size_t{irradianceWords()} * id, shown = at + VCT_FACE_SHOWN_WORD;
+        faces.push_back({entry, {words[shown], words[shown + 1]}, words[at + VCT_FACE_SIGHT_WORD]});
+    }
+    std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.entry < b.entry; });
+    return faces;
 }
 
 // The texture of bricks is nearly a cube, so that no side exceeds the 3D texture size that ES 3.1 guarantees,

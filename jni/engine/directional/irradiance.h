@@ -3,9 +3,12 @@
 // light has converged, steps are skipped until something changes.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "engine/baked_light.h"
 #include "engine/directional/directional_voxels.h"
 #include "engine/directional/light_schedule.h"
 #include "engine/programs.h"
@@ -40,6 +43,14 @@ class Irradiance {
     }
     // Makes the next step start without light and hits.
     void invalidate();
+    // Makes the first step take over baked light. `isCurrent`: neither lights nor sky have changed since the
+    // scene was made. If moreover all faces are static and have baked light, the first step is the last.
+    void useBaked(std::shared_ptr<const BakedLight> light, bool isCurrent) {
+        baked_ = std::move(light);
+        isBakedCurrent_ = isCurrent;
+    }
+    // The light of the static faces, for one cascade. Waits for the GPU.
+    std::vector<BakedLight::Face> bake(const DirectionalVoxels& voxels) const;
 
     // Steps that are left to convergence, as long as nothing changes.
     int stepsLeft() const { return schedule_.stepsLeft(); }
@@ -54,6 +65,7 @@ class Irradiance {
     // `allBounces`: faces also reflect their irradiance; false: the first bounce only.
     void beginStep(const DirectionalVoxels& voxels, const std::vector<glm::vec4>& objects, bool allBounces);
     bool isDirectOutdated() const { return plan_.updatesDirect || plan_.updatesEmitters; }
+    bool isGatherNeeded() const { return !isBakedStep_; }
     void gather(const DirectionalVoxels& voxels);
     // True if fillBricks() would change something.
     bool isOutdated(bool visibility) const { return isOutdated_ || showsVisibility_ != visibility; }
@@ -81,6 +93,9 @@ class Irradiance {
   private:
     void reserveBricks(const DirectionalVoxels& voxels, std::uint32_t count);
     void reserveFaces(const DirectionalVoxels& voxels);
+    // Writes the baked light into the words of the faces. Returns true if all faces have some.
+    bool takeBaked(const BakedLight& light, const DirectionalVoxels& voxels,
+                   std::vector<std::uint32_t>& words) const;
     void uploadUniforms(const std::vector<glm::vec4>& objects, bool allBounces) const;
     // Dispatches a program over all faces; what it writes is visible to the next one.
     void run(const gl::Program& program, const DirectionalVoxels& voxels) const;
@@ -104,6 +119,9 @@ class Irradiance {
     std::optional<gl::Program> block_;                  // only with moving objects
     std::optional<gl::Program> findEmitters_;           // only if the scene has compact emitters
     bool emitters_;
+    std::shared_ptr<const BakedLight> baked_;  // until the first step; null: none
+    bool isBakedCurrent_ = false;
+    bool isBakedStep_ = false;      // the present step took over all of its light
     bool placesBricks_ = true;      // the next step has to place the bricks
     bool marksAllWalls_ = true;     // the next step has to mark all static walls
     bool isOutdated_ = true;        // the bricks do not show the last step

@@ -43,6 +43,11 @@ class LightSchedule {
     };
     // Returns the parameters of the next step.
     LightPlan advance(const Change& change);
+    // The last step has taken over converged light, without rays.
+    void end() {
+        stepsLeft_ = 0;
+        tracingStepsLeft_ = tracingSteps_;
+    }
 
     // Steps from a change to convergence.
     int convergenceSteps() const { return lightFrames_ + refiningSteps_; }
