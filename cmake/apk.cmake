@@ -1,4 +1,4 @@
-# The target `apk` packs libvct.so, shaders/ and assets/*.glb into a signed APK, without Gradle. It needs the build
+# The target `apk` packs libvct.so, shaders/ and the scenes and skies of assets/ into a signed APK, without Gradle. It needs the build
 # tools of Android's SDK (in the folder ANDROID_HOME, or Debian's packages aapt, apksigner and android-framework-res),
 # a JDK's keytool and Python.
 find_package(Python3 COMPONENTS Interpreter)
@@ -76,7 +76,7 @@ endif()
 set(keystore ${android_user}/debug.keystore)
 
 file(GLOB_RECURSE shaders CONFIGURE_DEPENDS shaders/*)
-file(GLOB scenes CONFIGURE_DEPENDS assets/*.glb)
+file(GLOB scenes CONFIGURE_DEPENDS assets/*.glb assets/*.hdr)
 add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/vct.apk VERBATIM
     COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tools/apk/pack.py ${stage}/base.apk ${stage}/unsigned.apk
         --abi ${ANDROID_ABI} --libraries ${libraries}

@@ -31,7 +31,7 @@ const std::vector<Sky>& skies() {
 }
 
 const char* skyName(Sky sky) {
-    return sky == Sky::scene ? "scene" : sky == Sky::dark ? "dark" : "plain";
+    return sky == Sky::scene ? "scene" : sky == Sky::dark ? "dark" : sky == Sky::plain ? "plain" : "picture";
 }
 
 ShowRequest showRequestFromText(const std::string& text) {
@@ -62,9 +62,11 @@ ShowRequest showRequestFromText(const std::string& text) {
     const auto setSky = [&](const std::string& value) {
         const auto found =
             std::find_if(skies().begin(), skies().end(), [&](Sky sky) { return value == skyName(sky); });
-        if (found == skies().end())
-            throw Error("show: sky='" + value + "' is not valid; use scene, dark or plain");
-        choices.sky = *found;
+        if (found == skies().end() && value.find(".hdr") == std::string::npos)
+            throw Error("show: sky='" + value +
+                        "' is not valid; use scene, dark, plain or the name of a .hdr file");
+        choices.sky = found == skies().end() ? Sky::picture : *found;
+        if (found == skies().end()) choices.skyPicture = value;
     };
     const auto setLightsOff = [&](const std::string& value) {
         std::istringstream numbers(value);
@@ -131,7 +133,7 @@ Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor) 
 }
 
 glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light) {
-    if (choices.sky == Sky::scene) return sceneSky;
+    if (choices.sky == Sky::scene || choices.sky == Sky::picture) return sceneSky;
     return choices.sky == Sky::plain ? plainSky(light) : glm::vec3(0.0F);
 }
 

@@ -27,9 +27,11 @@ enum class Sky {
     scene,  // the one that goes with the scene's sun, or dark if it has none (chooseSky())
     dark,
     plain,
+    picture,  // Choices::skyPicture
 };
+// The skies that need no file.
 const std::vector<Sky>& skies();
-const char* skyName(Sky sky);  // "scene", "dark", "plain"
+const char* skyName(Sky sky);  // "scene", "dark", "plain", "picture"
 
 struct Choices {
     std::string preset = defaultPreset;
@@ -43,6 +45,7 @@ struct Choices {
     std::optional<glm::vec2> lightAnglesDeg;
     std::bitset<VCT_MAX_PUNCTUAL_LIGHTS> lightsOff;  // one bit per light of Scene::punctualLights
     Sky sky = Sky::scene;
+    std::string skyPicture;  // name or path of a .hdr file, for Sky::picture
     bool timeSteps = true;
     bool play = true;  // play the scene's animation
     bool revoxelize = false;
@@ -52,6 +55,7 @@ struct Choices {
 
 // The first scene and choices. As text: "show scene=cornell.glb preset=thesis mode=gi grid=64
 // cascades=auto cone-angle=5 pixels=1 display=off steps=off time=1.5 revoxelize=on sky=plain lights-off=1,3".
+// `sky` may also be the name of a .hdr file.
 // Each word but the first may be left out. `pixels` is auto, a divisor of the window's sides from 1 to 4, or
 // thesis; `time` stops the animation at this second; `lights-off` has the numbers of lights besides the sun,
 // counted from 1.
@@ -81,7 +85,8 @@ int cascadesFor(const Scene& scene, const Settings& settings);
 // time.
 Settings settingsFor(const Choices& choices, glm::ivec2 window, double divisor);
 
-// The sky's radiance: `sceneSky` if the scene's own sky was chosen, 0, or a plain sky that suits `light`.
+// The sky's radiance: `sceneSky` if the scene's own sky was chosen, or a picture, until it is loaded; 0; or a
+// plain sky that suits `light`.
 glm::vec3 skyRadianceFor(const Choices& choices, const glm::vec3& sceneSky, const DirectionalLight& light);
 
 // The scene's sun `light`, turned to the chosen direction.

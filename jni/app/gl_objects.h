@@ -21,7 +21,7 @@ class GlObjects {
 
     const gl::Capabilities& capabilities() const { return capabilities_; }
     const std::string& missing() const { return missing_; }
-    const HudRenderer& hud() const { return *hud_; }
+    HudRenderer& hud() { return *hud_; }
     Presenter& presenter() { return *presenter_; }
 
     // The programs of all renderers, and of the self-test.

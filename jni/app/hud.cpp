@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "app/resolution_scale.h"
 
@@ -20,7 +21,7 @@ ImVec4 warningColor() {
     return {1.0F, 0.75F, 0.3F, 1.0F};
 }
 
-std::string titleOf(const SceneFile& scene) {
+std::string titleOf(const FileChoice& scene) {
     return scene.bundled ? scene.name : scene.name + " (files)";
 }
 
@@ -40,19 +41,33 @@ auto choose(const char* label, const Items& items, const std::string& current, c
 
 }  // namespace
 
-Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()), slop_(8.0F * pixelsPerDp) {
+Hud::Hud(float pixelsPerDp) : context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // on a phone the working folder is not writable
     io.ConfigWindowsMoveFromTitleBarOnly = true;
+    setScale(pixelsPerDp);
+}
+
+void Hud::setPixelsPerDp(float pixelsPerDp) {
+    ImGui::SetCurrentContext(context_);
+    cancelTouch();
+    setScale(pixelsPerDp);
+}
+
+void Hud::setScale(float pixelsPerDp) {
+    slop_ = 8.0F * pixelsPerDp;
     scale_ = std::max(1.0F, std::round(1.1F * pixelsPerDp));
     ImFontConfig font;
     font.SizePixels = fontPixels * scale_;
     font.OversampleH = 1;
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
     io.Fonts->AddFontDefault(&font);
     io.Fonts->Build();
-    ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
     // A finger is about 40 dp wide.
     style.FramePadding = ImVec2(6.0F, 7.0F);
     style.ItemSpacing = ImVec2(6.0F, 6.0F);
@@ -184,7 +199,7 @@ HudActions Hud::build(const HudContent& content, glm::ivec2 window, const glm::i
     }
     const float characterWidth = 0.54F * ImGui::GetFontSize();
     const float width = panelCharacters * characterWidth;
-    isFolded_ = folded_.value_or(width > 0.5F * static_cast<float>(window.x));
+    isFolded_ = folded_.value_or(width > 0.25F * static_cast<float>(window.x));
     const bool isButton = isFolded_ && content.status.empty() && content.message.empty();
     beginPanel(isButton ? "button" : "panel", free, isButton ? buttonCharacters * characterWidth : width);
     if (ImGui::Button(isFolded_ ? "Show" : "Hide")) toggle();
@@ -252,12 +267,14 @@ void Hud::buildTimes(const HudContent& content) const {
 
 void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
     Choices& choices = *content.choices;
-    const std::vector<SceneFile>& scenes = *content.scenes;
+    const std::vector<FileChoice>& scenes = *content.scenes;
     ImGui::PushItemWidth(-11.0F * 0.54F * ImGui::GetFontSize());
     const std::string scene = *content.scene >= 0 ? titleOf(scenes[*content.scene]) : "none";
-    if (const SceneFile* chosen = choose("scene", scenes, scene, titleOf))
+    if (const FileChoice* chosen = choose("scene", scenes, scene, titleOf))
         *content.scene = static_cast<int>(chosen - scenes.data());
     if (ImGui::IsItemClicked()) actions.rescan = true;
+    if (content.opensFiles && ImGui::Button("Open a file")) actions.openFile = true;
+    if (content.cameras.size() > 1) buildCameras(content, actions);
     if (const std::string* chosen =
             choose("preset", presetNames(), choices.preset, [](const std::string& name) { return name; }))
         choosePreset(choices, *chosen);
@@ -273,7 +290,7 @@ void Hud::buildChoices(const HudContent& content, HudActions& actions) const {
                        ImGuiSliderFlags_AlwaysClamp);
     buildLight(content);
     if (!content.lights.empty()) buildLights(content);
-    if (const Sky* chosen = choose("sky", skies(), skyName(choices.sky), skyName)) choices.sky = *chosen;
+    buildSky(content, actions);
     ImGui::PopItemWidth();
     ImGui::Checkbox("time each step", &choices.timeSteps);
     if (content.animated) {
@@ -320,6 +337,41 @@ void Hud::buildLight(const HudContent& content) const {
     changed |= ImGui::SliderFloat("sun height", &angles.y, -90.0F, 90.0F, "%.0f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) content.choices->lightAnglesDeg = angles;
+}
+
+void Hud::buildCameras(const HudContent& content, HudActions& actions) const {
+    std::vector<int> cameras(content.cameras.size());
+    std::iota(cameras.begin(), cameras.end(), 0);
+    // The number makes labels unique.
+    const auto name = [&](int camera) {
+        return std::to_string(camera + 1) + " " + content.cameras[static_cast<std::size_t>(camera)];
+    };
+    if (const int* chosen = choose("camera", cameras, name(content.camera), name)) actions.camera = *chosen;
+}
+
+void Hud::buildSky(const HudContent& content, HudActions& actions) const {
+    struct Item {
+        Sky sky;
+        const FileChoice* picture;
+    };
+    std::vector<Item> items;
+    for (const Sky sky : skies())
+        items.push_back({sky, nullptr});
+    Choices& choices = *content.choices;
+    std::string current = skyName(choices.sky);
+    if (content.skies != nullptr)
+        for (const FileChoice& picture : *content.skies) {
+            items.push_back({Sky::picture, &picture});
+            if (choices.sky == Sky::picture && choices.skyPicture == picture.path) current = picture.name;
+        }
+    const auto name = [](const Item& item) {
+        return item.picture != nullptr ? item.picture->name : std::string(skyName(item.sky));
+    };
+    if (const Item* chosen = choose("sky", items, current, name)) {
+        choices.sky = chosen->sky;
+        if (chosen->picture != nullptr) choices.skyPicture = chosen->picture->path;
+    }
+    if (ImGui::IsItemClicked()) actions.rescan = true;
 }
 
 void Hud::buildLights(const HudContent& content) const {

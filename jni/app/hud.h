@@ -23,7 +23,11 @@ namespace vct::app {
 struct HudContent {
     Choices* choices = nullptr;
     int* scene = nullptr;  // index into scenes, or -1
-    const std::vector<SceneFile>* scenes = nullptr;
+    const std::vector<FileChoice>* scenes = nullptr;
+    const std::vector<FileChoice>* skies = nullptr;         // pictures of skies
+    std::vector<std::string> cameras;                       // names of the scene's cameras
+    int camera = 0;                                         // the one that was chosen last
+    bool opensFiles = false;                                // the host can ask the user for a file
     glm::vec2 sceneLightDeg{0.0F};                          // direction to the scene's sun
     double frameMs = 0.0;                                   // time between two frames on the screen
     const std::array<double, stepCount>* stepMs = nullptr;  // time of each step; null: not timed
@@ -43,8 +47,10 @@ struct HudContent {
 struct HudActions {
     bool resetView = false;
     bool rescan = false;
-    bool measure = false;  // start a measurement, or stop the running one
-    bool dismiss = false;  // remove the message
+    bool openFile = false;
+    std::optional<int> camera;  // the user chose it
+    bool measure = false;       // start a measurement, or stop the running one
+    bool dismiss = false;       // remove the message
 };
 
 class Hud {
@@ -54,6 +60,9 @@ class Hud {
     ~Hud();
     Hud(const Hud&) = delete;
     Hud& operator=(const Hud&) = delete;
+
+    // Another density, as when a phone is unfolded or a window moves to another display.
+    void setPixelsPerDp(float pixelsPerDp);
 
     // True if the panel covered this position when it was last drawn.
     bool covers(const glm::vec2& position) const;
@@ -77,7 +86,7 @@ class Hud {
 
     void turnOff() { off_ = true; }  // draws nothing at all
     // Folds or unfolds the panel. A folded panel is a button that unfolds it, with messages. Until the user
-    // has chosen, it is folded where it would cover more than half of the window's width.
+    // has chosen, it is folded where it would cover more than a quarter of the window's width.
     void toggle() { folded_ = !isFolded_; }
 
   private:
@@ -90,11 +99,14 @@ class Hud {
     void buildCascades(const HudContent& content) const;
     void buildLight(const HudContent& content) const;
     void buildLights(const HudContent& content) const;
+    void buildCameras(const HudContent& content, HudActions& actions) const;
+    void buildSky(const HudContent& content, HudActions& actions) const;
+    void setScale(float pixelsPerDp);
     ImGuiWindow* scrollableAt(const glm::vec2& position) const;
 
     ImGuiContext* context_;
-    float scale_;
-    float slop_;                  // pixels that a finger moves before it counts as moving
+    float scale_ = 1.0F;
+    float slop_ = 8.0F;           // pixels that a finger moves before it counts as moving
     std::optional<bool> folded_;  // as the user chose
     bool isFolded_ = false;       // in the last frame
     bool off_ = false;

@@ -13,6 +13,10 @@ constexpr int fontUnit = 0;  // texture unit; 0 is a sampler's default
 
 enum Attribute : GLuint { position = 0, uv = 1, color = 2 };  // locations in app/hud.vert
 
+float fontSize() {
+    return ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+}
+
 gl::Texture fontTexture() {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -28,7 +32,10 @@ gl::Texture fontTexture() {
 }  // namespace
 
 HudRenderer::HudRenderer(const gl::ShaderLibrary& shaders)
-    : program_(shaders, hudProgram()), windowUniform_(program_.uniform("window")), font_(fontTexture()) {
+    : program_(shaders, hudProgram()),
+      windowUniform_(program_.uniform("window")),
+      font_(fontTexture()),
+      fontSize_(fontSize()) {
     vertexArray_.bind();
     vertices_ = gl::Buffer("panel vertices", GL_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
     indices_ = gl::Buffer("panel indices", GL_ELEMENT_ARRAY_BUFFER, 0, nullptr, GL_STREAM_DRAW);
@@ -43,8 +50,12 @@ HudRenderer::HudRenderer(const gl::ShaderLibrary& shaders)
     attribute(color, 4, GL_UNSIGNED_BYTE, true, offsetof(ImDrawVert, col));
 }
 
-void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) const {
+void HudRenderer::draw(const ImDrawData& data, glm::ivec2 window) {
     const gl::DebugGroup group("panel");
+    if (fontSize_ != fontSize()) {
+        font_ = fontTexture();
+        fontSize_ = fontSize();
+    }
     gl::Enable(GL_BLEND);
     gl::BlendEquation(GL_FUNC_ADD);
     gl::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

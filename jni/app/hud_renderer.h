@@ -12,17 +12,18 @@ namespace vct::app {
 
 class HudRenderer {
   public:
-    // Uploads the font atlas of the current ImGui context.
+    // The font atlas is that of the current ImGui context, whose size may change.
     explicit HudRenderer(const gl::ShaderLibrary& shaders);
 
     // Draws into the window's render pass (windowPass() in app/presenter.h), `window` pixels in size.
     // Blending and the scissor test are off before and after.
-    void draw(const ImDrawData& data, glm::ivec2 window) const;
+    void draw(const ImDrawData& data, glm::ivec2 window);
 
   private:
     gl::Program program_;
     GLint windowUniform_;
     gl::Texture font_;
+    float fontSize_ = 0.0F;  // that font_ was made for
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_, indices_;
 };

@@ -1,11 +1,10 @@
 #include "app/scenes.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
-#include "app/log.h"
 #include "core/error.h"
+#include "engine/environment.h"
+#include "image/radiance_file.h"
 #include "scene/camera.h"
 #include "scene/light_choice.h"
 
@@ -13,56 +12,60 @@ namespace vct::app {
 
 namespace {
 
-// The content of the baked light beside a scene's file; empty if there is none.
-std::vector<unsigned char> readBeside(const std::string& path, const ReadFile& read) {
+// The content of a file that may not exist.
+std::vector<unsigned char> readIfPresent(const std::string& path, const ReadFile& read) {
     try {
-        return read(path.substr(0, path.find_last_of('.')) + bakedLightExtension);
+        return read(path);
     } catch (const Error&) {
         return {};
     }
 }
 
+LoadedSky skyOf(const std::string& path, const std::vector<unsigned char>& bytes) {
+    return std::make_shared<const Environment>(decodeRadiance(path, bytes), "'" + path + "'");
+}
+
+// A sky that cannot be read is left out, with a message.
+LoadedSky skyBeside(const std::string& scene, const ReadFile& read) {
+    const std::string path = pathBeside(scene, skyExtension);
+    const std::vector<unsigned char> bytes = readIfPresent(path, read);
+    if (bytes.empty()) return nullptr;
+    try {
+        LoadedSky sky = skyOf(path, bytes);
+        log("the sky is that of " + path);
+        return sky;
+    } catch (const Error& error) {
+        log(LogLevel::warning, error.what());
+        return nullptr;
+    }
+}
+
 }  // namespace
 
-Scenes::Scenes(FindScenes find, ReadScene read) : find_(std::move(find)), read_(std::move(read)) {
-    rescan();
+std::string pathBeside(const std::string& path, const char* extension) {
+    return path.substr(0, path.find_last_of('.')) + extension;
 }
 
-int Scenes::find(const std::string& nameOrPath) const {
-    const auto found = std::find_if(all_.begin(), all_.end(), [&](const SceneFile& scene) {
-        return scene.name == nameOrPath || scene.path == nameOrPath;
-    });
-    return found == all_.end() ? -1 : static_cast<int>(found - all_.begin());
-}
-
-void Scenes::load(const SceneFile& file) {
-    cancel();
-    log("loading " + file.path);
-    file_ = file;
-    loaded_ = std::async(std::launch::async, [this, file] {
-        const ReadFile read = read_(file, cancelled_);
+Scenes::Load sceneLoader(OpenFile open) {
+    return [open = std::move(open)](const FileChoice& file, const std::atomic<bool>& cancelled) {
+        const ReadFile read = open(file, cancelled);
         Scene scene = loadGltf(file.path, read, {.allowOutside = file.allowOutside, .scale = file.scale});
-        const auto light = file.addRoomLight ? chooseRoomLight(scene, chooseCamera(scene, "")) : std::nullopt;
+        LoadedSky sky = file.usesSkyBeside ? skyBeside(file.path, read) : nullptr;
+        const auto light =
+            file.addRoomLight && !sky ? chooseRoomLight(scene, chooseCamera(scene, "")) : std::nullopt;
         if (light) {
             scene.punctualLights.push_back(*light);
             log(roomLightNote(*light));
         }
-        return LoadedScene{std::make_shared<const Scene>(std::move(scene)), readBeside(file.path, read)};
-    });
+        return LoadedScene{std::make_shared<const Scene>(std::move(scene)),
+                           readIfPresent(pathBeside(file.path, bakedLightExtension), read), std::move(sky)};
+    };
 }
 
-void Scenes::cancel() {
-    if (!loading()) return;
-    cancelled_ = true;
-    loaded_.wait();
-    cancelled_ = false;
-    loaded_ = {};
-}
-
-std::optional<LoadedScene> Scenes::take() {
-    const bool done = loading() && loaded_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (!done) return {};
-    return loaded_.get();
+SkyPictures::Load skyLoader(OpenFile open) {
+    return [open = std::move(open)](const FileChoice& file, const std::atomic<bool>& cancelled) {
+        return skyOf(file.path, open(file, cancelled)(file.path));
+    };
 }
 
 }  // namespace vct::app

@@ -1,6 +1,7 @@
 #include "app/viewer.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/log.h"
@@ -19,7 +20,8 @@ const glm::vec3 black(0.0F), background(0.08F);
 
 Viewer::Viewer(ViewerHost host, const ShowRequest& request)
     : host_(std::move(host)),
-      scenes_(host_.findScenes, host_.readScene),
+      scenes_(host_.findScenes, sceneLoader(host_.openFile)),
+      skies_(host_.findSkies, skyLoader(host_.openFile)),
       choices_(request.choices),
       recordS_(request.recordS),
       animationS_(request.timeS),
@@ -48,6 +50,7 @@ Viewer::~Viewer() {
 void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     if (!gl_) gl_ = std::make_unique<GlObjects>(host_.shaders);
     takeLoadedScene(window);
+    followSky();
     const auto now = std::chrono::steady_clock::now();
     const double passedS = std::chrono::duration<double>(now - lastFrame_).count();
     lastFrame_ = now;
@@ -60,13 +63,13 @@ void Viewer::draw(glm::ivec2 window, const glm::ivec4& free) {
     bool isRendered = false;
     if (measuring)
         measure();
-    else if (testResult_)
+    else if (testResult_ || !(request_ || host_.testsDriverFirst))
         isRendered = drawScene(window);
     const Renderer* const renderer = bench_      ? bench_->renderer()
                                      : measuring ? nullptr
                                                  : gl_->rendererOf(scene_);
     present(renderer, window, free, passedS);
-    if (!isRendered || !(scaleFollowsTime(choices_) || recordS_ > 0)) return;
+    if (!isRendered || !testResult_ || !(scaleFollowsTime(choices_) || recordS_ > 0)) return;
     // The time is taken by waiting for the GPU, which works with every driver: GPU clocks are wrong on many
     // (gl/driver_faults.h), and the time between two frames is never below the display's refresh.
     gl::Finish();
@@ -113,6 +116,9 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     const int sceneBefore = scene;
     content.scene = &scene;
     content.scenes = &scenes_.all();
+    content.skies = &skies_.all();
+    content.opensFiles = static_cast<bool>(host_.askForFile);
+    content.camera = camera_;
     content.sceneLightDeg = lightAnglesDeg(defaults_.light);
     content.frameMs = frameMs_;
     content.stepMs = stepMs_ ? &*stepMs_ : nullptr;
@@ -125,16 +131,21 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     };
     content.cascades = settingsOf(window).cascades;
     content.animated = scene_ && !scene_->animation.channels.empty();
-    if (scene_)
+    if (scene_) {
         for (const PunctualLight& light : scene_->punctualLights)
             content.lights.push_back(light.name);
+        for (const Camera& camera : scene_->cameras)
+            content.cameras.push_back(camera.name);
+    }
     content.measuring = request_.has_value();
-    if (!testResult_)
-        content.status = "testing the driver" + (selfTest_ ? ": " + selfTest_->progress() : "");
-    else if (scenes_.loading())
+    if (scenes_.loading())
         content.status = "loading " + scenes_.loaded().name;
+    else if (skies_.loading())
+        content.status = "loading " + skies_.loaded().name;
     else if (unlinked_ > 0)
         content.status = "preparing the scene: " + std::to_string(unlinked_) + " programs to compile";
+    else if (!testResult_)
+        content.status = "testing the driver" + (selfTest_ ? ": " + selfTest_->progress() : "");
     else if (bench_)
         content.status = "measuring " + bench_->progress();
     content.message = message_;
@@ -143,7 +154,12 @@ void Viewer::drawHud(glm::ivec2 window, const glm::ivec4& free, double passedS) 
     gl::checkErrors("panel");
 
     if (scene != sceneBefore) choose(scene);
-    if (actions.rescan) scenes_.rescan();
+    if (actions.rescan) {
+        scenes_.rescan();
+        skies_.rescan();
+    }
+    if (actions.openFile) host_.askForFile();
+    if (actions.camera) showFrom(*actions.camera);
     if (actions.resetView) reset();
     if (actions.dismiss) message_.clear();
     if (actions.measure && request_)
@@ -253,9 +269,13 @@ Settings Viewer::settingsOf(glm::ivec2 window) const {
     Settings settings = settingsFor(choices_, window, scale_.divisor());
     if (!choices_.cascades && scene_) settings.cascades = cascadesFor(*scene_, settings);
     settings.skyRadiance = skyRadianceFor(choices_, defaults_.skyRadiance, light());
-    if (choices_.sky == Sky::scene) {
+    if (choices_.sky == Sky::scene || choices_.sky == Sky::picture) {
         settings.environment = defaults_.environment;
         settings.background = defaults_.background;
+    }
+    if (choices_.sky == Sky::picture && sky_) {
+        settings.environment = sky_;
+        settings.background.reset();
     }
     return settings;
 }
@@ -336,7 +356,7 @@ void Viewer::takeLoadedScene(glm::ivec2 window) {
         for (const std::string& warning : scene.warnings)
             log(LogLevel::warning, warning);
         const double aspect = aspectOf(sizeIn(window));
-        const ViewDefaults look = host_.defaultsFor(scene, aspect);
+        const ViewDefaults look = host_.defaultsFor(scene, loaded->sky, aspect);
         if (scene_) choices_.lightsOff.reset();  // the first scene keeps the lights of the ShowRequest
         show(*loaded, look, window);
         if (!defaults_.camera) {
@@ -361,6 +381,7 @@ void Viewer::show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec
     choices_.grid = look.grid.value_or(choices_.grid);
     if (look.cascades) choices_.cascades = look.cascades;
     exposure_ = {};
+    camera_ = 0;
     aspect_ = aspectOf(sizeIn(window));
     view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
 }
@@ -387,6 +408,57 @@ void Viewer::choose(int scene) {
     scenes_.load(scenes_.all()[scene]);
 }
 
+void Viewer::showFrom(int camera) {
+    if (!scene_ || camera >= static_cast<int>(scene_->cameras.size())) return;
+    camera_ = camera;
+    defaults_.camera = scene_->cameras[static_cast<std::size_t>(camera)];
+    view_.emplace(*scene_, defaults_.camera, aspect_, obstacles_);
+}
+
+void Viewer::open(const std::string& path) {
+    std::string ending = path.substr(std::min(path.find_last_of('.'), path.size()));
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".glb" || ending == ".gltf") return choose(scenes_.add(path));
+    if (ending != skyExtension)
+        return fail("cannot open '" + path +
+                    "': it is neither a scene (.glb, .gltf) nor a sky (.hdr); convert it to one of these");
+    message_.clear();
+    skies_.add(path);
+    choices_.sky = Sky::picture;
+    choices_.skyPicture = path;
+    skyPath_.clear();  // the file may have changed
+}
+
+void Viewer::followSky() {
+    try {
+        if (std::optional<LoadedSky> loaded = skies_.take()) {
+            sky_ = std::move(*loaded);
+            skyPath_ = choices_.skyPicture = skies_.loaded().path;
+            log("the sky is that of " + skyPath_);
+            exposure_ = {};
+        }
+        if (choices_.sky != Sky::picture || choices_.skyPicture == skyPath_) return;
+        const int found = skies_.find(choices_.skyPicture);
+        if (found < 0)
+            throw Error("there is no sky '" + choices_.skyPicture + "'; copy it into the folder " +
+                        host_.folder);
+        choices_.skyPicture = skies_.all()[static_cast<std::size_t>(found)].path;
+        if (!skies_.loading() || skies_.loaded().path != choices_.skyPicture)
+            skies_.load(skies_.all()[static_cast<std::size_t>(found)]);
+    } catch (const std::exception& error) {
+        choices_.sky = Sky::scene;
+        fail(error.what());
+    }
+}
+
+void Viewer::setPixelsPerDp(float pixelsPerDp) {
+    if (pixelsPerDp == host_.pixelsPerDp) return;
+    host_.pixelsPerDp = pixelsPerDp;
+    hud_.setPixelsPerDp(pixelsPerDp);
+    touch_ = Touch(pixelsPerDp);
+}
+
 void Viewer::walk(const glm::dvec3& shares) {
     if (view_) view_->walk(shares);
 }
@@ -402,8 +474,10 @@ std::optional<Viewer::Seen> Viewer::seen() {
               exposure(),
               {},
               {},
+              {},
               renderer.radiance()};
     if (!scene_->animation.channels.empty()) seen.timeS = sceneTimeS();
+    if (choices_.sky == Sky::picture && sky_) seen.skyPath = skyPath_;
     seen.cameraOption = cameraOption(seen.camera, scene_->boundsWorld);
     return seen;
 }

@@ -44,14 +44,19 @@ struct ViewerHost {
     std::string folder;        // folder for results; on Android also for the user's scenes
     float pixelsPerDp = 1.0F;  // screen density over 160 dpi
     gl::ReadShader shaders;
-    FindScenes findScenes;
-    ReadScene readScene;
+    // False: the first picture of a scene comes before the test of the driver, which is for drivers that
+    // compile a program when it is linked. The test uses one program per frame for the first time.
+    bool testsDriverFirst = true;
+    FindFiles findScenes, findSkies;
+    OpenFile openFile;
+    std::function<void()> askForFile;  // shows a dialog whose file goes to Viewer::open(); empty on a phone
     std::function<void(bool)> keepScreenOn;
     // Returns how near the device is to severe throttling, which is at 1; empty if it does not tell.
     std::function<std::optional<float>()> thermalHeadroom = [] { return std::nullopt; };
     std::function<GpuCounters()> openGpuCounters;  // empty on a desktop
-    // Returns how to show a scene that was just loaded, in a window of `aspect`. May throw vct::Error.
-    std::function<ViewDefaults(const Scene&, double aspect)> defaultsFor;
+    // Returns how to show a scene that was just loaded, in a window of `aspect`. `sky`: the picture beside
+    // it, or null. May throw vct::Error.
+    std::function<ViewDefaults(const Scene&, const LoadedSky& sky, double aspect)> defaultsFor;
 };
 
 // The result of a self-test that passed in this process. A driver stays the same while a process runs, so
@@ -96,7 +101,9 @@ class Viewer {
     // For keys, which can change the same choices as the panel.
     Choices& choices() { return choices_; }
     void toggleHud() { hud_.toggle(); }
-    void showOtherScene(int step);         // the scene `step` places further in the list
+    void showOtherScene(int step);       // the scene `step` places further in the list
+    void open(const std::string& path);  // a scene or the picture of a sky, as the user asked
+    void setPixelsPerDp(float pixelsPerDp);
     void reset();                          // resets view, sun and exposure
     void turnLight(const glm::vec2& deg);  // turns the sun around the vertical and upwards
     // Moves the camera to the right, up and back, in shares of the scene's size.
@@ -118,6 +125,7 @@ class Viewer {
         float exposure;
         std::optional<double> timeS;  // time of the scene's animation, if it has one
         std::string cameraOption;     // text for --camera
+        std::string skyPath;          // of the picture of the sky, if one is shown that the user chose
         Image radiance;
     };
     std::optional<Seen> seen();  // empty if no scene is shown
@@ -159,17 +167,23 @@ class Viewer {
 
     std::string scenePath() const;  // path of the scene that is being loaded, or else is shown
     void choose(int scene);         // loads a scene of the list, as the user asked
+    void followSky();               // loads the picture that was chosen, and takes it
+    void showFrom(int camera);      // from a camera of the scene
     void takeLoadedScene(glm::ivec2 window);
     void show(const LoadedScene& loaded, const ViewDefaults& look, glm::ivec2 window);
 
     ViewerHost host_;
     Scenes scenes_;
+    SkyPictures skies_;
+    LoadedSky sky_;        // Choices::skyPicture, once it is loaded
+    std::string skyPath_;  // of sky_
     std::shared_ptr<const Scene> scene_;
     std::vector<unsigned char> bakedLight_;  // see LoadedScene, and the next
     SceneFeatures features_;
     ViewDefaults defaults_;
     std::shared_ptr<const Obstacles> obstacles_;  // of scene_
     std::optional<OrbitView> view_;
+    int camera_ = 0;       // of the scene, that the user chose last
     double aspect_ = 1.0;  // aspect ratio of the last picture
 
     Choices choices_;

@@ -16,7 +16,8 @@ std::optional<SelfTestResult>& passedSelfTest() {
 
 // Runs a part of the self-test in each frame, after the first frame was shown, until there is a result.
 void Viewer::testDriver() {
-    if (testResult_ || shownFrames_ == 0) return;
+    const bool waitsForPicture = !host_.testsDriverFirst && scene_ && !good_ && !failed_ && !request_;
+    if (testResult_ || shownFrames_ == 0 || waitsForPicture) return;
     if (passedSelfTest()) {
         testResult_ = passedSelfTest();
         log(LogLevel::detail, "self-test passed earlier in this process");
@@ -46,7 +47,7 @@ void Viewer::startMeasuring(const std::string& command) {
         const int index = scenes_.find(request.scene.empty() ? scenePath() : request.scene);
         if (index < 0)
             throw Error("there is no scene '" + request.scene + "'; copy it into the folder " + host_.folder);
-        const SceneFile& found = scenes_.all()[index];
+        const FileChoice& found = scenes_.all()[index];
         request.scene = found.name;
         if (found.path != scenePath()) scenes_.load(found);
         request_ = request;

@@ -45,26 +45,29 @@ struct ViewOptions {
 };
 
 #ifdef VCT_HAS_GLFW
-using app::SceneFile;
+using app::FileChoice;
 
-// Lists the scene and the other scenes in its folder.
-std::vector<SceneFile> scenesBeside(const ViewOptions& options) {
+// Lists the scene and the other files in its folder that have one of these extensions.
+std::vector<FileChoice> filesBeside(const ViewOptions& options, const std::vector<std::string>& extensions) {
     const std::string& path = options.scene.path;
     namespace fs = std::filesystem;
-    std::vector<SceneFile> scenes;
+    std::vector<FileChoice> files;
     const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         const std::string ending = entry.path().extension().string();
-        if (!entry.is_regular_file(ignored) || (ending != ".glb" && ending != ".gltf")) continue;
+        if (!entry.is_regular_file(ignored) ||
+            std::find(extensions.begin(), extensions.end(), ending) == extensions.end())
+            continue;
         const bool same = entry.path().filename() == fs::path(path).filename();
-        scenes.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false,
-                          options.scene.allowOutside && same, same ? options.scene.scale : 1.0,
-                          !options.sky.given() && (!same || options.scene.light.empty())});
+        files.push_back({entry.path().filename().string(), same ? path : entry.path().string(), false,
+                         options.scene.allowOutside && same, same ? options.scene.scale : 1.0,
+                         !options.sky.given() && (!same || options.scene.light.empty()),
+                         !options.sky.given()});
     }
-    std::sort(scenes.begin(), scenes.end(),
-              [](const SceneFile& a, const SceneFile& b) { return a.name < b.name; });
-    return scenes;
+    std::sort(files.begin(), files.end(),
+              [](const FileChoice& a, const FileChoice& b) { return a.name < b.name; });
+    return files;
 }
 
 // The shortest text that reads back as the same float.
@@ -98,7 +101,11 @@ std::string renderLine(const app::Viewer::Seen& seen, const app::Choices& choice
                 ",color=" + threeText(light.color) + ",intensity=" + floatText(light.intensity);
     }
     if (settings.environment)
-        line += " --environment '" + options.sky.environment + "'";
+        line += " --environment '" +
+                (!seen.skyPath.empty() ? seen.skyPath
+                 : options.sky.given() ? options.sky.environment
+                                       : app::pathBeside(seen.path, app::skyExtension)) +
+                "'";
     else if (choices.sky != app::Sky::scene || settings.skyRadiance != glm::vec3(0.0F) || isOn(light))
         line += " --sky " + threeText(settings.skyRadiance);
     if (settings.background) line += " --background " + threeText(*settings.background);
@@ -152,8 +159,10 @@ bool view(const ViewOptions& options) {
     desktop.backend = "window";
     desktop.folder = "vct-view";
     desktop.shaders = shaders();
-    desktop.findScenes = [&options] { return scenesBeside(options); };
-    desktop.readScene = [](const SceneFile&, const std::atomic<bool>& cancelled) -> ReadFile {
+    desktop.testsDriverFirst = false;
+    desktop.findScenes = [&options] { return filesBeside(options, {".glb", ".gltf"}); };
+    desktop.findSkies = [&options] { return filesBeside(options, {app::skyExtension}); };
+    desktop.openFile = [](const FileChoice&, const std::atomic<bool>& cancelled) -> ReadFile {
         return [&cancelled](const std::string& file) {
             if (cancelled) throw Error("loading was cancelled");
             return readFileFromDisk(file);
@@ -162,7 +171,7 @@ bool view(const ViewOptions& options) {
     desktop.keepScreenOn = [](bool) {};
     // The options for camera, light and grid apply only to the scene on the command line, not to the other
     // scenes of its folder.
-    desktop.defaultsFor = [&options, sky](const Scene& scene, double aspect) {
+    desktop.defaultsFor = [&options, sky](const Scene& scene, const app::LoadedSky& beside, double aspect) {
         const bool named = scene.path == options.scene.path;
         const std::string light = named ? options.scene.light : "";
         app::ViewDefaults look;
@@ -172,8 +181,14 @@ bool view(const ViewOptions& options) {
         }
         Settings settings = sky;
         look.light = lightFromText(light, scene);
-        options.sky.lightScene(scene, look.camera.value_or(chooseCamera(scene, "", aspect)), aspect, light,
-                               look.light, settings);
+        if (beside) {
+            settings.environment = beside;
+            if (scene.lights.empty() && scene.punctualLights.empty() && light.empty())
+                look.light.intensity = 0.0F;
+        } else {
+            options.sky.lightScene(scene, look.camera.value_or(chooseCamera(scene, "", aspect)), aspect,
+                                   light, look.light, settings);
+        }
         look.skyRadiance = settings.skyRadiance;
         look.background = settings.background;
         look.environment = settings.environment;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "core/error.h"
+#include "desktop/file_dialog.h"
 #include "engine/settings.h"
 
 namespace vct::desktop {
@@ -22,6 +24,7 @@ const char* const windowKeys =
     "  W A S D, Q, E     walk, go down, go up (with Shift: faster)\n"
     "  1 to 5, Tab       choose the mode, the next preset\n"
     "  N, B              show the next or the previous scene of the folder\n"
+    "  O                 open a scene or a sky (.hdr); or drop it on the window\n"
     "  Space             stop or continue the animation\n"
     "  T, H              time the steps, hide the panel\n"
     "  R                 reset view and sun\n"
@@ -79,6 +82,7 @@ class Window {
         float scale = 1.0F;
         glfwGetWindowContentScale(window_, &scale, nullptr);
         request_.host.pixelsPerDp = std::max(scale, 1.0F);
+        request_.host.askForFile = [this] { askForFile(); };
         viewer_.emplace(request_.host, request_.show);
         glfwSetWindowUserPointer(window_, this);
         // Keys that were pressed and released between two frames count too.
@@ -93,6 +97,13 @@ class Window {
             of(window).move(of(window).inPixels(x, y));
         });
         glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double y) { of(window).wheel(y); });
+        glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+            for (int i = 0; i < count; ++i)
+                of(window).viewer_->open(paths[i]);
+        });
+        glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float now, float) {
+            of(window).viewer_->setPixelsPerDp(std::max(now, 1.0F));
+        });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
             if (focused == GLFW_FALSE) of(window).viewer_->cancelTouch();
         });
@@ -114,6 +125,7 @@ class Window {
                 continue;
             }
             walk();
+            takeFile();
             viewer_->draw(size, {0, 0, size});
             if (save_) save();
             glfwSwapBuffers(window_);
@@ -188,6 +200,8 @@ class Window {
                 return viewer_->showOtherScene(1);
             case GLFW_KEY_B:
                 return viewer_->showOtherScene(-1);
+            case GLFW_KEY_O:
+                return askForFile();
             case GLFW_KEY_SPACE:
                 choices.play = !choices.play;
                 break;
@@ -207,6 +221,22 @@ class Window {
             default:
                 break;
         }
+    }
+
+    void askForFile() {
+        if (dialog_) return;
+        try {
+            dialog_ = std::make_unique<FileDialog>();
+        } catch (const Error& error) {
+            viewer_->fail(error.what());
+        }
+    }
+
+    void takeFile() {
+        const std::optional<std::string> path = dialog_ ? dialog_->poll() : std::nullopt;
+        if (!path) return;
+        dialog_.reset();
+        if (!path->empty()) viewer_->open(*path);
     }
 
     void walk() {
@@ -236,7 +266,8 @@ class Window {
     WindowRequest request_;
     GLFWwindow* window_ = nullptr;
     std::optional<app::Viewer> viewer_;
-    int held_ = -1;  // mouse button that is held; -1: none
+    std::unique_ptr<FileDialog> dialog_;  // while it is open
+    int held_ = -1;                       // mouse button that is held; -1: none
     glm::vec2 cursor_{0.0F};
     bool save_ = false;
     double lastWalkS_ = 0.0;

@@ -5,8 +5,6 @@
 #include <cstring>
 
 #include "core/error.h"
-#include "core/memory.h"
-#include "core/number_text.h"
 #include "image/files.h"
 #include "image/stb_picture.h"
 #include "scene/gltf.h"
@@ -44,15 +42,6 @@ std::array<float, 256> decodeTable() {
 }
 
 }  // namespace
-
-void requirePixelMemory(int width, int height, std::size_t besides) {
-    const std::size_t bytes =
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec3) + besides;
-    if (bytes > availableMemory())
-        throw PictureError("its " + std::to_string(width) + " x " + std::to_string(height) + " pixels take " +
-                           megabytesText(bytes) + " of memory, and only " + megabytesText(availableMemory()) +
-                           " are available");
-}
 
 ImageFormat imageFormat(const std::string& path, const Bytes& bytes) {
     if (startsWith(bytes, {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'})) return ImageFormat::png;

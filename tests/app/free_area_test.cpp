@@ -90,7 +90,7 @@ TEST_P(PanelOn, CoversNothingOfTheSystem) {
         app::Hud hud(static_cast<float>(density) / 160.0F);
         app::Choices choices;
         int scene = 0;
-        const std::vector<app::SceneFile> scenes(40, {"a.glb", "scenes/a.glb", true});
+        const std::vector<app::FileChoice> scenes(40, {"a.glb", "scenes/a.glb", true});
         app::HudContent content;
         content.choices = &choices;
         content.scene = &scene;

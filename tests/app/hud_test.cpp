@@ -46,11 +46,16 @@ class Fingers {
             content.possibleGrids = [&] { return grids; };
             content.animated = animated;
             content.lights = lights;
+            content.skies = &skies;
+            content.cameras = cameras;
+            content.opensFiles = true;
             const app::HudActions actions = hud.build(content, size, {0, 0, size}, 0.02);
             all.resetView |= actions.resetView;
             all.rescan |= actions.rescan;
             all.measure |= actions.measure;
             all.dismiss |= actions.dismiss;
+            all.openFile |= actions.openFile;
+            if (actions.camera) all.camera = actions.camera;
         }
         return all;
     }
@@ -58,12 +63,13 @@ class Fingers {
     glm::ivec2 size = window;
     app::Hud hud{1.0F};
     app::Choices choices;
-    std::vector<app::SceneFile> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
+    std::vector<app::FileChoice> scenes{{"a.glb", "scenes/a.glb", true}, {"b.glb", "/files/b.glb", false}};
     int scene = 0;
     std::string message;
     std::vector<int> grids = allGrids();
     bool animated = false;
-    std::vector<std::string> lights;
+    std::vector<std::string> lights, cameras;
+    std::vector<app::FileChoice> skies;
 };
 
 constexpr glm::vec2 corner{25.0F, 20.0F};  // the button that hides and shows
@@ -82,9 +88,9 @@ TEST(Hud, HidesAndShows) {
 }
 
 // At 320 dpi the panel has 674 pixels.
-TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanHalfOfTheWidth) {
+TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanAQuarterOfTheWidth) {
     for (const glm::ivec2 size :
-         {glm::ivec2(720, 1280), glm::ivec2(1280, 720), glm::ivec2(1344, 700), glm::ivec2(1360, 700)}) {
+         {glm::ivec2(720, 1280), glm::ivec2(1280, 720), glm::ivec2(2680, 700), glm::ivec2(2720, 700)}) {
         Fingers fingers;
         app::Hud hud(2.0F);
         app::HudContent content;
@@ -95,7 +101,7 @@ TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanHalfOfTheWidth) {
         for (int i = 0; i < 3; ++i)
             build();
         const glm::vec2 button(30.0F, 30.0F), below(100.0F, 400.0F);
-        const bool isFolded = size.x < 2 * 674;
+        const bool isFolded = size.x < 4 * 674;
         EXPECT_TRUE(hud.covers(button));
         EXPECT_EQ(hud.covers(below), !isFolded) << size.x;
         hud.touch(button, true);
@@ -104,6 +110,20 @@ TEST(Hud, StartsFoldedWhereItWouldCoverMoreThanHalfOfTheWidth) {
             build();
         EXPECT_EQ(hud.covers(below), isFolded) << size.x;
     }
+}
+
+TEST(Hud, FollowsTheDensity) {
+    Fingers fingers;
+    fingers.size = {1000, 1600};
+    fingers.frames();
+    const glm::vec2 aside(600.0F, 100.0F);
+    ASSERT_FALSE(fingers.hud.covers(aside));
+    fingers.hud.setPixelsPerDp(2.0F);
+    fingers.frames();
+    EXPECT_TRUE(fingers.hud.covers(aside));
+    fingers.hud.setPixelsPerDp(1.0F);
+    fingers.frames();
+    EXPECT_FALSE(fingers.hud.covers(aside));
 }
 
 TEST(Hud, FoldedItStillShowsWhatTheUserMustRead) {
@@ -128,6 +148,8 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
     fingers.message = "wrong";
     fingers.animated = true;
     fingers.lights = {"light", "light", ""};
+    fingers.cameras = {"camera", "camera"};
+    fingers.skies = {{"a.hdr", "/files/a.hdr"}};
     fingers.frames();
     const app::Choices before = fingers.choices;
     app::HudActions actions;
@@ -146,17 +168,20 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         note(now.lightsOff.any(), "lights");
         note(now.lightsOff.test(1), "second light");
         note(now.sky != before.sky, "sky");
+        note(now.sky == app::Sky::picture && now.skyPicture == "/files/a.hdr", "picture of a sky");
         note(now.timeSteps != before.timeSteps, "time");
         note(now.play != before.play, "play");
         note(fingers.scene != 0, "scene");
     };
     for (float y = 45.0F; y < 700.0F; y += 8.0F) {
-        for (const float below : {22.0F, 40.0F, 60.0F, 100.0F}) {
+        for (const float below : {22.0F, 40.0F, 60.0F, 80.0F, 100.0F}) {
             const app::HudActions first = fingers.tap({60.0F, y});
             const app::HudActions second = fingers.tap({60.0F, y + below});
             actions.rescan |= first.rescan || second.rescan;
             actions.resetView |= first.resetView || second.resetView;
             actions.dismiss |= first.dismiss || second.dismiss;
+            actions.openFile |= first.openFile || second.openFile;
+            if (second.camera) actions.camera = second.camera;
             look();
         }
         fingers.drag({60.0F, y}, {180.0F, y});
@@ -165,8 +190,11 @@ TEST(Hud, EveryChoiceCanBeChangedByTouch) {
         fingers.tap({165.0F, y});  // the second one of a row
         look();
     }
-    EXPECT_EQ(changed, (std::set<std::string>{"cone", "grid", "lights", "light", "mode", "pixels", "play",
-                                              "preset", "scene", "second light", "sky", "time"}));
+    EXPECT_EQ(changed,
+              (std::set<std::string>{"cone", "grid", "lights", "light", "mode", "pixels", "play",
+                                     "picture of a sky", "preset", "scene", "second light", "sky", "time"}));
+    EXPECT_EQ(actions.camera, 1);
+    EXPECT_TRUE(actions.openFile);
     EXPECT_TRUE(actions.rescan) << "opening the list of scenes looks for new ones";
     EXPECT_TRUE(actions.resetView);
     EXPECT_TRUE(actions.dismiss);

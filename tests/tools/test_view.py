@@ -190,6 +190,78 @@ def test_keys_and_the_right_button_change_the_view(view, root, tmp_path):
     window.close("key", "Escape")
 
 
+def drop(display, window, path):
+    """Drops a file on a window by the protocol XDND: announces it, answers the request for its address, and drops it."""
+    x = ctypes.CDLL("libX11.so.6")
+    x.XOpenDisplay.restype = x.XDefaultRootWindow.restype = x.XInternAtom.restype = x.XCreateSimpleWindow.restype = ctypes.c_ulong
+    connection = ctypes.c_void_p(x.XOpenDisplay(display.encode()))
+    source = x.XCreateSimpleWindow(connection, ctypes.c_ulong(x.XDefaultRootWindow(connection)), 0, 0, 1, 1, 0, ctypes.c_ulong(0),
+                                   ctypes.c_ulong(0))
+    names = ("XdndEnter", "XdndPosition", "XdndDrop", "XdndSelection", "XdndActionCopy", "text/uri-list")
+    enter, position, dropped, selection, copy, uris = (x.XInternAtom(connection, name.encode(), 0) for name in names)
+    x.XSetSelectionOwner(connection, ctypes.c_ulong(selection), ctypes.c_ulong(source), ctypes.c_ulong(0))
+
+    def send(message, *data):
+        event = (ctypes.c_long * 24)()
+        event[0], event[4], event[5], event[6], event[7] = 33, window, message, 32, source
+        for i, value in enumerate(data):
+            event[8 + i] = value
+        assert x.XSendEvent(connection, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+        x.XFlush(connection)
+
+    send(enter, 5 << 24, uris)
+    send(position, 0, 400 << 16 | 300, 0, copy)
+    send(dropped, 0, 0)
+    event = (ctypes.c_long * 24)()
+
+    def requested():
+        while x.XPending(connection):
+            x.XNextEvent(connection, ctypes.byref(event))
+            if event[0] & 0xFF == 30:  # XSelectionRequestEvent: owner, requestor, selection, target, property, time
+                return True
+        return False
+    wait_for("a request of the window", requested)
+    requestor, target, place = event[5], event[7], event[8]
+    text = f"file://{path}\r\n".encode()
+    x.XChangeProperty(connection, ctypes.c_ulong(requestor), ctypes.c_ulong(place), ctypes.c_ulong(target), 8, 0, text, len(text))
+    answer = (ctypes.c_long * 24)()
+    answer[0], answer[4], answer[5], answer[6], answer[7] = 31, requestor, selection, target, place
+    assert x.XSendEvent(connection, ctypes.c_ulong(requestor), 0, ctypes.c_long(0), ctypes.byref(answer))
+    x.XFlush(connection)
+    time.sleep(1)
+    x.XCloseDisplay(connection)
+
+
+def test_files_are_opened_by_dropping_and_by_a_dialog(view, root, display, tmp_path, monkeypatch):
+    other = tmp_path / "other"
+    other.mkdir()
+    for name in ("furnace.glb", "patio.hdr"):
+        shutil.copy(root / "assets" / name, other)
+    shutil.copy(root / "assets/contact.glb", tmp_path)
+    tools = tmp_path / "bin"
+    tools.mkdir()
+    dialog = tools / "zenity"
+    (tools / "xdotool").symlink_to(shutil.which("xdotool"))
+    monkeypatch.setenv("PATH", str(tools))
+    window = view("contact.glb", "--size", "320x240", "--mode", "phong")
+    window.do("key", "o")
+    wait_for("an error", lambda: "neither zenity nor kdialog is installed" in window.err.read_text())
+    dialog.write_text(f"#!/bin/sh\necho '{other}/furnace.glb'\n")
+    dialog.chmod(0o755)
+    window.do("key", "o")
+    wait_for("the scene of the dialog", lambda: "furnace.glb: " in window.err.read_text())
+    dialog.write_text("#!/bin/sh\nexit 1\n")  # the user closes it
+    window.do("key", "o")
+    drop(display[0], int(window.window[0]), other / "patio.hdr")
+    wait_for("the sky", lambda: f"the sky is that of {other}/patio.hdr" in window.err.read_text())
+    words, options, _ = window.save()
+    assert words[2] == str(other / "furnace.glb") and options["--environment"] == str(other / "patio.hdr")
+    (tmp_path / "my.obj").write_text("")
+    drop(display[0], int(window.window[0]), tmp_path / "my.obj")
+    wait_for("a message", lambda: "my.obj': it is neither a scene" in window.err.read_text())
+    assert window.process.poll() is None
+
+
 def send_close(display, window):
     """Sends the message of the window's close button."""
     x = ctypes.CDLL("libX11.so.6")

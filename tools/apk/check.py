@@ -116,7 +116,7 @@ def size(apk: Apk) -> Iterator[str]:
 def assets(apk: Apk) -> Iterator[str]:
     expected = {f"assets/shaders/{path.relative_to(ROOT / 'shaders').as_posix()}": path
                 for path in (ROOT / "shaders").rglob("*") if path.is_file()}
-    expected |= {f"assets/scenes/{path.name}": path for path in (ROOT / "assets").glob("*.glb")}
+    expected |= {f"assets/scenes/{path.name}": path for end in ("glb", "hdr") for path in (ROOT / "assets").glob(f"*.{end}")}
     held = {name for name in apk.zip.namelist() if name.startswith("assets/")}
     yield from (f"{name} is missing" for name in sorted(expected.keys() - held))
     yield from (f"{name} is not in the repository" for name in sorted(held - expected.keys()))

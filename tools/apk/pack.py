@@ -29,10 +29,10 @@ def add_stored(apk: zipfile.ZipFile, name: str, data: bytes) -> None:
 
 
 def add_folder(apk: zipfile.ZipFile, folder: pathlib.Path, name: str) -> None:
-    """Every shader or scene below the folder, compressed."""
+    """Every shader, scene or sky below the folder, compressed."""
     for path in sorted(folder.rglob("*")):
-        # The app does not read pages (.md) and skies (.hdr).
-        if path.is_file() and path.suffix not in (".md", ".hdr"):
+        # The app does not read pages.
+        if path.is_file() and path.suffix != ".md":
             info = zipfile.ZipInfo(f"assets/{name}/{path.relative_to(folder).as_posix()}", TIME)
             apk.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED, 9)
 

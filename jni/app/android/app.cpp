@@ -26,8 +26,13 @@ ViewerHost hostFor(android_app& glue) {
     android.folder = filesFolder(activity);
     android.pixelsPerDp = pixelsPerDp(glue.config);
     android.shaders = shadersFromAssets(assets);
-    android.findScenes = [assets, folder = android.folder] { return findScenes(assets, folder); };
-    android.readScene = [assets](const SceneFile& file, const std::atomic<bool>& cancelled) {
+    android.findScenes = [assets, folder = android.folder] {
+        return findFiles(assets, folder, {".glb", ".gltf"});
+    };
+    android.findSkies = [assets, folder = android.folder] {
+        return findFiles(assets, folder, {skyExtension});
+    };
+    android.openFile = [assets](const FileChoice& file, const std::atomic<bool>& cancelled) {
         return sceneReader(assets, file.bundled, cancelled);
     };
     android.openGpuCounters = openGpuCounters;
@@ -37,9 +42,15 @@ ViewerHost hostFor(android_app& glue) {
                                        on ? 0 : AWINDOW_FLAG_KEEP_SCREEN_ON);
     };
     android.thermalHeadroom = thermalHeadroom;
-    android.defaultsFor = [](const Scene& scene, double aspect) {
+    android.defaultsFor = [](const Scene& scene, const LoadedSky& sky, double aspect) {
         ViewDefaults look;
         look.light = chooseLight(scene);
+        if (sky) {
+            // A scene that comes with a sky and without a light has no sun.
+            if (scene.lights.empty() && scene.punctualLights.empty()) look.light.intensity = 0.0F;
+            look.environment = sky;
+            return look;
+        }
         look.skyRadiance = chooseSky(scene, look.light);
         if (look.skyRadiance != glm::vec3(0.0F))
             look.background =
@@ -93,6 +104,10 @@ void App::onCommand(int command) {
             break;
         case APP_CMD_PAUSE:
             resumed_ = false;
+            break;
+        case APP_CMD_CONFIG_CHANGED:
+            // A phone that is unfolded, or another display, may have another density.
+            viewer_->setPixelsPerDp(pixelsPerDp(glue_.config));
             break;
         case APP_CMD_LOST_FOCUS:
             viewer_->cancelTouch();

@@ -24,11 +24,6 @@ std::vector<unsigned char> readAsset(AAssetManager* assets, const std::string& p
     return bytes;
 }
 
-bool isScene(const std::string& name) {
-    const std::string ending = std::filesystem::path(name).extension().string();
-    return ending == ".glb" || ending == ".gltf";
-}
-
 }  // namespace
 
 gl::ReadShader shadersFromAssets(AAssetManager* assets) {
@@ -38,22 +33,27 @@ gl::ReadShader shadersFromAssets(AAssetManager* assets) {
     };
 }
 
-std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder) {
-    std::vector<SceneFile> scenes;
+std::vector<FileChoice> findFiles(AAssetManager* assets, const std::string& folder,
+                                  const std::vector<std::string>& extensions) {
+    std::vector<FileChoice> files;
+    const auto isFound = [&](const std::string& name) {
+        return std::find(extensions.begin(), extensions.end(),
+                         std::filesystem::path(name).extension().string()) != extensions.end();
+    };
     const std::unique_ptr<AAssetDir, decltype(&AAssetDir_close)> bundled(
         AAssetManager_openDir(assets, "scenes"), AAssetDir_close);
     if (bundled)
         while (const char* name = AAssetDir_getNextFileName(bundled.get()))
-            if (isScene(name)) scenes.push_back({name, std::string("scenes/") + name, true});
+            if (isFound(name)) files.push_back({name, std::string("scenes/") + name, true});
     std::error_code ignored;
     if (!folder.empty())
         for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-            if (isScene(entry.path().string()) && entry.is_regular_file(ignored))
-                scenes.push_back({entry.path().filename().string(), entry.path().string(), false});
-    std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) {
+            if (isFound(entry.path().string()) && entry.is_regular_file(ignored))
+                files.push_back({entry.path().filename().string(), entry.path().string(), false});
+    std::sort(files.begin(), files.end(), [](const FileChoice& a, const FileChoice& b) {
         return a.bundled != b.bundled ? a.bundled : a.name < b.name;
     });
-    return scenes;
+    return files;
 }
 
 ReadFile sceneReader(AAssetManager* assets, bool bundled, const std::atomic<bool>& cancelled) {

@@ -15,8 +15,10 @@ namespace vct::app {
 // Reads shaders from `shaders/` in the APK.
 gl::ReadShader shadersFromAssets(AAssetManager* assets);
 
-// Lists the scenes in the APK and then the .glb and .gltf files in `folder`, each sorted by name.
-std::vector<SceneFile> findScenes(AAssetManager* assets, const std::string& folder);
+// Lists the files of the APK's scenes/ and then those in `folder` that have one of the extensions, each
+// sorted by name.
+std::vector<FileChoice> findFiles(AAssetManager* assets, const std::string& folder,
+                                  const std::vector<std::string>& extensions);
 
 // Returns a function that reads the files of a scene. It throws vct::Error once `cancelled` is true, so that
 // loading ends soon.

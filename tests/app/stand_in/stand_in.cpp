@@ -62,6 +62,13 @@ void StandIn::resize(int width, int height) {
     });
 }
 
+void StandIn::setDensity(int dpi) {
+    event([this, dpi] {
+        configuration_.density = dpi;
+        deliver(APP_CMD_CONFIG_CHANGED);
+    });
+}
+
 void StandIn::frames(int count) {
     script_.push_back([this, count] { framesLeft_ = count; });
 }

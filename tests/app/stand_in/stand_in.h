@@ -52,6 +52,7 @@ class StandIn {
     void window(int width, int height);  // the system makes one
     void loseWindow();
     void resize(int width, int height);
+    void setDensity(int dpi);  // as when a phone is unfolded
     // Up to `count` refreshes of the display, as many as the app asks for.
     void frames(int count);
     // Frames until the app has logged a line with `text`; at most `most`.
