@@ -278,6 +278,10 @@ Scene sceneOf(const SceneDescription& description) {
     }
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
         if (description.meshes[i].deforms) makeDeforming(scene, i);
+    // Each takes uniforms, from the beginning.
+    constexpr std::size_t mostInstances = std::size_t{1} << 20;
+    require(description.maxInstances <= mostInstances,
+            "SceneDescription::maxInstances must be at most " + std::to_string(mostInstances));
     const std::size_t room = std::max(description.maxInstances, description.instances.size());
     scene.instanceRoom = room - description.instances.size();
     scene.materialsChange = true;

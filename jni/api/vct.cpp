@@ -41,7 +41,8 @@ glm::vec3 skyRadianceOf(const std::array<float, 3>& radiance) {
 Settings settingsOf(const Options& options, const SceneDescription& scene, const Bounds& boundsWorld) {
     Settings settings = presetSettings(options.preset);
     if (options.grid != 0) settings.grid = options.grid;
-    if (!(options.voxelSize >= 0.0F)) throw Error("Options::voxelSize must be 0 or above");
+    if (!(options.voxelSize >= 0.0F && std::isfinite(options.voxelSize)))
+        throw Error("Options::voxelSize must be 0 or above, in metres");
     if (options.voxelSize > 0.0F) {
         const GridChoice choice = chooseForVoxelSize(boundsWorld, settings, double{options.voxelSize});
         settings.grid = choice.grid;
