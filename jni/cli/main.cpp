@@ -15,7 +15,6 @@
 #include "cli/guess.h"
 #include "cli/options.h"
 #include "core/files.h"
-#include "core/list_text.h"
 #include "vct/version.h"
 
 namespace {
@@ -51,12 +50,14 @@ std::vector<std::string> commandsOf(const CLI::App& app) {
 }
 
 // Explains what is wrong with a command line that names none of the commands.
-std::string unknownCommand(const CLI::App& app, const CLI::ParseError& error,
-                           const std::vector<std::string>& arguments) {
-    if (!arguments.empty() && arguments.front()[0] == '-') return error.what();
+std::string unknownCommand(const CLI::App& app, const std::vector<std::string>& arguments) {
     const std::vector<std::string> names = commandsOf(app);
-    const std::string list = "the commands are " + vct::listText(names);
+    std::string list = "the commands are";
+    for (const std::string& name : names)
+        list += (name == names.front() ? " " : ", ") + name;
     if (arguments.empty()) return "A command is required; " + list;
+    if (arguments.front()[0] == '-')
+        return "'" + arguments.front() + "' stands where a command or a scene is needed; " + list;
     return "there is no command '" + arguments.front() + "'" +
            vct::cli::guessText(vct::cli::guesses(arguments.front(), names)) + "; " + list;
 }
@@ -66,10 +67,19 @@ std::string textOf(const CLI::App& command, const CLI::ParseError& error) {
     const std::string text = error.what();
     const std::size_t twice = text.find(": At Most 1 required");
     if (twice != std::string::npos) return text.substr(0, twice) + " is given more than once; give it once";
+    constexpr const char* unreadable = "Could not convert: ";
+    if (text.rfind(unreadable, 0) == 0)
+        return text.substr(std::strlen(unreadable)) + " cannot be read; give a number in its range";
+    const std::size_t missing = text.find(": 1 required ");
+    if (missing != std::string::npos) return text.substr(0, missing) + " needs a value";
     const std::vector<std::string> unknown = command.remaining();
     const auto option = std::find_if(unknown.begin(), unknown.end(),
                                      [](const std::string& word) { return word.rfind('-', 0) == 0; });
-    if (option == unknown.end()) return text;
+    if (option == unknown.end())
+        return unknown.empty()
+                   ? text
+                   : "'" + unknown.front() +
+                         "' is one argument too many; give one scene, and quote a name with spaces";
     std::vector<std::string> names;
     for (const CLI::Option* known : command.get_options())
         if (!known->get_lnames().empty()) names.push_back("--" + known->get_lnames().front());
@@ -130,8 +140,7 @@ int main(int argc, char** argv) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
         const std::vector<CLI::App*> command = app.get_subcommands();
         if (command.empty())
-            std::fprintf(stderr, "vct: error: %s; see vct --help\n",
-                         unknownCommand(app, error, arguments).c_str());
+            std::fprintf(stderr, "vct: error: %s; see vct --help\n", unknownCommand(app, arguments).c_str());
         else
             std::fprintf(stderr, "vct: error: %s; see vct %s --help\n",
                          textOf(*command.front(), error).c_str(), command.front()->get_name().c_str());

@@ -479,8 +479,8 @@ void addRender(CLI::App& app, int&) {
     command
         ->add_option("--specular", options->specular,
                      "Reflections of metals, and of others with a roughness below 1, in modes 4 and 5: none, "
-                     "or cone (the "
-                     "sun's highlight, and one cone in the mirror direction; not with the preset thesis) "
+                     "or rays (the "
+                     "sun's highlight, and rays around the mirror direction; not with the preset thesis) "
                      "(default: the preset's)")
         ->group(lightGroup);
     command

@@ -161,6 +161,9 @@ glm::vec3 colorFromText(const std::string& option, const std::string& text) {
                                        : threeFromText(option, text));
     if (glm::min(color.r, glm::min(color.g, color.b)) < 0.0F)
         throw Error(option + " " + text + ": radiance must not be negative");
+    // The library has the same limit.
+    if (!(glm::max(color.r, glm::max(color.g, color.b)) <= 1e30F))
+        throw Error(option + " " + text + ": radiance must be at most 1e30");
     return color;
 }
 
