@@ -4,7 +4,7 @@
     tools/eval.py motion lag --scenes walker,sun --presets mobile
     tools/eval.py motion dynamic --presets thesis,mobile
 
-lag      moving objects (`moving`, `walker`, a hundred `balls`) and a `sun` that turns by 36 degrees a second, at 30 frames a
+lag      moving objects (`moving`, `walker`, a `door`, a hundred `balls`) and a `sun` that turns by 36 degrees a second, at 30 frames a
          second: each frame against the converged picture of its moment
 dynamic  time of each step by what changes in a room with a hundred balls: camera, light, one ball, all balls, or everything rebuilt
 """
@@ -17,7 +17,7 @@ from typing import Any
 import metrics
 import program
 from files import ROOT, Failed, file_sha256, files_sha256
-from scenes import balls, moving, walker
+from scenes import balls, door, moving, walker
 from tables import STEPS, fraction, markdown
 from truth.exr import read_exr
 
@@ -30,6 +30,7 @@ TITLES = {"lag": "Light that follows a change", "dynamic": "Time by what changes
 SCENES = {
     "moving": (moving.build, moving.SECONDS),
     "walker": (walker.build, walker.SECONDS),
+    "door": (door.build, door.SECONDS),
     "balls": (lambda: balls.build(moving=balls.COUNT), balls.SECONDS),
     "sun": (lambda: balls.build(turn_light=36 * balls.SECONDS), balls.SECONDS),
 }
