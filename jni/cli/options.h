@@ -20,7 +20,7 @@ constexpr const char* driverGroup = "Driver";
 constexpr const char* measuringGroup = "Measuring and testing";
 // Description of --preset.
 constexpr const char* presetHelp =
-    "Set of settings: mobile (made for phones, the fastest), quality (finer voxels and more cones) or thesis "
+    "Set of settings: mobile (made for phones, the fastest), quality (finer voxels and more rays) or thesis "
     "(the pipeline of the thesis)";
 
 // Checks of options whose value is a number. They return what is wrong with the text; empty if it is valid.

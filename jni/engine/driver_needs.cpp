@@ -17,8 +17,8 @@ std::vector<gl::Requirement> needsOf(const Settings& settings, const gl::Capabil
         needs.push_back({std::string(name) + " >= " + std::to_string(needed), std::to_string(found), neededBy,
                          true, found >= needed});
     };
-    atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d,
-            faces ? DirectionalVoxels::widestTexture(settings.grid, settings.cascades) : settings.grid,
+    // Cascades follow each other along z.
+    atLeast("GL_MAX_3D_TEXTURE_SIZE", limits.texture3d, settings.cascades * settings.grid,
             "needed for the voxels at " + cubed + "; use a coarser grid");
     atLeast("GL_MAX_FRAMEBUFFER_WIDTH", limits.framebufferWidth,
             faces ? FaceProjection::sideFor(settings.grid) : settings.grid,

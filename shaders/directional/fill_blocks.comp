@@ -1,9 +1,8 @@
 // Writes the texture of occupied voxels that rays read: those of the static geometry, and behind them along z
-// those of the dynamic objects, if there are any. A ray meets
-// only faces that look against it, so each of the eight octants of directions has 64 bits per block, of the
-// voxels with such faces: bit x + 4 y of channel z. The octants are beside each other along x, and behind the
-// last one are the voxels with any face. Bits 0, 1 and 2 of an octant's number are set if its directions
-// point towards +x, +y and +z.
+// those of the dynamic objects, if there are any. A ray meets only faces that look against it, so each of the
+// eight octants of directions has 64 bits per block, of the voxels with such faces: bit x + 4 y of channel z.
+// Bits 0, 1 and 2 of an octant's number are set if its directions point towards +x, +y and +z. A ninth set
+// has the voxels with any face.
 #include "directional/face_data.glsl"
 #include "shared/counters.glsl"
 
@@ -29,8 +28,8 @@ void main() {
     for (int octant = 0; octant < 8; ++octant) {
         COUNT(VCT_COUNTER_FILL_BLOCKS_OCTANT);
         uvec2 bits = faces[octant & 1] | faces[2 + (octant >> 1 & 1)] | faces[4 + (octant >> 2 & 1)];
-        storeBits(texel + ivec3(octant * side, 0, 0), bits);
+        storeBits(texel + ivec3(placeOfSet(octant) * side, 0), bits);
         all |= bits;
     }
-    storeBits(texel + ivec3(8 * side, 0, 0), all);
+    storeBits(texel + ivec3(placeOfSet(allFaces) * side, 0), all);
 }

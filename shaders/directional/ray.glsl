@@ -98,10 +98,10 @@ uint firstFace(uint staticCell, uint dynamicCell, bool isStatic, uint faces, boo
     return id;
 }
 
-// The voxels of a block with faces that a ray may meet. `set`: the octant of its direction, or 8 for all.
-uvec4 occupiedVoxels(ivec3 block, int set, uint geometry) {
+// The voxels of a block with faces that a ray may meet. `set`: place of the set of such voxels.
+uvec4 occupiedVoxels(ivec3 block, ivec2 set, uint geometry) {
     int side = frame.gridSide / VCT_BRICK_SIDE;
-    ivec3 still = block + ivec3(set * side, 0, 0);
+    ivec3 still = block + ivec3(set * side, 0);
     uvec4 bits = uvec4(0u);
     if ((geometry & staticGeometry) != 0u) bits |= texelFetch(blocks, still, 0);
     if ((geometry & dynamicGeometry) != 0u && frame.hasDynamicObjects != 0)
@@ -118,7 +118,7 @@ RayHit traceRay(vec3 start, int own, vec3 direction, float reach, float dice, ui
     ivec3 ahead = ivec3(positive);
     uint against = (positive.x ? 2u : 1u) | (positive.y ? 8u : 4u) | (positive.z ? 32u : 16u);
     bool meetsBacks = (geometry & backsOfFaces) != 0u;
-    int set = meetsBacks ? 8 : ahead.x + 2 * ahead.y + 4 * ahead.z;
+    ivec2 set = placeOfSet(meetsBacks ? allFaces : ahead.x + 2 * ahead.y + 4 * ahead.z);
     if (meetsBacks) against = VCT_FACE_MASK;
     vec3 volume = volumeFromVoxels(start, own);
     float scale = 1.0, distance = 0.0;

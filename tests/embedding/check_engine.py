@@ -52,4 +52,4 @@ except ImportError:
 engine, room = (numpy.array([numpy.frombuffer(row, numpy.uint8).reshape(-1, step)[:, :3] for row in rows]) / numpy.float32(255)
                 for rows, step in (plain, tool))
 flip = flip_evaluator.evaluate(room, engine, "LDR", inputsRGB=True, parameters={"ppd": 67})[1]
-assert flip < 0.01, f"FLIP between the example and vct render is {flip:.4f}"
+assert flip < 0.013, f"FLIP between the example and vct render is {flip:.4f}"

@@ -122,8 +122,8 @@ TEST(DriverNeeds, EachIsNamedWhereALimitIsOneTooSmall) {
         int least;
         const char* name;
     } needs[] = {
-        {mobile, &gl::Limits::texture3d, 128, "GL_MAX_3D_TEXTURE_SIZE >= 128"},
-        {finest, &gl::Limits::texture3d, 1024, "GL_MAX_3D_TEXTURE_SIZE >= 1024"},
+        {mobile, &gl::Limits::texture3d, 64, "GL_MAX_3D_TEXTURE_SIZE >= 64"},
+        {finest, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
         {thesis, &gl::Limits::texture3d, 512, "GL_MAX_3D_TEXTURE_SIZE >= 512"},
         {mobile, &gl::Limits::framebufferWidth, 128, "GL_MAX_FRAMEBUFFER_WIDTH >= 128"},
         {thesis, &gl::Limits::framebufferWidth, 512, "GL_MAX_FRAMEBUFFER_WIDTH >= 512"},

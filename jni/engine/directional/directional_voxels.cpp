@@ -35,8 +35,9 @@ gl::ProgramDescription markStaticProgram() {
 
 namespace {
 
-// Sets of voxels in the texture of blocks: those of each octant of directions, and all (fill_blocks.comp).
-constexpr int blockSets = 9;
+// Sets of voxels in the texture of blocks, along x and along y (placeOfSet() in
+// shaders/directional/blocks.glsl).
+constexpr int setsAcross = 3;
 
 // The position of a listed face's voxel in an array of side^2 voxels per layer.
 std::size_t placeIn(std::uint32_t side, std::uint32_t entry) {
@@ -58,8 +59,8 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
       index_(shaders, grid, listCapacity,
              dynamicObjects ? VoxelPyramid::Kind::staticAndDynamicFaces : VoxelPyramid::Kind::staticFaces,
              cascades),
-      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, blockSets * grid / VCT_BRICK_SIDE,
-                                  grid / VCT_BRICK_SIDE,
+      blocks_(gl::Texture::make3d("blocks of voxels", GL_RGBA16UI, setsAcross * grid / VCT_BRICK_SIDE,
+                                  setsAcross * grid / VCT_BRICK_SIDE,
                                   (dynamicObjects ? 2 : 1) * cascades * grid / VCT_BRICK_SIDE, 1)),
       fillBlocks_(shaders, fillBlocksProgram(emission)),
       resolve_(shaders, resolveProgram(emission)) {
@@ -79,11 +80,7 @@ DirectionalVoxels::DirectionalVoxels(const gl::ShaderLibrary& shaders, int grid,
 std::size_t DirectionalVoxels::bytesFor(int grid, int cascades, std::uint32_t listCapacity) {
     const int blocks = grid / VCT_BRICK_SIDE;
     return VoxelPyramid::bytesFor(grid, listCapacity, VoxelPyramid::Kind::staticFaces, cascades) +
-           gl::textureBytes(GL_RGBA16UI, blockSets * blocks, blocks, cascades * blocks, 1);
-}
-
-int DirectionalVoxels::widestTexture(int grid, int cascades) {
-    return std::max((blockSets * grid + VCT_BRICK_SIDE - 1) / VCT_BRICK_SIDE, cascades * grid);
+           gl::textureBytes(GL_RGBA16UI, setsAcross * blocks, setsAcross * blocks, cascades * blocks, 1);
 }
 
 Resources DirectionalVoxels::resources() const {

@@ -37,8 +37,6 @@ class DirectionalVoxels {
 
     Resources resources() const;
     static std::size_t bytesFor(int grid, int cascades, std::uint32_t listCapacity);
-    // The largest side of its 3D textures, in texels.
-    static int widestTexture(int grid, int cascades);
     // A texture of the faces of blocks holds the six directions beside each other: three along x and two
     // along y. Cascades follow each other along z.
     static constexpr int directionsX = 3, directionsY = 2;
